@@ -79,6 +79,9 @@ set(PALPABLE_MAY_USE_session/check touch)
 
 set(PALPABLE_ROOMS_study simulated)
 
+set(PALPABLE_ROOMS_cli arguments keys video commands)
+set(PALPABLE_MAY_USE_cli/commands arguments keys video)
+
 # Regular expressions of headers that a module must never include: the modules of the servo need no vision library.
 set(PALPABLE_FREE_OF_VISION core models haptics device)
 set(PALPABLE_VISION_HEADERS "opencv2/|ceres/|tesseract/|libheif/|osmium/")

@@ -1,0 +1,449 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/arguments/make_options.hpp"
+
+#include "palpable/cli/arguments/known_length.hpp"
+#include "palpable/cli/arguments/parameter_groups.hpp"
+#include "palpable/cli/arguments/unused_options.hpp"
+#include "palpable/cli/arguments/unused_parameters.hpp"
+#include "palpable/cli/suggest.hpp"
+#include "palpable/core/byte_reader.hpp"
+#include "palpable/core/number_text.hpp"
+#include "palpable/core/read_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace palpable::cli {
+namespace {
+
+constexpr const char* kMadeBy = "palpable " PALPABLE_VERSION;
+
+/// The kinds of input that a scene can be made from.
+const std::vector<std::string> kInputKinds{"picture", "stereo", "depth", "mesh", "level-set",
+                                           "points",  "shapes", "video", "map",  "scene"};
+
+/// A kind of scene is given by another option.
+std::string unknown_kind(const std::string& typed) {
+  for (const char* const scene : {"relief", "contours", "field", "grid", "map"})
+    if (typed == scene)
+      return fmt::format("'{0}' is a kind of scene, not of input: did you mean --as {0}?", typed);
+  return unknown_word(typed, kInputKinds);
+}
+
+session::MakeAs make_as_from(const std::string& word) {
+  if (word == "relief") return session::MakeAs::relief;
+  if (word == "contours") return session::MakeAs::contours;
+  if (word == "field") return session::MakeAs::field;
+  if (word == "map") return session::MakeAs::map;
+  return word == "grid" ? session::MakeAs::grid : session::MakeAs::by_input;
+}
+
+sources::DepthSettings depth_settings(const MakeArguments& arguments) {
+  sources::DepthSettings settings;
+  settings.meaning = sources::depth_meaning_from(arguments.depth_as);
+  settings.metres_per_unit = arguments.depth_scale;
+  if (arguments.near_plane) {
+    sources::ZBuffer buffer;
+    buffer.near_m = *arguments.near_plane;
+    buffer.far_m = arguments.far_plane.value_or(std::numeric_limits<double>::infinity());
+    settings.zbuffer = buffer;
+  }
+  return settings;
+}
+
+std::vector<std::string> up_names() {
+  std::vector<std::string> names;
+  for (const AxisDirection direction : kAxisDirections) names.emplace_back(name_of(direction));
+  return names;
+}
+
+/// The placement of a solid; a solid without a size is fitted for a hand.
+sculpt::PlacementOptions placement_options(const MakeArguments& arguments) {
+  sculpt::PlacementOptions placement;
+  placement.default_size = sculpt::DefaultSize::for_a_hand;
+  placement.up = axis_direction_from(arguments.up);
+  if (arguments.lay == "upright") placement.lay = sculpt::Lay::upright;
+  if (arguments.lay == "flat") placement.lay = sculpt::Lay::flat;
+  return placement;
+}
+
+void add_input_options(Options& options, MakeArguments& arguments) {
+  constexpr int kMostInputs = 4096;
+  constexpr Range kDepthUnits{-1e6, 1e6};
+  options.arguments("INPUT", arguments.inputs, kMostInputs,
+                    "A pair (left first), a depth map, a mesh, points, shapes, a video, or a scene");
+  options.under("How the scene is made");
+  options.choice(
+      "--as", arguments.as, {"relief", "contours", "field", "grid", "map"},
+      "Kind of scene; default: contours for a picture, a field for a solid or a video, a map for an "
+      "OpenStreetMap extract, a relief for the rest; map = the streets of a map's picture");
+  options.text("--kind", arguments.kind,
+               fmt::format("Kind of input: {}; default: by content", fmt::join(kInputKinds, ", ")));
+  options.text(
+      "--size", arguments.size,
+      "Largest size of the scene, WxHxD in mm; default: 100x100 and 15 high, and solids as they are or "
+      "100x100x50");
+  options.number("--depth-scale", arguments.depth_scale, {1e-9, 1e6},
+                 "Metres for one step of a depth map; default: as its sidecar or kind says");
+  options.choice("--depth-as", arguments.depth_as, {"depth", "distance", "disparity", "nearness", "zbuffer"},
+                 "Meaning of the values of a depth map (docs/formats.md)");
+  options.number("--near-plane", arguments.near_plane, {1e-6, 1e6}, "Near plane of a depth buffer, m");
+  options.number("--far-plane", arguments.far_plane, {1e-6, 1e9},
+                 "Far plane of a depth buffer, m; default: infinite");
+  options.number("--near", arguments.near, kDepthUnits,
+                 "Nearer depths are moved to this one (m; px of disparity without calibration)");
+  options.number("--far", arguments.far, kDepthUnits, "Farther depths are moved to this one");
+}
+
+void add_relief_options(Options& options, MakeArguments& arguments) {
+  options.number("--exaggerate", arguments.exaggerate, {0.1, 10.0}, "Multiplies the relief's height");
+  std::vector<std::string> details;
+  details.reserve(std::size(sculpt::kDetailOperators) + 1);
+  for (const auto detail : sculpt::kDetailOperators) details.emplace_back(sculpt::name_of(detail));
+  details.emplace_back(kCompareDetails);
+  options.choice("--detail", arguments.detail, details,
+                 "How depth becomes height (docs/relief.md); compare = all side by side, as a picture");
+  options.number("--compression", arguments.compression, {1.5, 100.0},
+                 "How many times higher the scene would be in true proportions");
+  options.choice("--height-of", arguments.height_of, {"depth", "disparity"},
+                 "What height stands for: depth where it is known, or a pair's disparity");
+  options.number("--steepest", arguments.steepest_slope, {0.1, 100.0},
+                 "No place of a relief becomes steeper (rise over run)");
+  options.number("--smooth", arguments.smooth_mm, {0.0, 10.0},
+                 "Detail narrower than this is smoothed away, mm: the resolution of your device");
+  options.choice("--resample", arguments.resample, {"none", "bilinear", "bicubic"},
+                 "How a relief's depths get --samples samples, before they are mapped");
+  options.integer("--samples", arguments.samples, {2, 4096}, "On the longer side; needs --resample");
+  options.flag("--engrave", arguments.engrave, "Near parts go down instead of up");
+  options.text("--ground", arguments.ground, "Pair or depth map: keep, flatten or remove the ground");
+  options.choice("--background", arguments.background, {"keep", "remove"},
+                 "Pair or depth map: what to do with the background");
+  options.choice("--texture", arguments.texture, {"left", "front", "none"},
+                 "The picture on the relief; front = as seen from between the cameras of a pair");
+}
+
+void add_solid_options(Options& options, MakeArguments& arguments) {
+  options.under("Meshes and other solids");
+  options.choice("--up", arguments.up, up_names(),
+                 "Which way is up in the file; default: z in STL, y in others");
+  options.choice("--lay", arguments.lay, {"auto", "upright", "flat"},
+                 "Seen from the front or from above; auto = from above what is low and wide, as a map");
+  options.number("--sheet", arguments.sheet_mm, {0.0, 10.0}, "Open sheet: height above its base, mm");
+}
+
+void add_field_options(Options& options, MakeArguments& arguments) {
+  options.under("Fields and grids");
+  options.integer("--grid-points", arguments.grid_points, {8, 512}, "Grid: points along the longest side");
+  options.choice("--grid-filling", arguments.grid_filling, {"relief", "camera"},
+                 "Grid: under the relief, or in space behind what a pair's camera sees");
+  options.integer("--resolution", arguments.resolution, {16, 4096},
+                  "Number of finest cells along the longest side; default: 512");
+  options.number("--max-error", arguments.max_error_mm, {1e-6, 1000.0},
+                 "Greatest error of the distance near the surface, mm; default: 1/10000 of the longest side");
+  options.text("--poses", arguments.poses,
+               "Several depth maps: the poses of their cameras, CSV frame,qw,qx,qy,qz,tx,ty,tz; a video: "
+               "written there");
+  options.choice("--motion", arguments.motion, {"batch", "filter"},
+                 "A video: the camera's path by bundle adjustment, or frame by frame by a Kalman filter");
+  options.choice("--surface", arguments.surface, {"fused", "superquadrics"},
+                 "A video: the depth maps fused, or superquadrics fitted to their points");
+  options.text(
+      "--length", arguments.length,
+      "A video: a known length, as '120 mm between 210,240 and 330,250 of frame 40'; default: by a printed "
+      "marker (palpable marker), else no true size");
+  options.integer("--until", arguments.until, {1, 1e9}, "A video: frames after this one are not used");
+  options.flag("--no-cache", arguments.no_cache,
+               "Do not take a mesh's field from the cache, where it is kept after it was made "
+               "(~/.cache/palpable)");
+  options.flag("--dense", arguments.dense, "Field: distances at every point of a lattice, for comparison");
+  options.flag("--paper", arguments.paper,
+               "Field: dense, by fast marching, with stored forces (Moustakas 2007)");
+}
+
+void add_map_options(Options& options, MakeArguments& arguments) {
+  options.under("Street maps");
+  options.text("--center", arguments.center,
+               "OpenStreetMap extract: the middle of the map, LATITUDE,LONGITUDE in degrees; default: the "
+               "median of its streets");
+  options.number("--width", arguments.window_m, {50.0, 20000.0},
+                 "OpenStreetMap extract: width of the map, m; default: 600");
+  options.text("--gazetteer", arguments.gazetteer,
+               "Picture of a map: a file of street names, one a line; read names are corrected by it");
+}
+
+void add_contours_options(Options& options, MakeArguments& arguments) {
+  options.under("Contours of one picture");
+  options.choice("--contour-method", arguments.contour_method, {"standard", "paper"},
+                 "How boundaries are found; paper = graphic-haptic display 2006");
+  options.choice("--quality", arguments.quality, {"live", "best"},
+                 "best takes seconds and ignores speckle and grain");
+  options.number("--threshold", arguments.threshold, {0.0, 1.0},
+                 "Least strength of a boundary; default: by Otsu's method");
+  options.number("--neighbourhood", arguments.neighbourhood_px, {1.0, 32.0},
+                 "Radius over which directions are averaged, px");
+  options.number("--groove", arguments.groove_mm, {0.5, 20.0}, "Width of the grooves of the law groove, mm");
+}
+
+}  // namespace
+
+void add_make_options(Options& options, MakeArguments& arguments) {
+  add_input_options(options, arguments);
+  add_relief_options(options, arguments);
+  add_solid_options(options, arguments);
+  add_field_options(options, arguments);
+  add_contours_options(options, arguments);
+  add_map_options(options, arguments);
+  add_stereo_options(options, arguments.stereo);
+  add_parameter_options(options, arguments.stereo);
+  arguments.given = options.given();
+}
+
+std::optional<Note> note_on_lay(const MakeArguments& arguments, const session::MakeOptions& options,
+                                const models::Scene& made) {
+  constexpr double kLow = 0.5;
+  const Vec3 size = models::size_m(made);
+  if (arguments.lay != "auto" || !models::is_upright_solid(made) || size.y >= kLow * std::min(size.x, size.z))
+    return std::nullopt;
+  const auto input = session::recognise(options.input);
+  if (!input || input->kind == sources::InputKind::scene) return std::nullopt;
+  return Note("The solid is wide and low and is seen from the front (--lay flat shows it from above).");
+}
+
+std::optional<Note> note_on_unused(const MakeArguments& arguments, const session::MakeOptions& options,
+                                   const models::Scene& made) {
+  const auto given = arguments.given ? arguments.given() : std::vector<std::string>{};
+  // The input is recognised again only if it is needed.
+  if (given.empty()) return std::nullopt;
+  const auto input = session::recognise(options.input);
+  if (!input) return std::nullopt;
+  const UnusedParameters parameters =
+      unused_parameters(arguments, options, input->kind, models::kind_of(made.model));
+  std::string sentences;
+  if (const auto words = unused_options(given, parameters.of_other_scenes, input->kind, made.model))
+    sentences = *words;
+  for (const std::string& sentence : parameters.sentences)
+    sentences += (sentences.empty() ? "" : " ") + sentence;
+  if (sentences.empty()) return std::nullopt;
+  return Note(sentences);
+}
+
+Result<Vec3> size_from(const std::string& text) {
+  const Error wrong{ErrorCode::usage,
+                    fmt::format("'{}' is not a size: write WxHxD in mm, each 1 to 1000, as 100x75x20", text),
+                    "--size"};
+  std::array<double, 3> sides_mm{};
+  std::string_view rest = text;
+  for (std::size_t i = 0; i < sides_mm.size(); ++i) {
+    const std::size_t end = i + 1 == sides_mm.size() ? rest.size() : std::min(rest.find('x'), rest.size());
+    const auto side = finite_number(rest.substr(0, end));
+    if (!side || *side < 1.0 || *side > 1000.0) return wrong;
+    sides_mm[i] = *side;
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return Vec3{sides_mm[0] / 1000.0, sides_mm[1] / 1000.0, sides_mm[2] / 1000.0};
+}
+
+namespace {
+
+/// Parses "LAT,LON" in degrees. Errors: usage.
+Result<sources::GeoPoint> geo_point_from(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  const auto latitude = finite_number(std::string_view(text).substr(0, comma));
+  const auto longitude =
+      comma == std::string::npos ? std::nullopt : finite_number(std::string_view(text).substr(comma + 1));
+  if (latitude && longitude && std::abs(*latitude) <= 85.0 && std::abs(*longitude) <= 180.0)
+    return sources::GeoPoint{*latitude, *longitude};
+  return Error{ErrorCode::usage,
+               fmt::format("'{}' is not LATITUDE,LONGITUDE in degrees, as 47.1410,9.5220", text), "--center"};
+}
+
+/// The lines of a file of names that are not empty. Errors: as read_file(); invalid_input for no names or
+/// more than a million.
+Result<std::vector<std::string>> gazetteer_of(const std::string& path) {
+  const auto file = read_file(path);
+  if (!file) return file.error();
+  std::vector<std::string> names;
+  std::string_view text = as_text(*file);
+  constexpr std::size_t kLongest = 200, kMost = 1'000'000;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (!line.empty() && line.size() <= kLongest) names.emplace_back(line);
+  }
+  if (names.empty() || names.size() > kMost)
+    return invalid_input("is no gazetteer: a text file with one name a line, 1 to 1 000 000 of them", path);
+  return names;
+}
+
+Result<session::InputOptions> input_options(const MakeArguments& arguments) {
+  session::InputOptions input;
+  input.files.assign(arguments.inputs.begin(), arguments.inputs.end());
+  input.calibration = arguments.stereo.calibration;
+  input.poses = arguments.poses;
+  input.depth = depth_settings(arguments);
+  input.layout = layout_of(arguments.stereo);
+  input.rectification = rectification_of(arguments.stereo);
+  input.moved_m = moved_m_of(arguments.stereo);
+  if (arguments.window_m) input.window.width_m = *arguments.window_m;
+  if (!arguments.center.empty()) {
+    const auto center = geo_point_from(arguments.center);
+    if (!center) return center.error();
+    input.window.center = *center;
+  }
+  if (arguments.kind.empty()) return input;
+  input.kind = sources::input_kind_from(arguments.kind);
+  if (!input.kind) return Error{ErrorCode::usage, unknown_kind(arguments.kind), "--kind"};
+  return input;
+}
+
+Result<recipes::StereoRecipe> stereo_recipe(const MakeArguments& arguments) {
+  recipes::StereoRecipe stereo;
+  stereo.options.max_disparity_px = arguments.stereo.max_disparity_px;
+  if (arguments.stereo.method.empty()) return stereo;
+  const auto method = stereo_method(arguments.stereo);
+  if (!method) return method.error();
+  stereo.method = *method;
+  return stereo;
+}
+
+Result<recipes::ReliefRecipe> relief_recipe(const MakeArguments& arguments) {
+  recipes::ReliefRecipe recipe;
+  sculpt::ReliefOptions& relief = recipe.relief;
+  relief.near = arguments.near;
+  relief.far = arguments.far;
+  relief.exaggerate = arguments.exaggerate;
+  relief.compression = arguments.compression;
+  relief.steepest_slope = arguments.steepest_slope;
+  if (arguments.height_of == "disparity") relief.height_of = sculpt::HeightOf::disparity;
+  relief.smooth_m = arguments.smooth_mm / 1000.0;
+  relief.detail = sculpt::detail_operator_from(arguments.detail).value_or(relief.detail);
+  relief.resampling = sculpt::resampling_from(arguments.resample).value_or(relief.resampling);
+  relief.samples_on_a_side = arguments.samples;
+  relief.sense = arguments.engrave ? sculpt::Sense::engrave : sculpt::Sense::raise;
+  if (arguments.background == "remove") recipe.background = recipes::BackgroundTreatment::remove;
+  if (arguments.texture == "front") recipe.texture = recipes::Texture::front;
+  if (arguments.texture == "none") recipe.texture = recipes::Texture::none;
+  if (arguments.ground.empty()) return recipe;
+  const auto ground = vision::ground_treatment_from(arguments.ground);
+  if (!ground)
+    return Error{ErrorCode::usage,
+                 unknown_word(arguments.ground, std::vector<std::string>{"keep", "flatten", "remove"}),
+                 "--ground"};
+  recipe.ground = *ground;
+  return recipe;
+}
+
+recipes::ContoursRecipe contours_recipe(const MakeArguments& arguments) {
+  recipes::ContoursRecipe recipe;
+  if (arguments.quality == "best") recipe.contours.method = vision::ContourMethod::best;
+  if (arguments.contour_method == "paper") recipe.contours.method = vision::ContourMethod::paper;
+  recipe.contours.threshold = arguments.threshold;
+  recipe.map.radius_px = arguments.neighbourhood_px;
+  recipe.grooves.width_m = arguments.groove_mm / 1000.0;
+  return recipe;
+}
+
+Result<recipes::FieldRecipe> field_recipe(const MakeArguments& arguments) {
+  if (arguments.dense && arguments.paper)
+    return Error{ErrorCode::usage, "--dense and --paper exclude each other", {}};
+  if ((arguments.dense || arguments.paper) && arguments.max_error_mm)
+    return Error{ErrorCode::usage, "a dense field has no --max-error: its resolution decides", {}};
+  recipes::FieldRecipe recipe;
+  recipe.placement = placement_options(arguments);
+  recipe.field.resolution = arguments.resolution.value_or(recipe.field.resolution);
+  if (arguments.max_error_mm) recipe.field.max_error_m = *arguments.max_error_mm / 1000.0;
+  if (arguments.dense) recipe.storage = recipes::FieldStorage::dense;
+  if (arguments.paper) recipe.storage = recipes::FieldStorage::paper;
+  return recipe;
+}
+
+/// Applies --set to the parameters of every step and of the stereo method.
+Result<void> set_given(const MakeArguments& arguments, session::Recipes& recipes,
+                       sculpt::ShapeSetOptions& shapes) {
+  if (arguments.stereo.parameters.empty()) return {};
+  SettableOptions settable{recipes, shapes, {}};
+  const vision::StereoMethod method = recipes.stereo.method.value_or(recipes::default_method());
+  std::vector<Parameter> known = vision::parameters_of(settable.recipes.stereo.options, method);
+  for (const ParameterGroup& group : parameter_groups())
+    for (Parameter& p : parameters_of(group, settable)) known.push_back(std::move(p));
+  if (const auto set = set_parameters(arguments.stereo.parameters, known, "NAME"); !set) return set;
+  recipes = std::move(settable.recipes);
+  shapes = settable.shapes;
+  return {};
+}
+
+/// Applies --size to every kind of scene.
+Result<void> set_size(const std::string& text, session::Recipes& recipes) {
+  if (text.empty()) return {};
+  const auto size = size_from(text);
+  if (!size) return size.error();
+  recipes.relief.relief.size_m = *size;
+  recipes.field.placement.size_m = *size;
+  recipes.grid.size_m = *size;
+  recipes.contours.map.width_m = size->x;
+  recipes.contours.map.height_m = size->y;
+  recipes.map.relief.width_m = size->x;
+  recipes.map.relief.height_m = size->y;
+  return {};
+}
+
+}  // namespace
+
+Result<sculpt::ShapeSetOptions> shape_options(const MakeArguments& arguments,
+                                              sculpt::ShapeSetOptions shapes) {
+  const auto stereo = stereo_recipe(arguments);
+  if (!stereo) return stereo.error();
+  session::Recipes others;
+  others.stereo = *stereo;
+  if (const auto set = set_given(arguments, others, shapes); !set) return set.error();
+  return shapes;
+}
+
+Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
+  session::MakeOptions options;
+  options.made_by = kMadeBy;
+  if (!arguments.no_cache) options.cache.folder = session::user_cache_folder();
+  options.as = make_as_from(arguments.as);
+  auto input = input_options(arguments);
+  if (!input) return input.error();
+  options.input = *std::move(input);
+  const auto field = field_recipe(arguments);
+  if (!field) return field.error();
+  const auto relief = relief_recipe(arguments);
+  if (!relief) return relief.error();
+  const auto stereo = stereo_recipe(arguments);
+  if (!stereo) return stereo.error();
+  options.recipes = {*stereo, *relief, contours_recipe(arguments), *field, {}, {}, {}, {}, {}};
+  options.recipes.grid.occupancy.resolution = arguments.grid_points;
+  if (arguments.grid_filling == "camera") options.recipes.grid.filling = recipes::GridFilling::from_camera;
+  options.recipes.video.until = arguments.until;
+  if (!arguments.length.empty()) {
+    const auto length = known_length_from(arguments.length);
+    if (!length) return length.error();
+    options.recipes.video.length = *length;
+  }
+  if (!arguments.gazetteer.empty()) {
+    auto names = gazetteer_of(arguments.gazetteer);
+    if (!names) return names.error();
+    options.recipes.map.streets.names.gazetteer = *std::move(names);
+  }
+  if (arguments.motion == "filter") options.recipes.video.motion_method = recipes::VideoMotion::filter;
+  if (arguments.surface == "superquadrics")
+    options.recipes.video.surface = recipes::VideoSurface::superquadrics;
+  options.recipes.sheet.thickness_m = arguments.sheet_mm / 1000.0;
+  options.recipes.fusion.near_m = arguments.near.value_or(options.recipes.fusion.near_m);
+  options.recipes.fusion.far_m = arguments.far.value_or(options.recipes.fusion.far_m);
+  if (const auto sized = set_size(arguments.size, options.recipes); !sized) return sized.error();
+  sculpt::ShapeSetOptions no_shapes;
+  if (const auto set = set_given(arguments, options.recipes, no_shapes); !set) return set.error();
+  return options;
+}
+
+}  // namespace palpable::cli

@@ -1,0 +1,60 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/arguments/sample_scene.hpp"
+
+#include "palpable/core/byte_reader.hpp"
+#include "palpable/core/read_file.hpp"
+
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace palpable::cli {
+namespace {
+
+/// sculpture.json: "title", "description" and "objects", the names of the values of sculpture_labels.png.
+Result<SceneArguments> with_words(SceneArguments arguments, const std::filesystem::path& folder) {
+  const auto path = folder / "sculpture.json";
+  const auto file = read_file(path);
+  if (!file) return file.error();
+  try {
+    const auto words = nlohmann::json::parse(as_text(*file));
+    if (arguments.title.title.empty()) arguments.title.title = words.at("title").get<std::string>();
+    if (arguments.title.description.empty())
+      arguments.title.description = words.at("description").get<std::string>();
+    // The labels are those of the left picture.
+    if (!arguments.material.labels.empty() || arguments.make.texture == "front") return arguments;
+    std::vector<std::string> materials;
+    for (const auto& name : words.at("objects"))
+      materials.push_back(fmt::format("{}:name={}", materials.size(), name.get<std::string>()));
+    arguments.material.labels = (folder / "sculpture_labels.png").string();
+    // The user's materials come after the sample's own, so that they take precedence.
+    materials.insert(materials.end(), arguments.material.materials.begin(),
+                     arguments.material.materials.end());
+    arguments.material.materials = std::move(materials);
+    return arguments;
+  } catch (const nlohmann::json::exception&) {
+    return invalid_input("is damaged", path.string());
+  }
+}
+
+}  // namespace
+
+Result<SceneArguments> with_sample(SceneArguments arguments) {
+  std::error_code ignored;
+  const auto beside =
+      std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / "../share/palpable/samples";
+  for (const std::filesystem::path& folder : {beside, std::filesystem::path(PALPABLE_SAMPLES)}) {
+    if (!std::filesystem::exists(folder / "sculpture_left.png", ignored)) continue;
+    arguments.make.inputs = {(folder / "sculpture_left.png").string(),
+                             (folder / "sculpture_right.png").string()};
+    if (arguments.make.stereo.calibration.empty())
+      arguments.make.stereo.calibration = (folder / "sculpture_calib.txt").string();
+    return with_words(std::move(arguments), folder);
+  }
+  return Error{ErrorCode::failed, "the sample that comes with palpable is not installed", PALPABLE_SAMPLES};
+}
+
+}  // namespace palpable::cli

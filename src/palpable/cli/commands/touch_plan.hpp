@@ -1,0 +1,70 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/cli/arguments/as_published.hpp"
+#include "palpable/cli/arguments/law_options.hpp"
+#include "palpable/cli/arguments/sample_scene.hpp"
+#include "palpable/cli/arguments/view_options.hpp"
+#include "palpable/cli/command.hpp"
+#include "palpable/haptics/safety/stability.hpp"
+#include "palpable/session/touch/headless.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palpable::cli {
+
+/// What the command line of `touch` says.
+struct TouchArguments {
+  SceneArguments scene;
+  LawArguments law;
+  std::string device;
+  std::string recording;
+  int port = 0;
+  bool headless = false;
+  bool keys = false;
+  bool no_browser = false;
+  bool speak = false;
+  double seconds = 10.0;
+  std::optional<double> rate_hz;
+  std::string as_published;
+  bool unlimited = false;
+  std::string transient = "none";
+  double hand_damping_Ns_per_m = haptics::kLeastHandDamping_Ns_per_m;
+  ViewArguments view;
+};
+
+/// Receives notes for the user about the input.
+using Notes = std::function<void(const Note&)>;
+
+/// The options of a touch, with or without the page.
+struct TouchPlan {
+  MakeArguments arguments;
+  LawArguments law;
+  session::MakeOptions make;
+  MaterialArguments material;
+  TitleArguments title;
+  std::vector<session::WalkStep> walk;
+  session::TouchSettings settings;
+  session::SessionOptions options;
+  std::int64_t begin_ns = 0;
+};
+
+/// Errors: usage, for options that exclude each other.
+Result<void> check_touch_options(const TouchArguments& arguments, const std::vector<session::WalkStep>& walk);
+
+/// Sets what is made and how it is touched. Errors: usage; invalid_input for files of names and materials.
+Result<void> fill_plan(TouchArguments& arguments, const std::optional<Published>& published, TouchPlan& plan);
+
+/// Makes the scenes of a touch, the fastest first; each note is given once.
+session::SceneMaker maker_of(const TouchPlan& plan, Notes notes);
+
+/// What the command prints at the end of a touch.
+Answer answer_of(const session::TouchStatistics& statistics);
+
+}  // namespace palpable::cli
