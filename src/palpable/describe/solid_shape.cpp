@@ -89,7 +89,7 @@ Pixel pixel_at(const models::Relief& surface, Place place) {
   const auto at = [](double share, int count) {
     return std::clamp(static_cast<int>(std::floor(share * count)), 0, count - 1);
   };
-  return {at(place.x_m / surface.width_m() + 0.5, surface.samples_m().width()),
+  return {at(place.x_m / surface.size_x_m() + 0.5, surface.samples_m().width()),
           at(0.5 - place.y_m / surface.size_y_m(), surface.samples_m().height())};
 }
 
