@@ -15,23 +15,23 @@ constexpr char kEscape = '\x1b';
 
 /// An escape sequence without its "ESC [" and its last character.
 std::optional<TerminalKey> key_of(const std::string& parameters, char last) {
-  using Name = TerminalKey::Name;
+  using enum TerminalKey::Name;
   const bool shift = parameters.ends_with(";2");
   switch (last) {
     case 'A':
-      return TerminalKey{Name::up, '\0', shift};
+      return TerminalKey{up, '\0', shift};
     case 'B':
-      return TerminalKey{Name::down, '\0', shift};
+      return TerminalKey{down, '\0', shift};
     case 'C':
-      return TerminalKey{Name::right, '\0', shift};
+      return TerminalKey{right, '\0', shift};
     case 'D':
-      return TerminalKey{Name::left, '\0', shift};
+      return TerminalKey{left, '\0', shift};
     case 'H':
-      return TerminalKey{Name::home};
+      return TerminalKey{home};
     case '~':
-      if (parameters == "1" || parameters == "7") return TerminalKey{Name::home};
-      if (parameters == "5") return TerminalKey{Name::page_up};
-      if (parameters == "6") return TerminalKey{Name::page_down};
+      if (parameters == "1" || parameters == "7") return TerminalKey{home};
+      if (parameters == "5") return TerminalKey{page_up};
+      if (parameters == "6") return TerminalKey{page_down};
       return std::nullopt;
     default:
       return std::nullopt;
