@@ -59,7 +59,7 @@ const journeys: Journey[] = [
     kind: 'a solid',
     words: ['touch', box, '--resolution', '32', '--size', '100x100x50'],
     label: /^Surface of box\.obj to touch$/,
-    descriptions: [/A solid, 50 millimetres wide, 50 millimetres .*D again says more\.$/, /more\.$/, /third.*That is all\.$/, /^From the beginning: /],
+    descriptions: [/A solid, 50 millimetres wide, 50 millimetres .*D again says more\.$/, /third.*That is all\.$/, /^From the beginning: /],
     step: /(-?[\d.]+) millimetres?/,
     unavailable: 'tool',
   },

@@ -41,7 +41,13 @@ Result<MadeScene> scene_of(StreetMap map, const MapRecipe& recipe, const char* m
   scene.materials = std::move(made->materials);
   scene.source.method = method;
   scene.map = std::make_shared<const StreetMap>(std::move(map));
-  return MadeScene{std::move(scene), {}};
+  MadeScene out{std::move(scene), {}};
+  if (made->left_out_names > 0)
+    out.notes.emplace_back(fmt::format(
+        "The names of the {} shortest streets are not spoken: a scene has at most 256 materials. A "
+        "part of the map with fewer streets has room for all.",
+        made->left_out_names));
+  return out;
 }
 
 }  // namespace

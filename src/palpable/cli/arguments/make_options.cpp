@@ -250,12 +250,13 @@ Result<Vec3> size_from(const std::string& text) {
 
 namespace {
 
-/// Parses "LAT,LON" in degrees. Errors: usage.
+/// Parses "LAT,LON" in degrees; spaces may follow the comma, as maps in browsers write it. Errors: usage.
 Result<sources::GeoPoint> geo_point_from(const std::string& text) {
   const std::size_t comma = text.find(',');
   const auto latitude = finite_number(std::string_view(text).substr(0, comma));
+  const std::size_t second = comma == std::string::npos ? comma : text.find_first_not_of(' ', comma + 1);
   const auto longitude =
-      comma == std::string::npos ? std::nullopt : finite_number(std::string_view(text).substr(comma + 1));
+      second == std::string::npos ? std::nullopt : finite_number(std::string_view(text).substr(second));
   if (latitude && longitude && std::abs(*latitude) <= 85.0 && std::abs(*longitude) <= 180.0)
     return sources::GeoPoint{*latitude, *longitude};
   return Error{ErrorCode::usage,

@@ -15,7 +15,6 @@
 namespace palpable::sculpt {
 namespace {
 
-constexpr std::size_t kMostNames = 200;
 constexpr std::size_t kMostMaterials = 256;
 
 /// From pixels of the map to samples of the relief.
@@ -116,6 +115,7 @@ struct Naming {
   std::vector<std::uint8_t> of_junction;
   std::uint8_t building = 0;
   std::uint8_t water = 0;
+  std::size_t left_out_names = 0;
 };
 
 double street_length_px(const MapStreet& street) {
@@ -176,7 +176,11 @@ Naming naming_of(const StreetMap& map) {
   std::vector<std::pair<double, std::string>> longest;
   for (const auto& [name, length] : lengths) longest.emplace_back(-length, name);
   std::sort(longest.begin(), longest.end());
-  if (longest.size() > kMostNames) longest.resize(kMostNames);
+  const std::size_t most_names = kMostMaterials - out.materials.size();
+  if (longest.size() > most_names) {
+    out.left_out_names = longest.size() - most_names;
+    longest.resize(most_names);
+  }
   std::map<std::string, std::uint8_t> index;
   const auto add = [&](models::Material material, const std::string& name) {
     const auto known = index.find(name);
@@ -256,7 +260,8 @@ Result<StreetRelief> relief_from_street_map(const StreetMap& map, const StreetRe
   }
   auto relief = models::Relief::from_samples(std::move(height), 1.0 / grid.of_metre);
   if (!relief) return relief.error();
-  return StreetRelief{*std::move(relief), std::move(labels), std::move(naming.materials)};
+  return StreetRelief{*std::move(relief), std::move(labels), std::move(naming.materials),
+                      naming.left_out_names};
 }
 
 }  // namespace palpable::sculpt

@@ -47,11 +47,14 @@ struct StreetRelief {
   /// "street" or the street's name, "junction" or "junction of A and B", "building", "water"; the first is
   /// that of the land.
   std::vector<models::Material> materials;
+  /// Names of the shortest streets, for which there are no more materials.
+  std::size_t left_out_names = 0;
 };
 
 /// Streets become grooves with rounded walls, buildings are raised, water is lower and rippled, junctions
-/// have bumps. Each named street has a material of its own name; beyond 200 names, the shortest streets share
-/// one. Errors: usage for options out of range; invalid_input for a map without streets or size.
+/// have bumps. Each named street has a material of its own name, as far as there are materials: the longest
+/// streets first, then junctions. Errors: usage for options out of range; invalid_input for a map without
+/// streets or size.
 Result<StreetRelief> relief_from_street_map(const StreetMap& map, const StreetReliefOptions& options);
 
 }  // namespace palpable::sculpt

@@ -73,25 +73,27 @@ std::optional<std::string> way_kind(const osmium::TagList& tags) {
   return std::nullopt;
 }
 
-/// Metres: a number, which a unit may follow; 0 for anything else.
+/// Metres: a number, which may be followed by "m", "ft" or "'"; 0 for anything else.
 double metres_of(std::string_view text) {
   double value = 0.0;
   double unit = 1.0;
   bool point = false;
-  for (const char c : text) {
-    if (c == '.' && !point) {
+  std::size_t at = 0;
+  for (; at < text.size() && (text[at] == '.' || (text[at] >= '0' && text[at] <= '9')); ++at) {
+    if (text[at] == '.') {
+      if (point) return 0.0;
       point = true;
-    } else if (c >= '0' && c <= '9') {
-      value = 10.0 * value + (c - '0');
-      if (point) unit *= 10.0;
-    } else if (c == ' ' || c == 'm') {
-      break;
     } else {
-      return 0.0;
+      value = 10.0 * value + (text[at] - '0');
+      if (point) unit *= 10.0;
     }
   }
-  constexpr double kWidest_m = 100.0;
-  const double metres = value / unit;
+  while (at < text.size() && text[at] == ' ') ++at;
+  const std::string_view name = text.substr(at);
+  constexpr double kFoot_m = 0.3048, kWidest_m = 100.0;
+  const bool is_feet = name == "ft" || name == "'";
+  if (!is_feet && !name.empty() && name != "m") return 0.0;
+  const double metres = value / unit * (is_feet ? kFoot_m : 1.0);
   return metres <= kWidest_m ? metres : 0.0;
 }
 
@@ -103,7 +105,7 @@ class Collector : public osmium::handler::Handler {
   void way(const osmium::Way& way) {
     const osmium::TagList& tags = way.tags();
     auto kind = way_kind(tags);
-    if (!kind || value_of(tags, "area") == "yes") return;
+    if (!kind || !way.visible() || value_of(tags, "area") == "yes") return;
     ExtractWay out;
     out.kind = *std::move(kind);
     out.name = std::string(value_of(tags, "name"));
@@ -112,17 +114,20 @@ class Collector : public osmium::handler::Handler {
     const std::string_view junction = value_of(tags, "junction");
     out.roundabout = junction == "roundabout" || junction == "circular";
     for (const osmium::NodeRef& node : way.nodes()) {
-      if (!node.location().valid()) continue;
-      out.nodes.push_back(node.ref());
-      out.points.push_back(point_of(node));
+      if (node.location().valid()) {
+        out.nodes.push_back(node.ref());
+        out.points.push_back(point_of(node));
+      } else {
+        add_part(out);
+      }
     }
-    if (out.points.size() >= 2) extract.ways.push_back(std::move(out));
+    add_part(out);
   }
 
   void area(const osmium::Area& area) {
     const auto tag = std::find_if(kAreaTags.begin(), kAreaTags.end(),
                                   [&area](const AreaTag& t) { return fits(area.tags(), t); });
-    if (tag == kAreaTags.end()) return;
+    if (tag == kAreaTags.end() || !area.visible()) return;
     for (const osmium::OuterRing& ring : area.outer_rings()) {
       ExtractArea out{tag->kind, {}};
       for (const osmium::NodeRef& node : ring)
@@ -133,6 +138,14 @@ class Collector : public osmium::handler::Handler {
   }
 
   MapExtract extract;
+
+ private:
+  /// A way is divided where the extract lacks a node.
+  void add_part(ExtractWay& way) {
+    if (way.points.size() >= 2) extract.ways.push_back(way);
+    way.nodes.clear();
+    way.points.clear();
+  }
 };
 
 }  // namespace
@@ -150,11 +163,15 @@ Result<MapExtract> parse_map_extract(std::span<const std::byte> file) {
   const osmium::area::Assembler::config_type config;
   osmium::area::MultipolygonManager<osmium::area::Assembler> areas{config, filter};
   osmium::relations::read_relations(input, areas);
-  Locations index;
-  osmium::handler::NodeLocationsForWays<Locations> locations{index};
+  // Editors number new nodes below zero; and some files have their nodes after the ways.
+  Locations index, index_below_zero;
+  osmium::handler::NodeLocationsForWays<Locations, Locations> locations{index, index_below_zero};
   locations.ignore_errors();
+  osmium::io::Reader nodes{input, osmium::osm_entity_bits::node};
+  osmium::apply(nodes, locations);
+  nodes.close();
   Collector collector;
-  osmium::io::Reader reader{input};
+  osmium::io::Reader reader{input, osmium::osm_entity_bits::way | osmium::osm_entity_bits::relation};
   osmium::apply(reader, locations, collector, areas.handler([&collector](osmium::memory::Buffer&& buffer) {
     osmium::apply(buffer, collector);
   }));

@@ -42,6 +42,9 @@ constexpr std::array<StreetKind, 16> kStreetKinds{{{"motorway", 12.0, true},
                                                    {"pedestrian", 5.0, false},
                                                    {"service", 4.0, false}}};
 
+/// How far east a meridian is of another one, the shorter way round: -180 ... 180 degrees.
+double east_of(double longitude, double other) { return std::remainder(longitude - other, 360.0); }
+
 /// Equirectangular with true scale at the window's centre: pixels, y down.
 class Projection {
  public:
@@ -52,7 +55,7 @@ class Projection {
         middle_(0.5 * (window.side_px - 1)) {}
 
   MapPoint operator()(GeoPoint p) const {
-    return {middle_ + (p.longitude - center_.longitude) * shrink_ * px_per_degree_,
+    return {middle_ + east_of(p.longitude, center_.longitude) * shrink_ * px_per_degree_,
             middle_ - (p.latitude - center_.latitude) * px_per_degree_};
   }
 
@@ -200,24 +203,45 @@ double median_of(std::vector<double> values) {
   return *middle;
 }
 
+/// The place of a street that is nearest to the median of all of them.
+GeoPoint middle_of(const std::vector<GeoPoint>& places) {
+  std::vector<double> latitudes, longitudes;
+  for (const GeoPoint& p : places) {
+    latitudes.push_back(p.latitude);
+    longitudes.push_back(p.longitude);
+  }
+  const GeoPoint median{median_of(std::move(latitudes)), median_of(std::move(longitudes))};
+  const double shrink = std::cos(median.latitude * std::numbers::pi / 180.0);
+  const auto far = [&](const GeoPoint& p) {
+    return std::hypot(p.latitude - median.latitude, shrink * (p.longitude - median.longitude));
+  };
+  return *std::min_element(places.begin(), places.end(),
+                           [&far](const GeoPoint& a, const GeoPoint& b) { return far(a) < far(b); });
+}
+
 /// The window's centre; in the extract.
 Result<GeoPoint> center_of(const std::vector<const ExtractWay*>& streets, const ExtractWindow& window) {
-  std::vector<double> latitudes;
-  std::vector<double> longitudes;
+  // Without a step at the date line.
+  const double first = streets.front()->points.front().longitude;
+  std::vector<GeoPoint> places;
   for (const ExtractWay* way : streets)
-    for (const GeoPoint& p : way->points) {
-      latitudes.push_back(p.latitude);
-      longitudes.push_back(p.longitude);
-    }
-  if (!window.center) return GeoPoint{median_of(latitudes), median_of(longitudes)};
-  const auto [south, north] = std::minmax_element(latitudes.begin(), latitudes.end());
-  const auto [west, east] = std::minmax_element(longitudes.begin(), longitudes.end());
-  const GeoPoint c = *window.center;
-  if (c.latitude >= *south && c.latitude <= *north && c.longitude >= *west && c.longitude <= *east) return c;
+    for (const GeoPoint& p : way->points) places.push_back({p.latitude, first + east_of(p.longitude, first)});
+  if (!window.center) return middle_of(places);
+  const auto [south, north] =
+      std::minmax_element(places.begin(), places.end(),
+                          [](const GeoPoint& a, const GeoPoint& b) { return a.latitude < b.latitude; });
+  const auto [west, east] =
+      std::minmax_element(places.begin(), places.end(),
+                          [](const GeoPoint& a, const GeoPoint& b) { return a.longitude < b.longitude; });
+  const GeoPoint c{window.center->latitude, first + east_of(window.center->longitude, first)};
+  if (c.latitude >= south->latitude && c.latitude <= north->latitude && c.longitude >= west->longitude &&
+      c.longitude <= east->longitude)
+    return c;
   return Error{ErrorCode::usage,
                fmt::format("the centre {:.5f},{:.5f} is outside this extract, whose streets reach from "
                            "{:.5f},{:.5f} to {:.5f},{:.5f}",
-                           c.latitude, c.longitude, *south, *west, *north, *east),
+                           window.center->latitude, window.center->longitude, south->latitude,
+                           west->longitude, north->latitude, east->longitude),
                {}};
 }
 

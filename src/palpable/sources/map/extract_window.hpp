@@ -14,7 +14,7 @@ namespace palpable::sources {
 
 /// Which part of an extract becomes a map: a square with north at its top.
 struct ExtractWindow {
-  /// If it is not given: the median of the places of all streets.
+  /// If it is not given: the street's place that is nearest to the median of all.
   std::optional<GeoPoint> center;
   /// Length of a side, 50 ... 20 000 m.
   double width_m = 600.0;

@@ -48,7 +48,7 @@ struct MapExtract {
 };
 
 /// Reads an OpenStreetMap extract, `.osm` (XML) or `.osm.pbf`, by its content. It is parsed in the decoder
-/// process (isolated/isolated.hpp). Ways whose nodes are not in the extract lose those nodes. Errors:
+/// process (isolated/isolated.hpp). Ways are divided at nodes that are not in the extract. Errors:
 /// invalid_input, naming the file, for an unreadable or damaged file.
 Result<MapExtract> read_map_extract(const std::filesystem::path& path);
 

@@ -7,8 +7,11 @@
 #include "palpable/sources/map/extract_reply.hpp"
 #include "palpable/sources/map/extract_window.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -61,6 +64,27 @@ TEST(MapExtractFile, WaysAndAreasAreReadWithTheirNamesAndPlaces) {
   EXPECT_EQ(extract->areas[0].ring.size(), 4U);
 }
 
+TEST(MapExtractFile, NodesAfterTheirWaysAndBelowZeroAreFound) {
+  const auto extract = parsed(R"(<?xml version='1.0'?><osm version="0.6">
+<way id="-1"><nd ref="-2"/><nd ref="3"/><tag k="highway" v="residential"/><tag k="width" v="40 ft"/></way>
+<way id="2" visible="false"><nd ref="-2"/><nd ref="3"/><tag k="highway" v="residential"/></way>
+<node id="-2" lat="0" lon="0"/><node id="3" lat="0" lon="0.001"/></osm>)");
+  ASSERT_TRUE(extract) << extract.error().sentence();
+  ASSERT_EQ(extract->ways.size(), 1U) << "without the deleted one";
+  EXPECT_EQ(extract->ways[0].points.size(), 2U);
+  EXPECT_NEAR(extract->ways[0].width_m, 12.192, 1e-9);
+}
+
+TEST(MapExtractFile, AWayIsDividedWhereANodeIsMissing) {
+  const auto extract = parsed(R"(<?xml version='1.0'?><osm version="0.6">
+<node id="1" lat="0" lon="0"/><node id="2" lat="0" lon="0.001"/>
+<node id="4" lat="0.005" lon="0.003"/><node id="5" lat="0.005" lon="0.004"/>
+<way id="1"><nd ref="1"/><nd ref="2"/><nd ref="3"/><nd ref="4"/><nd ref="5"/><tag k="highway" v="residential"/></way></osm>)");
+  ASSERT_TRUE(extract) << extract.error().sentence();
+  ASSERT_EQ(extract->ways.size(), 2U);
+  EXPECT_EQ(extract->ways[1].nodes, (std::vector<std::int64_t>{4, 5}));
+}
+
 TEST(MapExtractFile, DamagedFilesAreRefused) {
   for (const std::string& text :
        {std::string("<?xml version='1.0'?><osm version=\"0.6\"><node id=\"1\" lat="),
@@ -105,6 +129,43 @@ TEST(ExtractWindow, WithoutACentreItIsWhereMostStreetsAre) {
   ASSERT_TRUE(window) << window.error().sentence();
   ASSERT_EQ(window->notes.size(), 1U);
   EXPECT_THAT(window->notes[0].sentence, HasSubstr("600 m around 0.00000,0.00000"));
+}
+
+TEST(ExtractWindow, WithoutACentreItIsOnAStreetEvenIfTheMedianIsNot) {
+  // Two towns, far from each other in both directions.
+  MapExtract extract;
+  for (const double at : {0.0, 0.2})
+    for (int k = 0; k < 2; ++k)
+      extract.ways.push_back({"residential",
+                              "",
+                              0.0,
+                              false,
+                              false,
+                              {100 * k + (at > 0.0 ? 2 : 0), 100 * k + (at > 0.0 ? 3 : 1)},
+                              {{at, at + 0.001 * k}, {0.2 - at, at + 0.001 * k}}});
+  extract.ways[0].points[1].latitude = extract.ways[1].points[1].latitude = 0.001;
+  extract.ways[2].points[1].latitude = extract.ways[3].points[1].latitude = 0.201;
+  EXPECT_TRUE(street_map_of(extract, {}));
+}
+
+TEST(ExtractWindow, GoesOnAcrossTheDateLine) {
+  MapExtract extract;
+  extract.ways.push_back({"residential",
+                          "Date Line Road",
+                          0.0,
+                          false,
+                          false,
+                          {1, 2, 3},
+                          {{0.0, 179.999}, {0.0, 180.0}, {0.0, -179.999}}});
+  for (const double longitude : {180.0, -180.0, 179.9995}) {
+    const auto made = street_map_of(extract, window_at(0.0, longitude, 600.0));
+    ASSERT_TRUE(made) << made.error().sentence();
+    double west = 1e9, east = -1e9;
+    for (const MapStreet& street : made->map.streets)
+      for (const MapPoint p : street.points) west = std::min(west, p.x), east = std::max(east, p.x);
+    // 0.002 degrees at 111195 m are 222 m of the window's 600.
+    EXPECT_NEAR(east - west, 400.0 * 222.39 / 600.0, 1.0) << longitude;
+  }
 }
 
 TEST(ExtractWindow, RefusesAnEmptyExtractAndACentreOutsideIt) {
