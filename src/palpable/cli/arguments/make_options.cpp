@@ -7,9 +7,7 @@
 #include "palpable/cli/arguments/unused_options.hpp"
 #include "palpable/cli/arguments/unused_parameters.hpp"
 #include "palpable/cli/suggest.hpp"
-#include "palpable/core/byte_reader.hpp"
 #include "palpable/core/number_text.hpp"
-#include "palpable/core/read_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -165,17 +163,6 @@ void add_field_options(Options& options, MakeArguments& arguments) {
                "Field: dense, by fast marching, with stored forces (Moustakas 2007)");
 }
 
-void add_map_options(Options& options, MakeArguments& arguments) {
-  options.under("Street maps");
-  options.text("--center", arguments.center,
-               "OpenStreetMap extract: the middle of the map, LATITUDE,LONGITUDE in degrees; default: the "
-               "median of its streets");
-  options.number("--width", arguments.window_m, {50.0, 20000.0},
-                 "OpenStreetMap extract: width of the map, m; default: 600");
-  options.text("--gazetteer", arguments.gazetteer,
-               "Picture of a map: a file of street names, one a line; read names are corrected by it");
-}
-
 void add_contours_options(Options& options, MakeArguments& arguments) {
   options.under("Contours of one picture");
   options.choice("--contour-method", arguments.contour_method, {"standard", "paper"},
@@ -197,7 +184,7 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   add_solid_options(options, arguments);
   add_field_options(options, arguments);
   add_contours_options(options, arguments);
-  add_map_options(options, arguments);
+  add_map_options(options, arguments.map);
   add_stereo_options(options, arguments.stereo);
   add_parameter_options(options, arguments.stereo);
   arguments.given = options.given();
@@ -250,39 +237,6 @@ Result<Vec3> size_from(const std::string& text) {
 
 namespace {
 
-/// Parses "LAT,LON" in degrees; spaces may follow the comma, as maps in browsers write it. Errors: usage.
-Result<sources::GeoPoint> geo_point_from(const std::string& text) {
-  const std::size_t comma = text.find(',');
-  const auto latitude = finite_number(std::string_view(text).substr(0, comma));
-  const std::size_t second = comma == std::string::npos ? comma : text.find_first_not_of(' ', comma + 1);
-  const auto longitude =
-      second == std::string::npos ? std::nullopt : finite_number(std::string_view(text).substr(second));
-  if (latitude && longitude && std::abs(*latitude) <= 85.0 && std::abs(*longitude) <= 180.0)
-    return sources::GeoPoint{*latitude, *longitude};
-  return Error{ErrorCode::usage,
-               fmt::format("'{}' is not LATITUDE,LONGITUDE in degrees, as 47.1410,9.5220", text), "--center"};
-}
-
-/// The lines of a file of names that are not empty. Errors: as read_file(); invalid_input for no names or
-/// more than a million.
-Result<std::vector<std::string>> gazetteer_of(const std::string& path) {
-  const auto file = read_file(path);
-  if (!file) return file.error();
-  std::vector<std::string> names;
-  std::string_view text = as_text(*file);
-  constexpr std::size_t kLongest = 200, kMost = 1'000'000;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    if (!line.empty() && line.size() <= kLongest) names.emplace_back(line);
-  }
-  if (names.empty() || names.size() > kMost)
-    return invalid_input("is no gazetteer: a text file with one name a line, 1 to 1 000 000 of them", path);
-  return names;
-}
-
 Result<session::InputOptions> input_options(const MakeArguments& arguments) {
   session::InputOptions input;
   input.files.assign(arguments.inputs.begin(), arguments.inputs.end());
@@ -292,12 +246,9 @@ Result<session::InputOptions> input_options(const MakeArguments& arguments) {
   input.layout = layout_of(arguments.stereo);
   input.rectification = rectification_of(arguments.stereo);
   input.moved_m = moved_m_of(arguments.stereo);
-  if (arguments.window_m) input.window.width_m = *arguments.window_m;
-  if (!arguments.center.empty()) {
-    const auto center = geo_point_from(arguments.center);
-    if (!center) return center.error();
-    input.window.center = *center;
-  }
+  const auto window = window_of(arguments.map);
+  if (!window) return window.error();
+  input.window = *window;
   if (arguments.kind.empty()) return input;
   input.kind = sources::input_kind_from(arguments.kind);
   if (!input.kind) return Error{ErrorCode::usage, unknown_kind(arguments.kind), "--kind"};
@@ -430,8 +381,8 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
     if (!length) return length.error();
     options.recipes.video.length = *length;
   }
-  if (!arguments.gazetteer.empty()) {
-    auto names = gazetteer_of(arguments.gazetteer);
+  if (!arguments.map.gazetteer.empty()) {
+    auto names = gazetteer_of(arguments.map.gazetteer);
     if (!names) return names.error();
     options.recipes.map.streets.names.gazetteer = *std::move(names);
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/cli/arguments/map_options.hpp"
 #include "palpable/cli/arguments/stereo_options.hpp"
 #include "palpable/recipes/shapes_recipe.hpp"
 #include "palpable/session/make/make_scene.hpp"
@@ -65,11 +66,7 @@ struct MakeArguments {
   /// "fused", "superquadrics".
   std::string surface = "fused";
   bool paper = false;
-  /// The window of an OpenStreetMap extract: "LAT,LON" and metres.
-  std::string center;
-  std::optional<double> window_m;
-  /// A file of street names, one a line.
-  std::string gazetteer;
+  MapArguments map;
   std::string background = "keep";
   std::string texture = "left";
 };

@@ -1,0 +1,72 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/arguments/map_options.hpp"
+
+#include "palpable/core/byte_reader.hpp"
+#include "palpable/core/number_text.hpp"
+#include "palpable/core/read_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace palpable::cli {
+namespace {
+
+/// Parses "LAT,LON" in degrees; spaces may follow the comma, as maps in browsers write it. Errors: usage.
+Result<sources::GeoPoint> geo_point_from(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  const auto latitude = finite_number(std::string_view(text).substr(0, comma));
+  const std::size_t second = comma == std::string::npos ? comma : text.find_first_not_of(' ', comma + 1);
+  const auto longitude =
+      second == std::string::npos ? std::nullopt : finite_number(std::string_view(text).substr(second));
+  if (latitude && longitude && std::abs(*latitude) <= 85.0 && std::abs(*longitude) <= 180.0)
+    return sources::GeoPoint{*latitude, *longitude};
+  return Error{ErrorCode::usage,
+               fmt::format("'{}' is not LATITUDE,LONGITUDE in degrees, as 47.1410,9.5220", text), "--center"};
+}
+
+}  // namespace
+
+void add_map_options(Options& options, MapArguments& arguments) {
+  options.under("Street maps");
+  options.text("--center", arguments.center,
+               "OpenStreetMap extract: the middle of the map, LATITUDE,LONGITUDE in degrees; default: the "
+               "street nearest to the median of all");
+  options.number("--width", arguments.window_m, {50.0, 20000.0},
+                 "OpenStreetMap extract: width of the map, m; default: 600");
+  options.text("--gazetteer", arguments.gazetteer,
+               "Picture of a map: a file of street names, one a line; read names are corrected by it");
+}
+
+Result<sources::ExtractWindow> window_of(const MapArguments& arguments) {
+  sources::ExtractWindow window;
+  if (arguments.window_m) window.width_m = *arguments.window_m;
+  if (arguments.center.empty()) return window;
+  const auto center = geo_point_from(arguments.center);
+  if (!center) return center.error();
+  window.center = *center;
+  return window;
+}
+
+Result<std::vector<std::string>> gazetteer_of(const std::string& path) {
+  const auto file = read_file(path);
+  if (!file) return file.error();
+  std::vector<std::string> names;
+  std::string_view text = as_text(*file);
+  constexpr std::size_t kLongest = 200, kMost = 1'000'000;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (!line.empty() && line.size() <= kLongest) names.emplace_back(line);
+  }
+  if (names.empty() || names.size() > kMost)
+    return invalid_input("is no gazetteer: a text file with one name a line, 1 to 1 000 000 of them", path);
+  return names;
+}
+
+}  // namespace palpable::cli

@@ -1,0 +1,32 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/cli/options.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/sources/map/extract_window.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palpable::cli {
+
+/// The options of street maps as typed.
+struct MapArguments {
+  /// LATITUDE,LONGITUDE; empty: not given.
+  std::string center;
+  std::optional<double> window_m;
+  /// Path of a file of names; empty: none.
+  std::string gazetteer;
+};
+void add_map_options(Options& options, MapArguments& arguments);
+
+/// The part of an extract that is asked for. Errors: usage for a centre that is no place.
+Result<sources::ExtractWindow> window_of(const MapArguments& arguments);
+
+/// The lines of a file of names that are not empty. Errors: as read_file(); invalid_input for no names or
+/// more than a million.
+Result<std::vector<std::string>> gazetteer_of(const std::string& path);
+
+}  // namespace palpable::cli
