@@ -3,6 +3,7 @@
 #include "palpable/sources/map/extract_parser.hpp"
 
 #include "palpable/core/byte_reader.hpp"
+#include "palpable/core/number_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -75,25 +76,14 @@ std::optional<std::string> way_kind(const osmium::TagList& tags) {
 
 /// Metres: a number, which may be followed by "m", "ft" or "'"; 0 for anything else.
 double metres_of(std::string_view text) {
-  double value = 0.0;
-  double unit = 1.0;
-  bool point = false;
-  std::size_t at = 0;
-  for (; at < text.size() && (text[at] == '.' || (text[at] >= '0' && text[at] <= '9')); ++at) {
-    if (text[at] == '.') {
-      if (point) return 0.0;
-      point = true;
-    } else {
-      value = 10.0 * value + (text[at] - '0');
-      if (point) unit *= 10.0;
-    }
-  }
-  while (at < text.size() && text[at] == ' ') ++at;
-  const std::string_view name = text.substr(at);
+  const std::size_t end = std::min(text.find_first_not_of("0123456789."), text.size());
+  const auto value = finite_number(text.substr(0, end));
+  const std::size_t at = std::min(text.find_first_not_of(' ', end), text.size());
+  const std::string_view unit = text.substr(at);
   constexpr double kFoot_m = 0.3048, kWidest_m = 100.0;
-  const bool is_feet = name == "ft" || name == "'";
-  if (!is_feet && !name.empty() && name != "m") return 0.0;
-  const double metres = value / unit * (is_feet ? kFoot_m : 1.0);
+  const bool is_feet = unit == "ft" || unit == "'";
+  if (!value || (!is_feet && !unit.empty() && unit != "m")) return 0.0;
+  const double metres = *value * (is_feet ? kFoot_m : 1.0);
   return metres <= kWidest_m ? metres : 0.0;
 }
 

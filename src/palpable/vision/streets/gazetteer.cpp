@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/streets/gazetteer.hpp"
 
+#include "palpable/core/edit_distance.hpp"
+
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
-#include <numeric>
-#include <utility>
-#include <vector>
 
 namespace palpable::vision {
 
@@ -43,17 +41,7 @@ std::string compared_form(std::string_view name) {
 double similarity_of(std::string_view a, std::string_view b) {
   const std::size_t longer = std::max(a.size(), b.size());
   if (longer == 0) return 0.0;
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t before = std::exchange(row[0], i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t changed = before + (a[i - 1] == b[j - 1] ? 0 : 1);
-      before = row[j];
-      row[j] = std::min({changed, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return 1.0 - static_cast<double>(row.back()) / static_cast<double>(longer);
+  return 1.0 - static_cast<double>(edit_distance(a, b)) / static_cast<double>(longer);
 }
 
 std::optional<std::string> nearest_name(std::string_view read, std::span<const std::string> gazetteer,

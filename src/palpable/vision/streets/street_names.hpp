@@ -26,7 +26,7 @@ struct StreetNameOptions {
   /// Names of the streets of the place, UTF-8; what is read becomes the most similar of them. Empty: none.
   std::vector<std::string> gazetteer;
   /// Least similarity of a name with that of the gazetteer, 0 ... 1: one minus their edit distance
-  /// (Levenshtein 1966) as a part of the longer one's letters.
+  /// (core/edit_distance.hpp) as a part of the longer one's letters.
   double least_similarity = 0.7;
 };
 
