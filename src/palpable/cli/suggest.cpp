@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 namespace palpable::cli {
+
 std::optional<std::string> suggestion(std::string_view typed, std::span<const std::string> known) {
   std::optional<std::string> best;
   std::size_t fewest = std::max<std::size_t>(1, typed.size() / 3) + 1;
