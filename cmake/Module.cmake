@@ -5,6 +5,7 @@
 include(${CMAKE_CURRENT_LIST_DIR}/Layers.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/PalpableDependencies.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/Install.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/TestProgram.cmake)
 include(GoogleTest)
 
 function(palpable_module)
@@ -40,6 +41,7 @@ function(palpable_module)
     add_executable(palpable_${M_NAME}_test ${M_TESTS})
     target_link_libraries(palpable_${M_NAME}_test PRIVATE palpable_options palpable_${M_NAME} ${M_TEST_LINKS}
                                                           palpable_test_folder GTest::gmock GTest::gtest_main)
+    palpable_test_program(palpable_${M_NAME}_test)
     if(M_NAME STREQUAL "sources" OR "sources" IN_LIST M_USES)
       add_dependencies(palpable_${M_NAME}_test palpable_decoder palpable_video_decoder)
     endif()

@@ -53,5 +53,5 @@ endif()
 find_program(PALPABLE_CCACHE ccache)
 if(PALPABLE_CCACHE AND NOT PALPABLE_TIDY)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
-                                  CCACHE_SLOPPINESS=time_macros ${PALPABLE_CCACHE})
+                                  CCACHE_SLOPPINESS=time_macros,pch_defines ${PALPABLE_CCACHE})
 endif()

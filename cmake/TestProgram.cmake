@@ -1,0 +1,20 @@
+# palpable_test_program(TARGET): what the programs of tests have in common. Optimised builds compile their sources with -O1
+# and only the line numbers of debug information: the tests' own code is not hot, and takes half of a build from nothing.
+# Builds that compile in groups (PALPABLE_UNITY) also compile the headers of GoogleTest once for all of them; the other
+# builds (dev, the sanitizers, clang-tidy) do not, so that a missing include does not stay hidden.
+function(palpable_test_program target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release,RelWithDebInfo>:-O1> $<$<CONFIG:RelWithDebInfo>:-g1>)
+  if(NOT PALPABLE_UNITY)
+    return()
+  endif()
+  target_link_libraries(${target} PRIVATE GTest::gmock)
+  if(NOT TARGET palpable_test_headers)
+    file(WRITE ${PROJECT_BINARY_DIR}/generated/test_headers.cpp "// Holds nothing: its precompiled headers are used by the tests.\n")
+    add_library(palpable_test_headers OBJECT ${PROJECT_BINARY_DIR}/generated/test_headers.cpp)
+    target_link_libraries(palpable_test_headers PRIVATE palpable_options GTest::gmock)
+    target_compile_options(palpable_test_headers PRIVATE $<$<CONFIG:Release,RelWithDebInfo>:-O1> $<$<CONFIG:RelWithDebInfo>:-g1>)
+    target_precompile_headers(palpable_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h> <algorithm> <array> <cmath> <cstdint>
+                              <filesystem> <functional> <numbers> <random> <span> <string> <vector>)
+  endif()
+  target_precompile_headers(${target} REUSE_FROM palpable_test_headers)
+endfunction()
