@@ -9,8 +9,9 @@
 namespace palpable::formats {
 
 Result<std::vector<std::byte>> pack_bytes(std::span<const std::uint8_t> bytes) {
-  // Above level 12 a scan's field takes six times as long for 5 % less; small ones take no time anyway.
-  constexpr int kThorough = 17, kFast = 12;
+  // Of the large blocks of a scan's field, level 12 takes four times as long as level 8 and saves nothing,
+  // and level 17 thirty times as long for 4 % less. Small ones take little time anyway.
+  constexpr int kThorough = 17, kFast = 8;
   constexpr std::size_t kSmall = std::size_t{1} << 20U;
   return zstd_frame(std::as_bytes(bytes), bytes.size() <= kSmall ? kThorough : kFast);
 }

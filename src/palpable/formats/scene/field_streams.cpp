@@ -151,17 +151,20 @@ class Writer {
   /// prediction.
   template <class Steps, class Round>
   Residual residual_of(const Steps& steps, const Round& round, const LeafPosition& place) {
-    const auto cost = [&](const Steps& p) {
-      double bits = std::log2(1.0 + std::abs(1.0 * steps.middle - p.middle));
+    // Rises with the number of bits: their sum is the logarithm of this product, below 2^190.
+    const auto cost_of = [&](const Steps& p) {
+      double product = 1.0 + std::abs(1.0 * steps.middle - p.middle);
       for (std::size_t k = 0; k < Curved::kNumbers; ++k)
-        bits += std::log2(1.0 + std::abs(steps.numbers[k] - p.numbers[k]));
-      return bits;
+        product *= 1.0 + std::abs(steps.numbers[k] - p.numbers[k]);
+      return product;
     };
     Steps best;
+    double least = cost_of(best);
     std::uint8_t by = kByNothing;
     for (std::size_t k = 0; k < pieces_.count(); ++k) {
       const Steps p = round(pieces_.predict(k, place));
-      if (cost(p) < cost(best)) best = p, by = static_cast<std::uint8_t>(k);
+      const double cost = cost_of(p);
+      if (cost < least) best = p, least = cost, by = static_cast<std::uint8_t>(k);
     }
     out_.bytes[FieldStreams::predictions].push_back(by);
     Residual residual;
