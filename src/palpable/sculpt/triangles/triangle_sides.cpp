@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -12,13 +13,15 @@
 namespace palpable::sculpt {
 namespace {
 
-/// The solid angle of a triangle seen from p (van Oosterom & Strackee 1983).
-double solid_angle(Vec3 p, const std::array<Vec3, 3>& t) {
+/// The cosine and the sine of half the solid angle of a triangle seen from p, both times the same length
+/// (van Oosterom & Strackee 1983).
+struct HalfSolidAngle {
+  double cosine_m3 = 0.0, sine_m3 = 0.0;
+};
+HalfSolidAngle half_solid_angle(Vec3 p, const std::array<Vec3, 3>& t) {
   const Vec3 a = t[0] - p, b = t[1] - p, c = t[2] - p;
   const double la = norm(a), lb = norm(b), lc = norm(c);
-  const double volume = dot(a, cross(b, c));
-  const double sum = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
-  return 2.0 * std::atan2(volume, sum);
+  return {la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb, dot(a, cross(b, c))};
 }
 
 bool meets(Vec3 p, Vec3 direction, const std::array<Vec3, 3>& t) {
@@ -70,20 +73,42 @@ void descend(const Nodes& nodes, const Opens& opens, const Leaf& leaf) {
 
 }  // namespace
 
+double TriangleTree::solid_angle(Vec3 p, const Node& leaf) const {
+  // Angles are added by multiplying complex numbers, as long as the sum is within half a turn.
+  double angle = 0.0, cosine = 1.0, sine = 0.0;
+  for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
+    const HalfSolidAngle half = half_solid_angle(p, corners_[i]);
+    if (cosine > 0.0 && half.cosine_m3 > 0.0) {
+      const double both = cosine * half.cosine_m3 - sine * half.sine_m3;
+      sine = cosine * half.sine_m3 + sine * half.cosine_m3;
+      cosine = both;
+    } else {
+      angle += std::atan2(sine, cosine);
+      cosine = half.cosine_m3;
+      sine = half.sine_m3;
+    }
+  }
+  return 2.0 * (angle + std::atan2(sine, cosine));
+}
+
 double TriangleTree::winding(Vec3 p) const {
-  constexpr double kFarRadii = 2.5;
+  const std::array<float, 3> place = from_origin(p);
   double sum = 0.0;
-  const auto opens = [&](std::uint32_t at) {
-    const Dipole& dipole = dipoles_[at];
-    const Vec3 way = dipole.centre_m - p;
-    const double distance2 = squared_norm(way);
-    if (distance2 <= kFarRadii * kFarRadii * dipole.radius_m * dipole.radius_m) return true;
-    sum += dot(dipole.area_m2, way) / (distance2 * std::sqrt(distance2));
-    return false;
-  };
-  descend<kStack>(nodes_, opens, [&](const Node& node) {
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) sum += solid_angle(p, corners_[i]);
-  });
+  std::array<std::uint32_t, FourBoxes::kCount * kStack> stack;
+  std::size_t size = 0;
+  stack[size++] = 0;
+  while (size > 0) {
+    const Four& four = fours_[stack[--size]];
+    const FourDipoles::Seen seen = four.dipoles.seen_from(place);
+    sum += static_cast<double>(seen.far_angle);
+    for (unsigned near = seen.near; near != 0; near &= near - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(near));
+      if (four.below[lane] == kNone)
+        sum += solid_angle(p, nodes_[four.node[lane]]);
+      else
+        stack[size++] = four.below[lane];
+    }
+  }
   return sum / (4.0 * std::numbers::pi);
 }
 

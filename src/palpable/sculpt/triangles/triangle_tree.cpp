@@ -110,8 +110,13 @@ OrientedBox TriangleTree::oriented_box(const Node& node, Vec3 area_m2) const {
 void TriangleTree::put_into_four(std::uint32_t at) {
   const std::uint32_t lane = lane_of_[at];
   if (lane == kNone) return;
-  fours_[lane / FourBoxes::kCount].boxes.set(lane % FourBoxes::kCount,
-                                             oriented_box(nodes_[at], dipoles_[at].area_m2), rounding_m_);
+  // From this multiple of its radius on, a group's dipole replaces it.
+  constexpr double kFarRadii = 2.5;
+  Four& four = fours_[lane / FourBoxes::kCount];
+  const Dipole& dipole = dipoles_[at];
+  four.boxes.set(lane % FourBoxes::kCount, oriented_box(nodes_[at], dipole.area_m2), rounding_m_);
+  four.dipoles.set(lane % FourBoxes::kCount, dipole.area_m2, dipole.centre_m - origin_m_,
+                   kFarRadii * dipole.radius_m + rounding_m_);
 }
 
 void TriangleTree::set_leaf(std::uint32_t at) {

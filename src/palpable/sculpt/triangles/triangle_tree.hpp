@@ -5,6 +5,7 @@
 #include "palpable/core/mesh.hpp"
 #include "palpable/sculpt/triangles/box.hpp"
 #include "palpable/sculpt/triangles/four_boxes.hpp"
+#include "palpable/sculpt/triangles/four_dipoles.hpp"
 #include "palpable/sculpt/triangles/four_triangles.hpp"
 #include "palpable/sculpt/triangles/triangle_shortlist.hpp"
 
@@ -138,9 +139,13 @@ class TriangleTree {
   /// `places`: sorted indices into corners_, all belonging to the node.
   void bound_over(std::uint32_t at, std::span<const std::uint32_t> places);
 
-  /// Two levels of the tree combined, for nearest().
+  /// Solid angle of a leaf's triangles.
+  double solid_angle(Vec3 p, const Node& leaf) const;
+
+  /// Two levels of the tree combined, for nearest() and winding().
   struct Four {
     FourBoxes boxes;
+    FourDipoles dipoles;
     /// Their nodes, and for an inner node the index of its own group.
     std::array<std::uint32_t, FourBoxes::kCount> node, below;
   };
