@@ -8,17 +8,33 @@ namespace {
 constexpr Rgb8 kWhite{255, 255, 255};
 constexpr Rgb8 kBlack{0, 0, 0};
 
-/// Like the standard map of OpenStreetMap: coloured main streets, white side streets with thin grey borders.
+/// Like the standard map of OpenStreetMap: coloured main streets, white side streets with thin grey borders,
+/// small letters with halos, and all that it shows besides streets.
 DrawnMapStyle carto() {
   DrawnMapStyle s;
   s.name = "carto";
-  s.major = {{252, 214, 164}, {160, 107, 0}, 13.0, 1.0};
-  s.middle = {{247, 250, 191}, {112, 125, 5}, 11.0, 1.0};
-  s.minor = {kWhite, {187, 187, 187}, 9.0, 0.8};
-  s.service = {kWhite, {187, 187, 187}, 4.5, 0.7};
-  s.pedestrian = {{221, 221, 232}, {153, 153, 153}, 8.0, 0.8};
+  s.width_power = 0.9;
+  s.font_power = 0.35;
+  s.zoom_out = 1.15;
+  s.motorway = {{232, 146, 162}, {220, 42, 103}, 14.0, 0.9};
+  s.trunk = {{249, 178, 156}, {200, 78, 47}, 14.0, 0.9};
+  s.major = {{252, 214, 164}, {160, 107, 0}, 14.0, 0.8};
+  s.middle = {{247, 250, 191}, {112, 125, 5}, 14.0, 0.8};
+  s.tertiary = {kWhite, {143, 143, 143}, 13.0, 0.7};
+  s.minor = {kWhite, {187, 187, 187}, 9.0, 0.6};
+  s.service = {kWhite, {187, 187, 187}, 4.8, 0.5};
+  s.pedestrian = {{221, 221, 232}, {153, 153, 153}, 8.0, 0.6};
+  s.path = {250, 128, 114};
+  s.track = {153, 102, 0};
+  s.green = {173, 209, 158};
   s.font = "DejaVu Sans Condensed";
-  s.font_px = 11.0;
+  s.font_px = 10.5;
+  s.ink = {34, 34, 34};
+  s.halo_px = 1.0;
+  s.halo_of_street = true;
+  s.repeat_px = 300.0;
+  s.tunnel_fade = 0.5;
+  s.details = true;
   return s;
 }
 

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "map_details.hpp"
 #include "map_lettering.hpp"
 #include <cairo/cairo.h>
 #include <opencv2/imgcodecs.hpp>
@@ -16,21 +17,9 @@
 namespace palpable::bench {
 namespace {
 
-void set_colour(cairo_t* cr, Rgb8 c) { cairo_set_source_rgb(cr, c.r / 255.0, c.g / 255.0, c.b / 255.0); }
-
-void add_path(cairo_t* cr, const std::vector<MapPoint>& points) {
-  cairo_new_path(cr);
-  for (const MapPoint p : points) cairo_line_to(cr, p.x + 0.5, p.y + 0.5);
-}
-
-void stroke(cairo_t* cr, const std::vector<MapPoint>& points, Rgb8 colour, double width,
-            const std::vector<double>& dashes = {}) {
-  add_path(cr, points);
-  set_colour(cr, colour);
-  cairo_set_line_width(cr, width);
-  cairo_set_dash(cr, dashes.data(), static_cast<int>(dashes.size()), 0.0);
-  cairo_stroke(cr);
-}
+/// Widths of the styles' narrow streets, by which paths and railways are drawn, pixels.
+constexpr double kServiceWidth_px = 4.5;
+constexpr double kMinorWidth_px = 9.0;
 
 /// Thin ways first, so that main streets lie over them.
 int order_of(const std::string& kind) {
@@ -44,15 +33,6 @@ int order_of(const std::string& kind) {
 
 bool is_path(const std::string& kind) {
   return kind == "footway" || kind == "path" || kind == "cycleway" || kind == "steps" || kind == "bridleway";
-}
-
-const StreetPaint& paint_of(const std::string& kind, const DrawnMapStyle& style) {
-  if (kind == "service") return style.service;
-  if (kind == "pedestrian" || kind == "living_street") return style.pedestrian;
-  if (kind == "residential" || kind == "unclassified" || kind == "road") return style.minor;
-  if (kind.starts_with("tertiary") || kind.ends_with("_link")) return style.middle;
-  if (kind.starts_with("secondary")) return style.middle;
-  return style.major;
 }
 
 void draw_areas(cairo_t* cr, const sources::MapExtract& extract, const DrawnMapStyle& style,
@@ -78,16 +58,25 @@ void draw_areas(cairo_t* cr, const sources::MapExtract& extract, const DrawnMapS
   }
 }
 
-struct ProjectedWay {
-  const sources::ExtractWay* way;
-  std::vector<MapPoint> points;
-};
+void draw_paths(cairo_t* cr, const std::vector<ProjectedWay>& ways, const DrawnMapStyle& style) {
+  const double scale = style.service.width_px / kServiceWidth_px;
+  for (const ProjectedWay& w : ways) {
+    if (!is_path(w.way->kind)) continue;
+    if (style.details) stroke(cr, w.points, style.land, 3.0 * scale);
+    const bool is_steps = w.way->kind == "steps";
+    stroke(cr, w.points, style.path, (is_steps && style.details ? 3.0 : 1.2) * scale,
+           is_steps ? std::vector<double>{2.0, 1.0} : std::vector<double>{3.0, 2.5});
+  }
+  for (const ProjectedWay& w : ways)
+    if (w.way->kind == "track") {
+      if (style.details) stroke(cr, w.points, style.land, 3.5 * scale);
+      stroke(cr, w.points, style.track, 1.6 * scale,
+             style.details ? std::vector<double>{5.0, 4.0, 2.0, 4.0} : std::vector<double>{8.0, 3.0});
+    }
+}
 
-void draw_ways(cairo_t* cr, const std::vector<ProjectedWay>& ways, const DrawnMapStyle& style, double scale) {
-  for (const ProjectedWay& w : ways)
-    if (is_path(w.way->kind)) stroke(cr, w.points, style.path, 1.2 * scale, {3.0, 2.5});
-  for (const ProjectedWay& w : ways)
-    if (w.way->kind == "track") stroke(cr, w.points, style.track, 1.6 * scale, {8.0, 3.0});
+void draw_ways(cairo_t* cr, const std::vector<ProjectedWay>& ways, const DrawnMapStyle& style) {
+  draw_paths(cr, ways, style);
   const auto is_street = [](const ProjectedWay& w) {
     return !is_path(w.way->kind) && w.way->kind != "track" && w.way->kind != "rail";
   };
@@ -95,19 +84,41 @@ void draw_ways(cairo_t* cr, const std::vector<ProjectedWay>& ways, const DrawnMa
     for (const ProjectedWay& w : ways) {
       const StreetPaint& paint = paint_of(w.way->kind, style);
       if (!is_street(w) || w.way->tunnel != tunnel || paint.casing_px == 0.0) continue;
-      stroke(cr, w.points, paint.casing, paint.width_px * scale + 2.0 * paint.casing_px,
-             tunnel ? std::vector<double>{5.0, 3.0} : std::vector<double>{});
+      if (tunnel) cairo_set_line_cap(cr, CAIRO_LINE_CAP_BUTT);
+      stroke(cr, w.points, paint.casing, paint.width_px + 2.0 * paint.casing_px,
+             tunnel ? std::vector<double>{4.0, 2.5} : std::vector<double>{});
+      cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);
     }
-    for (const ProjectedWay& w : ways)
+    for (const ProjectedWay& w : ways) {
+      const StreetPaint& paint = paint_of(w.way->kind, style);
       if (is_street(w) && w.way->tunnel == tunnel)
-        stroke(cr, w.points, paint_of(w.way->kind, style).fill,
-               paint_of(w.way->kind, style).width_px * scale);
+        stroke(cr, w.points, tunnel ? mixed(paint.fill, style.land, style.tunnel_fade) : paint.fill,
+               paint.width_px);
+    }
   }
+  const double scale = style.minor.width_px / kMinorWidth_px;
   for (const ProjectedWay& w : ways)
     if (w.way->kind == "rail") {
       stroke(cr, w.points, style.rail, 3.0 * scale);
       stroke(cr, w.points, style.land, 1.4 * scale, {7.0, 7.0});
     }
+}
+
+double drawn_width_px(const std::string& kind, const DrawnMapStyle& style) {
+  if (is_path(kind) || kind == "track") return style.service.width_px / kServiceWidth_px;
+  const StreetPaint& paint = paint_of(kind, style);
+  return paint.width_px + 2.0 * paint.casing_px;
+}
+
+/// The style with the widths and letters that it has at a scale.
+DrawnMapStyle at_scale(DrawnMapStyle style, double px_per_m) {
+  const double widths = std::pow(px_per_m, style.width_power);
+  for (StreetPaint* p : {&style.major, &style.middle, &style.minor, &style.service, &style.pedestrian})
+    p->width_px *= widths;
+  for (auto* p : {&style.motorway, &style.trunk, &style.tertiary})
+    if (p->has_value()) (*p)->width_px *= widths;
+  style.font_px *= std::pow(px_per_m, style.font_power);
+  return style;
 }
 
 /// As a scan: turned, blurred, with noise, compressed. The truth is turned as well.
@@ -127,9 +138,13 @@ void spoil(DrawnMap& map, const DrawnMapStyle& style, std::mt19937_64& random) {
     cv::warpAffine(picture, turned, turn, picture.size(), cv::INTER_CUBIC, cv::BORDER_REPLICATE);
     picture = turned;
     const auto at = [&turn](int r, int c) { return turn.at<double>(r, c); };
+    const auto turned_point = [&at](MapPoint p) {
+      return MapPoint{at(0, 0) * p.x + at(0, 1) * p.y + at(0, 2), at(1, 0) * p.x + at(1, 1) * p.y + at(1, 2)};
+    };
     for (DrawnWay& way : map.ways)
-      for (MapPoint& p : way.points)
-        p = {at(0, 0) * p.x + at(0, 1) * p.y + at(0, 2), at(1, 0) * p.x + at(1, 1) * p.y + at(1, 2)};
+      for (MapPoint& p : way.points) p = turned_point(p);
+    for (DrawnName& name : map.lettering)
+      for (MapPoint& p : name.line) p = turned_point(p);
   }
   if (style.blur_px > 0.0) cv::GaussianBlur(picture, picture, {}, style.blur_px);
   if (style.noise > 0.0) {
@@ -154,13 +169,27 @@ void spoil(DrawnMap& map, const DrawnMapStyle& style, std::mt19937_64& random) {
 
 }  // namespace
 
-DrawnMap drawn_map(const sources::MapExtract& extract, const DrawnWindow& window, const DrawnMapStyle& style,
-                   std::uint64_t seed) {
+const StreetPaint& paint_of(const std::string& kind, const DrawnMapStyle& style) {
+  if (kind == "service") return style.service;
+  if (kind == "pedestrian" || kind == "living_street") return style.pedestrian;
+  if (kind == "residential" || kind == "unclassified" || kind == "road") return style.minor;
+  if (kind.starts_with("motorway") && style.motorway) return *style.motorway;
+  if (kind.starts_with("trunk") && style.trunk) return *style.trunk;
+  if (kind.starts_with("tertiary") && style.tertiary) return *style.tertiary;
+  if (kind.starts_with("tertiary") || kind.ends_with("_link")) return style.middle;
+  if (kind.starts_with("secondary")) return style.middle;
+  return style.major;
+}
+
+DrawnMap drawn_map(const sources::MapExtract& extract, const DrawnWindow& window,
+                   const DrawnMapStyle& given_style, std::uint64_t seed) {
   std::mt19937_64 random(seed);
+  const double px_per_m = 1.0 / (window.metres_per_px * given_style.zoom_out);
+  const DrawnMapStyle style = at_scale(given_style, px_per_m);
   constexpr double kMetresPerDegree = 111195.0;
   const double shrink = std::cos(window.center.latitude * std::numbers::pi / 180.0);
   const double middle = 0.5 * (window.side_px - 1);
-  const double px = kMetresPerDegree / window.metres_per_px;
+  const double px = kMetresPerDegree * px_per_m;
   const auto project = [&](sources::GeoPoint p) {
     return MapPoint{middle + (p.longitude - window.center.longitude) * shrink * px,
                     middle - (p.latitude - window.center.latitude) * px};
@@ -186,14 +215,18 @@ DrawnMap drawn_map(const sources::MapExtract& extract, const DrawnWindow& window
   cairo_paint(cr);
   cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
   cairo_set_line_cap(cr, CAIRO_LINE_CAP_BUTT);
+  std::mt19937_64 random_details(seed + 1000);
+  if (style.details) draw_areas_of_use(cr, style, side, random_details);
   draw_areas(cr, extract, style, project);
-  const double scale = std::sqrt(1.0 / window.metres_per_px);
   cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);
-  draw_ways(cr, ways, style, scale);
+  draw_ways(cr, ways, style);
+  std::vector<MapPoint> taken;
+  if (style.details) taken = draw_symbols(cr, ways, style, side, random_details);
   DrawnMap map;
   for (const ProjectedWay& w : ways)
-    if (w.way->kind != "rail") map.ways.push_back({w.way->kind, w.way->name, w.points});
-  map.drawn_names = draw_street_names(cr, map.ways, style, side);
+    if (w.way->kind != "rail")
+      map.ways.push_back({w.way->kind, w.way->name, w.points, drawn_width_px(w.way->kind, style)});
+  map.lettering = draw_street_names(cr, map.ways, style, side, std::move(taken));
   cairo_surface_flush(surface);
   map.picture = Raster<Rgb8>(side, side);
   const unsigned char* data = cairo_image_surface_get_data(surface);

@@ -8,6 +8,7 @@
 #include "palpable/sources/map/map_extract.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,9 +24,14 @@ struct StreetPaint {
   double casing_px = 1.0;
 };
 
-/// How a map is drawn; sizes hold for one pixel a metre and grow with the square root of the scale.
+/// How a map is drawn; sizes hold for one pixel a metre.
 struct DrawnMapStyle {
   std::string name;
+  /// Widths of streets and sizes of letters grow with these powers of the scale (pixels a metre).
+  double width_power = 0.5;
+  double font_power = 0.0;
+  /// A pixel is this many times as many metres as the window says.
+  double zoom_out = 1.0;
   Rgb8 land{242, 239, 233};
   Rgb8 building{217, 208, 201};
   Rgb8 building_line{190, 180, 170};
@@ -33,6 +39,13 @@ struct DrawnMapStyle {
   Rgb8 water{170, 211, 223};
   Rgb8 green{200, 235, 180};
   StreetPaint major, middle, minor, service, pedestrian;
+  /// Drawn like major (motorways, trunk roads) and middle ones if not given.
+  std::optional<StreetPaint> motorway, trunk, tertiary;
+  /// How much of the land's colour is mixed into streets in tunnels, 0 ... 1.
+  double tunnel_fade = 0.0;
+  /// What maps show besides: areas of use, squares, car parks, trees, symbols and their labels, arrows of
+  /// one-way streets, bridges, borders.
+  bool details = false;
   Rgb8 path{240, 140, 120};
   Rgb8 track{170, 120, 40};
   Rgb8 rail{120, 120, 120};
@@ -41,6 +54,10 @@ struct DrawnMapStyle {
   Rgb8 ink{0, 0, 0};
   Rgb8 halo{255, 255, 255};
   double halo_px = 0.0;
+  /// Halos have the colour of the street below.
+  bool halo_of_street = false;
+  /// Distance between repeated names, pixels.
+  double repeat_px = 450.0;
   bool capitals = false;
   /// The picture is turned by up to this angle, degrees, as a scan is.
   double skew_deg = 0.0;
@@ -59,13 +76,20 @@ struct DrawnWay {
   std::string kind;
   std::string name;
   std::vector<MapPoint> points;
+  /// As it is drawn, with its casing.
+  double width_px = 0.0;
+};
+
+/// A name that is drawn whole: the middle of its letters, in the reading direction.
+struct DrawnName {
+  std::string text;
+  std::vector<MapPoint> line;
 };
 
 struct DrawnMap {
   Raster<Rgb8> picture;
   std::vector<DrawnWay> ways;
-  /// Names of streets that are drawn whole at least once.
-  std::vector<std::string> drawn_names;
+  std::vector<DrawnName> lettering;
 };
 
 /// Where and how large: metres of one pixel.
@@ -77,6 +101,9 @@ struct DrawnWindow {
 
 DrawnMap drawn_map(const sources::MapExtract& extract, const DrawnWindow& window, const DrawnMapStyle& style,
                    std::uint64_t seed);
+
+/// How a kind of street is drawn.
+const StreetPaint& paint_of(const std::string& kind, const DrawnMapStyle& style);
 
 /// A town that is not real: streets of several kinds, among them dual carriageways, bent and dead-end ones,
 /// tracks, paths, a railway, a river, parks and buildings, around 0,0. For where there are no extracts.

@@ -94,8 +94,12 @@ std::string in_capitals(const std::string& text) {
 
 class Lettering {
  public:
-  Lettering(cairo_t* cr, const DrawnMapStyle& style, int side)
-      : cr_(cr), style_(style), side_(side), layout_(pango_cairo_create_layout(cr)) {
+  Lettering(cairo_t* cr, const DrawnMapStyle& style, int side, Line taken)
+      : cr_(cr),
+        style_(style),
+        side_(side),
+        layout_(pango_cairo_create_layout(cr)),
+        taken_(std::move(taken)) {
     PangoFontDescription* font = pango_font_description_from_string(style.font.c_str());
     pango_font_description_set_absolute_size(font, style.font_px * PANGO_SCALE);
     pango_layout_set_font_description(layout_, font);
@@ -105,23 +109,20 @@ class Lettering {
   Lettering(const Lettering&) = delete;
   Lettering& operator=(const Lettering&) = delete;
 
-  /// Writes a name once for each 450 pixels of a street; whether it was written.
-  bool write(const std::string& name, const Line& street) {
+  /// Writes a name along a street, repeatedly if that is long.
+  void write(const std::string& name, const Line& street, Rgb8 halo, std::vector<DrawnName>& written) {
     const std::vector<std::string> letters = characters_of(style_.capitals ? in_capitals(name) : name);
     const std::vector<double> widths = widths_of(letters);
     double width = 0.0;
     for (const double w : widths) width += w;
     Line line = even_line(street);
-    bool written = false;
-    constexpr double kRepeat_px = 450.0, kTry_px = 10.0;
+    constexpr double kTry_px = 10.0;
     double next = 0.0;
     for (double begin = 0.0; begin + width + 6.0 < static_cast<double>(line.size()); begin += kTry_px) {
       if (begin < next || !fits(line, begin, width)) continue;
-      draw(line, begin, width, letters, widths);
-      written = true;
-      next = begin + width + kRepeat_px;
+      written.push_back({name, draw(line, begin, width, letters, widths, halo)});
+      next = begin + width + style_.repeat_px;
     }
-    return written;
   }
 
  private:
@@ -179,9 +180,14 @@ class Lettering {
     return distance(at(line, begin), at(line, begin + width)) > 0.85 * width;
   }
 
-  void draw(const Line& line, double begin, double width, const std::vector<std::string>& letters,
-            const std::vector<double>& widths) {
-    for (double u = begin; u <= begin + width; u += 3.0) taken_.push_back(at(line, u));
+  /// Returns the middle of the letters.
+  Line draw(const Line& line, double begin, double width, const std::vector<std::string>& letters,
+            const std::vector<double>& widths, Rgb8 halo) {
+    Line middle_line;
+    for (double u = begin; u <= begin + width; u += 3.0) {
+      taken_.push_back(at(line, u));
+      middle_line.push_back(at(line, u));
+    }
     const MapPoint first = at(line, begin);
     const MapPoint last = at(line, begin + width);
     const bool reversed = last.x < first.x;
@@ -202,7 +208,7 @@ class Lettering {
         pango_layout_get_extents(layout_, nullptr, &box);
         const double baseline = static_cast<double>(pango_layout_get_baseline(layout_)) / PANGO_SCALE;
         cairo_translate(cr_, -0.5 * widths[i], 0.36 * style_.font_px - baseline);
-        const Rgb8 c = is_halo ? style_.halo : style_.ink;
+        const Rgb8 c = is_halo ? halo : style_.ink;
         cairo_set_source_rgb(cr_, c.r / 255.0, c.g / 255.0, c.b / 255.0);
         cairo_new_path(cr_);
         if (is_halo) {
@@ -216,6 +222,8 @@ class Lettering {
         cairo_restore(cr_);
       }
     }
+    if (reversed) std::reverse(middle_line.begin(), middle_line.end());
+    return middle_line;
   }
 
   cairo_t* cr_;
@@ -227,24 +235,25 @@ class Lettering {
 
 }  // namespace
 
-std::vector<std::string> draw_street_names(cairo_t* cr, const std::vector<DrawnWay>& ways,
-                                           const DrawnMapStyle& style, int side) {
-  Lettering lettering(cr, style, side);
+std::vector<DrawnName> draw_street_names(cairo_t* cr, const std::vector<DrawnWay>& ways,
+                                         const DrawnMapStyle& style, int side, std::vector<MapPoint> taken) {
+  Lettering lettering(cr, style, side, std::move(taken));
   std::vector<std::pair<double, std::string>> longest;
   const auto lines = lines_by_name(ways);
+  std::map<std::string, Rgb8> halos;
+  for (const DrawnWay& way : ways)
+    if (!way.name.empty())
+      halos[way.name] = style.halo_of_street ? paint_of(way.kind, style).fill : style.halo;
   for (const auto& [name, parts] : lines) {
     double length = 0.0;
     for (const Line& part : parts) length += length_of(part);
     longest.emplace_back(-length, name);
   }
   std::sort(longest.begin(), longest.end());
-  std::vector<std::string> drawn;
-  for (const auto& [length, name] : longest) {
-    bool written = false;
-    for (const Line& part : lines.at(name)) written = lettering.write(name, part) || written;
-    if (written) drawn.push_back(name);
-  }
-  return drawn;
+  std::vector<DrawnName> written;
+  for (const auto& [length, name] : longest)
+    for (const Line& part : lines.at(name)) lettering.write(name, part, halos.at(name), written);
+  return written;
 }
 
 }  // namespace palpable::bench

@@ -7,9 +7,9 @@
 
 namespace palpable::bench {
 
-/// Writes the names of streets along them, curved as they are, where there is room. Returns those that are
-/// drawn whole.
-std::vector<std::string> draw_street_names(cairo_t* cr, const std::vector<DrawnWay>& ways,
-                                           const DrawnMapStyle& style, int side);
+/// Writes the names of streets along them, curved as they are, where there is room: those that are drawn
+/// whole, each of which may be there several times. Nothing is written within letters' reach of `taken`.
+std::vector<DrawnName> draw_street_names(cairo_t* cr, const std::vector<DrawnWay>& ways,
+                                         const DrawnMapStyle& style, int side, std::vector<MapPoint> taken);
 
 }  // namespace palpable::bench

@@ -6,9 +6,11 @@
 // Even seeds are for choosing, odd ones for reporting. With PALPABLE_DATA set, two of three maps show places
 // of its extracts; the others, and all without it, show towns that are not real.
 #include "palpable/formats/picture/picture.hpp"
+#include "palpable/measure/street_map_score.hpp"
 #include "palpable/sources/map/extract_window.hpp"
 #include "palpable/vision/streets/gazetteer.hpp"
 #include "palpable/vision/streets/street_map_from_picture.hpp"
+#include "palpable/vision/text/text_lines.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,13 +20,11 @@
 #include <fstream>
 #include <optional>
 #include <random>
-#include <set>
 #include <string_view>
 
 #include "drawn_maps.hpp"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <opencv2/imgproc.hpp>
 
 namespace palpable::bench {
 namespace {
@@ -103,92 +103,119 @@ Place place_of(std::uint64_t seed, const std::vector<sources::MapExtract>& extra
   return place;
 }
 
-/// The pixels of lines, and the distance of every pixel to the nearest of them.
-struct Lines {
-  std::vector<cv::Point2d> points;
-  cv::Mat distance;
-};
-
-Lines lines_of(const std::vector<const std::vector<MapPoint>*>& lines, int side) {
-  Lines out;
-  cv::Mat mask(side, side, CV_8U, cv::Scalar(255));
-  for (const auto* line : lines)
-    for (std::size_t i = 1; i < line->size(); ++i) {
-      const MapPoint a = (*line)[i - 1];
-      const MapPoint b = (*line)[i];
-      const int n = std::max(1, static_cast<int>(std::hypot(b.x - a.x, b.y - a.y)));
-      for (int k = 0; k < n; ++k) {
-        const cv::Point2d p(a.x + (b.x - a.x) * k / n, a.y + (b.y - a.y) * k / n);
-        if (p.x < 0 || p.y < 0 || p.x > side - 1 || p.y > side - 1) continue;
-        out.points.push_back(p);
-        mask.at<std::uint8_t>(cv::Point(p)) = 0;
-      }
-    }
-  cv::distanceTransform(mask, out.distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-  return out;
+measure::TrueStreetMap truth_of(const DrawnMap& drawn) {
+  measure::TrueStreetMap truth{drawn.picture.width(), drawn.picture.height(), {}, {}};
+  for (const DrawnWay& way : drawn.ways)
+    truth.streets.push_back({way.kind, way.name, way.width_px, {way.points}});
+  for (const DrawnName& name : drawn.lettering) truth.drawn_names.push_back(name.text);
+  return truth;
 }
 
-/// Part of `points` that lie within `most` pixels of `lines`.
-double part_near(const Lines& points, const Lines& lines, double most) {
-  if (points.points.empty() || lines.points.empty()) return 0.0;
-  std::size_t near = 0;
-  for (const cv::Point2d& p : points.points) near += lines.distance.at<float>(cv::Point(p)) <= most ? 1 : 0;
-  return static_cast<double>(near) / static_cast<double>(points.points.size());
+/// What becomes of the names that are written on a map: how many there are, found as one line of lettering,
+/// read exactly.
+struct NameChain {
+  int written = 0;
+  int lines = 0;
+  int read = 0;
+};
+
+/// Whether two lines cover each other, but for `margin_px` at their ends.
+bool is_same_place(const std::vector<MapPoint>& a, const std::vector<MapPoint>& b, double margin_px) {
+  const auto near = [margin_px](MapPoint p, MapPoint q) {
+    return std::hypot(p.x - q.x, p.y - q.y) <= margin_px;
+  };
+  return (near(a.front(), b.front()) && near(a.back(), b.back())) ||
+         (near(a.front(), b.back()) && near(a.back(), b.front()));
+}
+
+/// Light lettering is dark in the negative, in which it is looked for.
+Raster<Rgb8> with_dark_lettering(Raster<Rgb8> picture, const DrawnMapStyle& style) {
+  if (style.ink.g > style.land.g)
+    for (Rgb8& c : picture.values())
+      c = {static_cast<std::uint8_t>(255 - c.r), static_cast<std::uint8_t>(255 - c.g),
+           static_cast<std::uint8_t>(255 - c.b)};
+  return picture;
+}
+
+NameChain chain_of(const DrawnMap& drawn, const DrawnMapStyle& style, const StreetMap& map) {
+  NameChain chain;
+  const auto lines = vision::find_text_lines(with_dark_lettering(drawn.picture, style));
+  for (const DrawnName& name : drawn.lettering) {
+    ++chain.written;
+    const double margin = style.font_px;
+    chain.lines += std::any_of(lines.begin(), lines.end(),
+                               [&](const auto& l) { return is_same_place(name.line, l.centre, margin); })
+                       ? 1
+                       : 0;
+    const auto is_read = [&](const MapLabel& label) {
+      const auto middle = [&label](std::size_t i, std::size_t k) {
+        return MapPoint{0.5 * (label.box[i].x + label.box[k].x), 0.5 * (label.box[i].y + label.box[k].y)};
+      };
+      return vision::compared_form(label.text) == vision::compared_form(name.text) &&
+             is_same_place(name.line, {middle(0, 3), middle(1, 2)}, 2.0 * margin);
+    };
+    chain.read += std::any_of(map.labels.begin(), map.labels.end(), is_read) ? 1 : 0;
+  }
+  return chain;
 }
 
 struct Score {
   double found = 0.0;
   double true_part = 0.0;
+  double iou = 0.0;
+  double junction_f = 0.0;
   int right = 0;
   int wanted = 0;
   int wrong = 0;
   int maps = 0;
   int refused = 0;
+  NameChain chain;
   void add(const Score& other) {
     found += other.found;
     true_part += other.true_part;
+    iou += other.iou;
+    junction_f += other.junction_f;
     right += other.right;
     wanted += other.wanted;
     wrong += other.wrong;
     maps += other.maps;
     refused += other.refused;
+    chain.written += other.chain.written;
+    chain.lines += other.chain.lines;
+    chain.read += other.chain.read;
   }
 };
 
-Score score_of(const DrawnMap& drawn, const StreetMap& map) {
-  const std::set<std::string> small{"footway", "path", "steps", "cycleway", "service", "bridleway"};
-  std::vector<const std::vector<MapPoint>*> wanted, all, got;
-  std::set<std::string> names, have;
-  for (const DrawnWay& way : drawn.ways) {
-    all.push_back(&way.points);
-    if (!small.contains(way.kind)) wanted.push_back(&way.points);
-    names.insert(vision::compared_form(way.name));
-  }
-  for (const MapStreet& street : map.streets) {
-    got.push_back(&street.points);
-    if (!street.name.empty()) have.insert(vision::compared_form(street.name));
-  }
-  const int side = drawn.picture.width();
-  const Lines truth = lines_of(wanted, side);
-  const Lines any = lines_of(all, side);
-  const Lines found = lines_of(got, side);
-  Score score;
-  score.maps = 1;
-  score.found = part_near(truth, found, 3.0);
-  score.true_part = part_near(found, any, 4.0);
-  for (const std::string& name : drawn.drawn_names)
-    score.right += have.contains(vision::compared_form(name)) ? 1 : 0;
-  score.wanted = static_cast<int>(drawn.drawn_names.size());
-  for (const std::string& name : have) score.wrong += names.contains(name) ? 0 : 1;
-  return score;
+/// Of a map that was refused, if `found` is null.
+Score score_of(const DrawnMap& drawn, const DrawnMapStyle& style, const StreetMap* found) {
+  StreetMap none;
+  none.width_px = drawn.picture.width();
+  none.height_px = drawn.picture.height();
+  const auto score = measure::score_street_map(found != nullptr ? *found : none, truth_of(drawn));
+  Score out;
+  out.maps = 1;
+  out.refused = found == nullptr ? 1 : 0;
+  if (!score) return out;
+  out.found = score->found;
+  out.true_part = score->true_part;
+  out.iou = score->area_iou;
+  out.junction_f = score->junction_f();
+  out.right = score->names_right;
+  out.wanted = score->names;
+  out.wrong = score->names_false;
+  if (found != nullptr) out.chain = chain_of(drawn, style, *found);
+  return out;
 }
 
 void print(const std::string& label, const Score& s) {
   const int answered = std::max(1, s.maps - s.refused);
   fmt::print(
-      "{:<24} found {:5.1f} %  true {:5.1f} %  names {:3}/{:<3} {:5.1f} %  false {:3}  refused {}/{}\n",
-      label, 100.0 * s.found / s.maps, 100.0 * s.true_part / answered, s.right, s.wanted,
-      100.0 * s.right / std::max(1, s.wanted), s.wrong, s.refused, s.maps);
+      "{:<20} found {:5.1f} %  true {:5.1f} %  area {:.2f}  junctions {:.2f}  names {:3}/{:<3} {:5.1f} %  "
+      "false "
+      "{:3}  written {} lines {} read {}  refused {}/{}\n",
+      label, 100.0 * s.found / s.maps, 100.0 * s.true_part / answered, s.iou / s.maps, s.junction_f / s.maps,
+      s.right, s.wanted, 100.0 * s.right / std::max(1, s.wanted), s.wrong, s.chain.written, s.chain.lines,
+      s.chain.read, s.refused, s.maps);
   std::fflush(stdout);
 }
 
@@ -198,14 +225,20 @@ nlohmann::json json_of(const DrawnMap& map) {
   for (const DrawnWay& way : map.ways) {
     nlohmann::json line = nlohmann::json::array();
     for (const MapPoint p : way.points) line.push_back({p.x, p.y});
-    nlohmann::json street{{"highway", way.kind}, {"polylines_px", {line}}};
+    nlohmann::json street{{"highway", way.kind}, {"width_px", way.width_px}, {"polylines_px", {line}}};
     if (!way.name.empty()) street["name"] = way.name;
     streets.push_back(std::move(street));
+  }
+  nlohmann::json lettering = nlohmann::json::array();
+  for (const DrawnName& name : map.lettering) {
+    nlohmann::json line = nlohmann::json::array();
+    for (const MapPoint p : name.line) line.push_back({p.x, p.y});
+    lettering.push_back({{"text", name.text}, {"line_px", std::move(line)}});
   }
   return {{"width", map.picture.width()},
           {"height", map.picture.height()},
           {"streets", streets},
-          {"drawn_names", map.drawn_names}};
+          {"lettering", lettering}};
 }
 
 Image image_of(const Raster<Rgb8>& picture) {
@@ -234,10 +267,7 @@ void run(const Arguments& arguments) {
         std::ofstream(stem.string() + ".json") << json_of(drawn).dump();
       }
       const auto found = vision::street_map_from_picture(image_of(drawn.picture), {}, {});
-      Score score;
-      score.maps = score.refused = 1;
-      score.wanted = static_cast<int>(drawn.drawn_names.size());
-      if (found) score = score_of(drawn, found->map);
+      const Score score = score_of(drawn, style, found ? &found->map : nullptr);
       print(fmt::format("  {} {}", style.name, seed), score);
       sum.add(score);
     }

@@ -63,6 +63,7 @@ void add_sample(Program& program);
 void add_score(Program& program);
 /// score boundary and score orientation.
 void add_score_contours(Program& program);
+void add_score_map(Program& program);
 void add_score_structure(Program& program);
 void add_show(Program& program);
 void add_study_stability(Program& program);

@@ -116,6 +116,7 @@ void add_score(Program& program) {
   add_score_relief(program);
   add_score_contours(program);
   add_score_structure(program);
+  add_score_map(program);
   const auto arguments = std::make_shared<ScoreArguments>();
   Options options = add_command_below(
       program, "score", "disparity", "Bad pixels, coverage and RMS of a disparity map",

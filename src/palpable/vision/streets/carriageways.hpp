@@ -4,28 +4,37 @@
 
 #include "palpable/vision/streets/centre_lines.hpp"
 
+#include <span>
 #include <vector>
 
 namespace palpable::vision {
 
 struct CarriagewayOptions {
-  /// A street divides into two that are at most this much narrower: before that it has two carriageways.
-  double fork_ratio = 1.35;
-  /// A street has two carriageways if it is at least this many times as wide as the widest common streets of
-  /// other colours.
-  double width_ratio = 1.7;
-  /// Streets of other colours are common if they have this part of the length of all.
+  /// Widths of streets of one colour that differ by less than this part are the same.
+  double same_width = 0.1;
+  /// A width is common if this part of a colour's length has it.
   double common_part = 0.1;
-  /// Wider streets have more than two carriageways and stay one, in widths of a carriageway.
-  double most_widths = 2.6;
-  /// Shorter pieces stay one, in their width.
-  double least_length = 2.0;
-  /// Carriageways whose middles are nearer to that of the street than this stay one, pixels.
-  double least_offset_px = 2.5;
+  /// The next wider common width is still that of one carriageway if it is at most this many times as wide.
+  double next_width = 1.55;
+  /// A colour whose streets are this many times as wide as the widest single carriageway of the other colours
+  /// shows only streets with two.
+  double width_ratio = 1.7;
+  /// Two carriageways whose middles are nearer to each other than this are one street, pixels.
+  double least_apart_px = 5.0;
+  /// Where a street is more than this many times as wide as a carriageway, it is a square.
+  double most_widths = 2.5;
+  /// Two carriageways run beside each other for at least this many of their widths.
+  double least_length_widths = 1.2;
 };
 
-/// Divides the lines of streets with two carriageways that the map draws as one area: two lines instead of
-/// one. `colours`: the centre lines of each colour of streets. Any thread.
-void divide_carriageways(std::vector<CentreLines*> colours, const CarriagewayOptions& options = {});
+/// Radius of a single carriageway in each colour of streets: its widest common one, unless that is so wide
+/// that it shows two. 0 for a colour without lines. Any thread.
+std::vector<double> carriageway_radii(std::span<const CentreLines* const> colours,
+                                      const CarriagewayOptions& options = {});
+
+/// Where a mask of streets is wider than one carriageway of this radius, two run beside each other. Their
+/// centre lines are the places at that distance from the mask's border. Any thread.
+ThinningGuide carriageways_in(const Raster<std::uint8_t>& mask, double radius_px,
+                              const CarriagewayOptions& options = {});
 
 }  // namespace palpable::vision

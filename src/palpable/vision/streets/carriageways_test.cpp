@@ -2,54 +2,75 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/streets/carriageways.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
 #include <gtest/gtest.h>
 
 namespace palpable::vision {
 namespace {
 
-CentreLine straight(MapPoint a, MapPoint b, int first, int last, double radius_px) {
-  CentreLine line{{}, first, last, radius_px, 0.1};
-  constexpr int kSteps = 200;
-  for (int i = 0; i <= kSteps; ++i)
-    line.points.push_back({a.x + (b.x - a.x) * i / kSteps, a.y + (b.y - a.y) * i / kSteps});
-  return line;
+CentreLines one_line(double length, double radius_px) {
+  return {{{0, 50}, {length, 50}}, {{{{0, 50}, {length, 50}}, 0, 1, radius_px, 0.1}}};
 }
 
-CentreLines one_line(double radius_px) {
-  return {{{0, 50}, {200, 50}}, {straight({0, 50}, {200, 50}, 0, 1, radius_px)}};
+double radius_beside(double radius_px, double other_px) {
+  const CentreLines a = one_line(200, radius_px);
+  const CentreLines b = one_line(200, other_px);
+  const std::array<const CentreLines*, 2> colours{&a, &b};
+  return carriageway_radii(colours)[0];
 }
 
-TEST(Carriageways, AStreetThatIsMuchWiderThanOthersHasTwo) {
-  CentreLines wide = one_line(13.0);
-  CentreLines others = one_line(6.0);
-  divide_carriageways({&wide, &others});
-  ASSERT_EQ(wide.lines.size(), 2U);
-  EXPECT_EQ(others.lines.size(), 1U);
-  EXPECT_NEAR(wide.lines[0].points[100].y, 56.5, 0.1);
-  EXPECT_NEAR(wide.lines[1].points[100].y, 43.5, 0.1);
-  EXPECT_NEAR(wide.lines[0].radius_px, 6.5, 1e-9);
+TEST(Carriageways, AColourThatIsMuchWiderThanTheOthersHasTwo) {
+  EXPECT_EQ(radius_beside(11.0, 6.0), 6.0);
+  // Two carriageways are at most twice as wide as one.
+  EXPECT_EQ(radius_beside(13.0, 6.0), 6.5);
+  EXPECT_EQ(radius_beside(8.0, 5.5), 8.0);
 }
 
-TEST(Carriageways, AStreetThatDividesIntoTwoNarrowerOnesHasTwo) {
-  CentreLines fork{{{0, 50}, {200, 50}, {400, 20}, {400, 80}},
-                   {straight({0, 50}, {200, 50}, 0, 1, 10.0), straight({200, 50}, {400, 20}, 1, 2, 6.0),
-                    straight({200, 50}, {400, 80}, 1, 3, 6.0)}};
-  divide_carriageways({&fork});
-  ASSERT_EQ(fork.lines.size(), 4U);
-  // They end together at the junction.
-  EXPECT_NEAR(fork.lines[0].points.back().y, 50.0, 1e-9);
-  EXPECT_NEAR(fork.lines[3].points.back().y, 50.0, 1e-9);
-  EXPECT_NEAR(fork.lines[0].points[100].y, 54.0, 0.1);
+TEST(Carriageways, TheWidestCommonWidthIsASingleOne) {
+  CentreLines graph = one_line(300, 6.0);
+  for (const auto& [length, radius] : {std::array{200.0, 9.0}, {200.0, 16.0}, {20.0, 12.0}})
+    graph.lines.push_back(one_line(length, radius).lines[0]);
+  const std::array<const CentreLines*, 1> colours{&graph};
+  // 9 is a wider kind of street, 16 too wide for one, 12 rare.
+  EXPECT_NEAR(carriageway_radii(colours)[0], 9.0, 0.01);
 }
 
-TEST(Carriageways, OtherStreetsStayOne) {
-  CentreLines major = one_line(8.0);
-  CentreLines minor = one_line(5.5);
-  divide_carriageways({&major, &minor});
-  EXPECT_EQ(major.lines.size(), 1U);
-  CentreLines alone = one_line(13.0);
-  divide_carriageways({&alone});
-  EXPECT_EQ(alone.lines.size(), 1U);
+/// Two streets 14 pixels wide whose middles are `apart` pixels from each other between x = 100 and 300, and
+/// meet at both sides of it.
+Raster<std::uint8_t> two_streets(double apart) {
+  Raster<std::uint8_t> mask(400, 100);
+  for (int y = 0; y < 100; ++y)
+    for (int x = 0; x < 400; ++x) {
+      const double offset = 0.5 * apart * std::clamp((200.0 - std::abs(x - 200.0) - 60.0) / 40.0, 0.0, 1.0);
+      mask(x, y) = std::min(std::abs(y - 50.0 - offset), std::abs(y - 50.0 + offset)) <= 7.0 ? 1 : 0;
+    }
+  return mask;
+}
+
+TEST(Carriageways, TwoThatTouchAreTwoLines) {
+  const Raster<std::uint8_t> mask = two_streets(10.0);
+  const CentreLines lines = centre_lines_of(mask, carriageways_in(mask, 7.5));
+  std::array<double, 2> least{1e9, 1e9};
+  for (const CentreLine& line : lines.lines)
+    for (const MapPoint p : line.points) {
+      if (std::abs(p.x - 200) > 80) continue;
+      least[0] = std::min(least[0], std::abs(p.y - 45.0));
+      least[1] = std::min(least[1], std::abs(p.y - 55.0));
+      EXPECT_LT(std::min(std::abs(p.y - 45.0), std::abs(p.y - 55.0)), 1.6) << p.x;
+    }
+  EXPECT_LT(least[0], 1.0);
+  EXPECT_LT(least[1], 1.0);
+}
+
+TEST(Carriageways, ASingleStreetStaysOneLine) {
+  for (const double apart : {0.0, 2.0}) {
+    const Raster<std::uint8_t> mask = two_streets(apart);
+    EXPECT_EQ(centre_lines_of(mask, carriageways_in(mask, 7.5)).lines.size(), 1U) << apart;
+  }
 }
 
 }  // namespace

@@ -62,16 +62,19 @@ bool is_corner(unsigned bits) {
   return false;
 }
 
-Thinned thinned(const Raster<std::uint8_t>& mask) {
+Thinned thinned(const Raster<std::uint8_t>& mask, const ThinningGuide& guide) {
   Thinned out;
   out.mask = cv::Mat::zeros(mask.height() + 4, mask.width() + 4, CV_8U);
   for (int y = 0; y < mask.height(); ++y)
     for (int x = 0; x < mask.width(); ++x)
-      if (mask(x, y) != 0) {
+      if (mask(x, y) != 0 && (guide.outside.count() == 0 || guide.outside(x, y) == 0)) {
         out.mask.at<std::uint8_t>(y + 2, x + 2) = 1;
         out.pixels.emplace_back(x + 2, y + 2);
       }
   static const auto table = removal_table();
+  const auto is_kept = [&guide](cv::Point p) {
+    return guide.kept.count() != 0 && guide.kept(p.x - 2, p.y - 2) != 0;
+  };
   const auto clear_those = [&out](std::vector<cv::Point>& gone) {
     for (const cv::Point p : gone) out.mask.at<std::uint8_t>(p) = 0;
     if (!gone.empty())
@@ -83,7 +86,7 @@ Thinned thinned(const Raster<std::uint8_t>& mask) {
     for (const auto& removes : table) {
       gone.clear();
       for (const cv::Point p : out.pixels)
-        if (removes[neighbours_of(out.mask, p)]) gone.push_back(p);
+        if (!is_kept(p) && removes[neighbours_of(out.mask, p)]) gone.push_back(p);
       changed = changed || !gone.empty();
       clear_those(gone);
     }
@@ -316,9 +319,9 @@ void remove_spurs(CentreLines& graph, double radii, double more_px) {
   }
 }
 
-CentreLines centre_lines_of(const Raster<std::uint8_t>& mask) {
+CentreLines centre_lines_of(const Raster<std::uint8_t>& mask, const ThinningGuide& guide) {
   const cv::Mat view(mask.height(), mask.width(), CV_8U, const_cast<std::uint8_t*>(mask.data()));
-  CentreLines graph = Tracer(thinned(mask)).take();
+  CentreLines graph = Tracer(thinned(mask, guide)).take();
   cv::Mat distance;
   cv::distanceTransform(view, distance, cv::DIST_L2, 5);
   measure_radii(graph, distance);

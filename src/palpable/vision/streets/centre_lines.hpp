@@ -30,9 +30,16 @@ struct CentreLines {
 /// How many lines end at each node.
 std::vector<int> degrees_of(const CentreLines& graph);
 
+/// What is known of a mask's lines before it is thinned, of the mask's size, or empty: pixels of lines
+/// (`kept`) and those inside it that have none.
+struct ThinningGuide {
+  Raster<std::uint8_t> kept;
+  Raster<std::uint8_t> outside;
+};
+
 /// Thins the set pixels of a mask to lines (Zhang & Suen 1984) and traces them. Branches that are shorter
 /// than the mask is wide there come from its border and are removed. Any thread.
-CentreLines centre_lines_of(const Raster<std::uint8_t>& mask);
+CentreLines centre_lines_of(const Raster<std::uint8_t>& mask, const ThinningGuide& guide = {});
 
 /// Length of a line, pixels.
 double length_px(const std::vector<MapPoint>& points);

@@ -23,6 +23,17 @@ int difference(Rgb8 a, Rgb8 b) {
   return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
 
+/// The pixels of a picture that lie in a frame: 255 there.
+cv::Mat inside_of(const MapFrame& frame, int width, int height) {
+  if (!frame.on_page) return {height, width, CV_8U, cv::Scalar(255)};
+  cv::Mat mask = cv::Mat::zeros(height, width, CV_8U);
+  std::vector<cv::Point> corners;
+  for (const MapPoint c : frame.corners)
+    corners.emplace_back(static_cast<int>(std::lround(c.x)), static_cast<int>(std::lround(c.y)));
+  cv::fillConvexPoly(mask, corners, cv::Scalar(255));
+  return mask;
+}
+
 /// The differences of horizontal neighbours that are no edges.
 struct SmallDifferences {
   static constexpr int kEdge = 32;
@@ -84,10 +95,13 @@ Raster<Rgb8> without_noise(const Raster<Rgb8>& picture, const MapColourOptions& 
 }
 
 /// Finds the most frequent colours, the most frequent first; each takes the pixels around it.
-std::vector<MapColour> peaks_of(const Raster<Rgb8>& picture, double tolerance,
+std::vector<MapColour> peaks_of(const Raster<Rgb8>& picture, const cv::Mat& inside, double tolerance,
                                 const MapColourOptions& options) {
   std::vector<int> histogram(bin_of(kBins - 1, kBins - 1, kBins - 1) + 1, 0);
-  for (const Rgb8 c : picture.values()) ++histogram[bin_of(c.r >> kShift, c.g >> kShift, c.b >> kShift)];
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x)
+      if (const Rgb8 c = picture(x, y); inside.at<std::uint8_t>(y, x) != 0)
+        ++histogram[bin_of(c.r >> kShift, c.g >> kShift, c.b >> kShift)];
   const double least = options.least_part * static_cast<double>(picture.count());
   const int reach = std::max(1, static_cast<int>(std::ceil(tolerance)) >> kShift);
   std::vector<MapColour> found;
@@ -154,14 +168,17 @@ MapColours find_map_colours(const Raster<Rgb8>& given, const MapColourOptions& o
   out.picture = without_noise(given, options);
   const Raster<Rgb8>& picture = out.picture;
   const double tolerance = options.tolerance + 2.0 * noise_of(picture);
-  std::vector<MapColour> peaks = peaks_of(picture, tolerance, options);
   const int width = picture.width();
   const int height = picture.height();
+  out.frame = find_map_frame(given, options.frame);
+  const cv::Mat inside = inside_of(out.frame, width, height);
+  std::vector<MapColour> peaks = peaks_of(picture, inside, tolerance, options);
   cv::Mat nearest(height, width, CV_8U, cv::Scalar(MapColours::kNone));
   const int most = static_cast<int>(std::lround(tolerance));
   for (int y = 0; y < height; ++y) {
     auto* row = nearest.ptr<std::uint8_t>(y);
     for (int x = 0; x < width; ++x) {
+      if (inside.at<std::uint8_t>(y, x) == 0) continue;
       int best = most + 1;
       for (std::size_t k = 0; k < peaks.size(); ++k)
         if (const int d = difference(picture(x, y), peaks[k].value); d < best) {
@@ -191,6 +208,15 @@ MapColours find_map_colours(const Raster<Rgb8>& given, const MapColourOptions& o
   }
   out.of_pixel = Raster<std::uint8_t>(width, height, MapColours::kNone);
   if (out.colours.empty()) return out;
+  constexpr std::uint8_t kPage = 254;
+  if (out.frame.on_page) {
+    out.page = static_cast<std::uint8_t>(out.colours.size());
+    out.colours.push_back({picture(0, 0), 0});
+    const cv::Mat outside = inside == 0;
+    nearest.setTo(kPage, outside);
+    seen.setTo(MapColours::kArea, outside);
+    index[kPage] = out.page;
+  }
   cv::Mat distance, label;
   cv::Mat away = seen == 0;
   cv::distanceTransform(away, distance, label, cv::DIST_L2, 5, cv::DIST_LABEL_PIXEL);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/image.hpp"
+#include "palpable/vision/streets/map_frame.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -10,6 +11,7 @@
 namespace palpable::vision {
 
 struct MapColourOptions {
+  MapFrameOptions frame;
   /// Largest difference, in one channel (0 ... 255), between a pixel and its colour in a clean picture. Noise
   /// of scans and JPEG widens it.
   double tolerance = 8.0;
@@ -43,8 +45,12 @@ struct MapColour {
 struct MapColours {
   /// The picture without noise.
   Raster<Rgb8> picture;
+  /// Which part of it is the map.
+  MapFrame frame;
   static constexpr std::uint8_t kNone = 255;
   std::vector<MapColour> colours;
+  /// The colour outside of the frame, the last of them, of zero pixels; kNone if the map fills the picture.
+  std::uint8_t page = kNone;
   /// Index of the colour of each pixel.
   Raster<std::uint8_t> of_pixel;
   /// Where the picture itself shows that colour, and how; elsewhere it is 0 and the colour is that of the

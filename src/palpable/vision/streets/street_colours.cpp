@@ -101,6 +101,43 @@ double ribbon_length(const CentreLine& line, const std::vector<int>& degrees, bo
   return is_ribbon ? length : 0.0;
 }
 
+/// The pixels of one colour, without holes.
+Raster<std::uint8_t> mask_of(const MapColours& colours, std::size_t k, const StreetColourOptions& options) {
+  const Raster<std::uint8_t>& of_pixel = colours.of_pixel;
+  Raster<std::uint8_t> mask(of_pixel.width(), of_pixel.height());
+  std::transform(of_pixel.values().begin(), of_pixel.values().end(), mask.values().begin(),
+                 [k](std::uint8_t c) { return static_cast<std::uint8_t>(c == k ? 1 : 0); });
+  fill_holes(mask, options.hole_px);
+  return mask;
+}
+
+void remove_unseen(CentreLines& lines, const MapColours& colours, const StreetColourOptions& options) {
+  std::erase_if(lines.lines,
+                [&](const CentreLine& line) { return seen_part(line, colours) < options.least_seen_part; });
+  join_lines(lines);
+}
+
+/// Streets with two carriageways that the map draws as one area become two lines.
+void divide_carriageways(const MapColours& colours, std::vector<LayerOfColour>& layers,
+                         const StreetColourOptions& options) {
+  std::vector<std::size_t> numbers;
+  std::vector<const CentreLines*> streets;
+  for (std::size_t k = 0; k < layers.size(); ++k)
+    if (layers[k].layer == MapLayer::street) {
+      numbers.push_back(k);
+      streets.push_back(&layers[k].lines);
+    }
+  const std::vector<double> radii = carriageway_radii(streets, options.carriageways);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const Raster<std::uint8_t> mask = mask_of(colours, numbers[i], options);
+    const ThinningGuide guide = carriageways_in(mask, radii[i], options.carriageways);
+    const auto& kept = guide.kept.values();
+    if (std::none_of(kept.begin(), kept.end(), [](std::uint8_t v) { return v != 0; })) continue;
+    layers[numbers[i]].lines = centre_lines_of(mask, guide);
+    remove_unseen(layers[numbers[i]].lines, colours, options);
+  }
+}
+
 }  // namespace
 
 std::vector<LayerOfColour> layers_of(const MapColours& colours, const StreetColourOptions& options) {
@@ -111,17 +148,13 @@ std::vector<LayerOfColour> layers_of(const MapColours& colours, const StreetColo
   for (std::size_t k = 0; k < out.size(); ++k)
     if (colours.colours[k].pixels > colours.colours[background].pixels) background = k;
   for (std::size_t k = 0; k < out.size(); ++k) {
+    if (k == colours.page) continue;
     LayerOfColour& layer = out[k];
     layer.layer = layer_by_hue(colours.colours[k].value, colours.colours[background].value);
     if (layer.layer != MapLayer::land) continue;
-    Raster<std::uint8_t> mask(of_pixel.width(), of_pixel.height());
-    std::transform(of_pixel.values().begin(), of_pixel.values().end(), mask.values().begin(),
-                   [k](std::uint8_t c) { return static_cast<std::uint8_t>(c == k ? 1 : 0); });
-    fill_holes(mask, options.hole_px);
+    const Raster<std::uint8_t> mask = mask_of(colours, k, options);
     layer.lines = centre_lines_of(mask);
-    std::erase_if(layer.lines.lines,
-                  [&](const CentreLine& line) { return seen_part(line, colours) < options.least_seen_part; });
-    join_lines(layer.lines);
+    remove_unseen(layer.lines, colours, options);
     const std::vector<int> degrees = degrees_of(layer.lines);
     double length = 0.0;
     double area = 0.0;
@@ -149,10 +182,7 @@ std::vector<LayerOfColour> layers_of(const MapColours& colours, const StreetColo
         pieces.largest < kLargest * static_cast<double>(of_pixel.count()))
       layer.layer = MapLayer::building;
   }
-  std::vector<CentreLines*> streets;
-  for (LayerOfColour& layer : out)
-    if (layer.layer == MapLayer::street) streets.push_back(&layer.lines);
-  divide_carriageways(std::move(streets), options.carriageways);
+  divide_carriageways(colours, out, options);
   return out;
 }
 

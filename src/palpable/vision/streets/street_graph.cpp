@@ -326,11 +326,7 @@ class Joiner {
   void reach_border() {
     for (const FreeEnd& end : free_ends()) {
       const double reach = 1.5 * end.radius_px + 3.0;
-      double t = 1e9;
-      if (end.direction.x < 0) t = std::min(t, end.at.x / -end.direction.x);
-      if (end.direction.x > 0) t = std::min(t, (width() - 1 - end.at.x) / end.direction.x);
-      if (end.direction.y < 0) t = std::min(t, end.at.y / -end.direction.y);
-      if (end.direction.y > 0) t = std::min(t, (height() - 1 - end.at.y) / end.direction.y);
+      const double t = std::max(0.0, distance_to_side(colours_.frame, end.at, end.direction));
       if (t > reach) continue;
       graph_.nodes.push_back(end.at + t * end.direction);
       connect(end.node, static_cast<int>(graph_.nodes.size()) - 1, end.radius_px);

@@ -86,14 +86,12 @@ NetworkShape shape_of(const MapColours& colours, const std::vector<LayerOfColour
   }
   shape.ribbon_part = ribbons / std::max(1.0, shape.length_px);
   const std::vector<int> degrees = degrees_of(graph);
-  const double right = colours.of_pixel.width() - 1;
-  const double bottom = colours.of_pixel.height() - 1;
   constexpr double kBorder_px = 4.0;
   for (std::size_t n = 0; n < degrees.size(); ++n) {
     const MapPoint p = graph.nodes[n];
     shape.junctions += degrees[n] > 2 ? 1 : 0;
     if (degrees[n] != 1) continue;
-    const bool at_border = std::min({p.x, p.y, right - p.x, bottom - p.y}) <= kBorder_px;
+    const bool at_border = distance_to_side(colours.frame, p) <= kBorder_px;
     ++(at_border ? shape.border_ends : shape.dead_ends);
   }
   std::size_t streets = 0;
