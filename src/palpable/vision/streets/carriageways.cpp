@@ -32,7 +32,7 @@ double length_of(const std::vector<Width>& widths) {
                          [](double sum, const Width& w) { return sum + w.length; });
 }
 
-/// The common radii of a colour, the narrowest first.
+/// The common radii of a colour, that of the longest streets first.
 std::vector<double> common_radii(std::vector<Width> widths, const CarriagewayOptions& options) {
   const double all = length_of(widths);
   std::vector<double> out;
@@ -53,15 +53,21 @@ std::vector<double> common_radii(std::vector<Width> widths, const CarriagewayOpt
       return std::abs(w.radius - best.radius) <= 2.0 * options.same_width * best.radius;
     });
   }
-  std::sort(out.begin(), out.end());
   return out;
 }
 
-/// The widest single carriageway among common radii; 0 if there are none.
-double single_radius(const std::vector<double>& radii, const CarriagewayOptions& options) {
+/// The widest single carriageway among common radii; 0 if there are none. The main colour shows streets of
+/// several kinds.
+double single_radius(std::vector<double> radii, bool is_main, const CarriagewayOptions& options) {
   double single = radii.empty() ? 0.0 : radii.front();
+  std::sort(radii.begin(), radii.end());
+  // Of a colour with two carriageways nearly everywhere, the narrower width is the single one.
+  const auto narrower = std::find_if(radii.begin(), radii.end(), [&](double radius) {
+    return single > options.next_width * radius && single <= options.most_widths * radius;
+  });
+  if (!is_main && narrower != radii.end()) single = *narrower;
   for (const double radius : radii)
-    if (radius <= options.next_width * single) single = radius;
+    if (radius > single && radius <= options.next_width * single) single = radius;
   return single;
 }
 
@@ -87,11 +93,16 @@ void remove_short_pieces(cv::Mat& mask, double least_px) {
 std::vector<double> carriageway_radii(std::span<const CentreLines* const> colours,
                                       const CarriagewayOptions& options) {
   std::vector<double> radii, lengths;
+  std::vector<std::vector<double>> common;
+  if (colours.empty()) return radii;
   for (const CentreLines* graph : colours) {
     std::vector<Width> widths = widths_of(*graph);
     lengths.push_back(length_of(widths));
-    radii.push_back(single_radius(common_radii(std::move(widths), options), options));
+    common.push_back(common_radii(std::move(widths), options));
   }
+  const double most = *std::max_element(lengths.begin(), lengths.end());
+  for (std::size_t c = 0; c < common.size(); ++c)
+    radii.push_back(single_radius(common[c], lengths[c] == most, options));
   const double all = std::accumulate(lengths.begin(), lengths.end(), 0.0);
   std::vector<double> out = radii;
   for (std::size_t c = 0; c < radii.size(); ++c) {
