@@ -138,6 +138,26 @@ void divide_carriageways(const MapColours& colours, std::vector<LayerOfColour>& 
   }
 }
 
+/// On a map whose streets have casings, lines without them are rims of areas.
+void remove_uncased(const MapColours& colours, std::vector<LayerOfColour>& layers,
+                    const StreetColourOptions& options) {
+  double all = 0.0;
+  double cased = 0.0;
+  for (const LayerOfColour& layer : layers)
+    for (const CentreLine& line : layer.lines.lines) {
+      const double length = length_px(line.points);
+      all += length;
+      cased += length * cased_part(colours.picture, line, options.casings);
+    }
+  if (cased < options.casings.least_cased_part * all) return;
+  for (LayerOfColour& layer : layers) {
+    std::erase_if(layer.lines.lines, [&](const CentreLine& line) {
+      return cased_part(colours.picture, line, options.casings) < options.casings.least_line_part;
+    });
+    join_lines(layer.lines);
+  }
+}
+
 }  // namespace
 
 std::vector<LayerOfColour> layers_of(const MapColours& colours, const StreetColourOptions& options) {
@@ -183,6 +203,7 @@ std::vector<LayerOfColour> layers_of(const MapColours& colours, const StreetColo
       layer.layer = MapLayer::building;
   }
   divide_carriageways(colours, out, options);
+  remove_uncased(colours, out, options);
   return out;
 }
 

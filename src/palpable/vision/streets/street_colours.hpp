@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/vision/streets/carriageways.hpp"
+#include "palpable/vision/streets/casings.hpp"
 #include "palpable/vision/streets/centre_lines.hpp"
 #include "palpable/vision/streets/map_colours.hpp"
 
@@ -36,6 +37,7 @@ struct StreetColourOptions {
   /// none.
   double least_seen_part = 0.35;
   CarriagewayOptions carriageways;
+  CasingOptions casings;
 };
 
 /// One colour's meaning, and its centre lines if it is one of streets.

@@ -1,0 +1,49 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/streets/casings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpable::vision {
+namespace {
+
+/// The grey level of the nearest pixel; that of the border outside the picture.
+double luma_at(const Raster<Rgb8>& picture, double x, double y) {
+  const int column = std::clamp(static_cast<int>(std::lround(x)), 0, picture.width() - 1);
+  const int row = std::clamp(static_cast<int>(std::lround(y)), 0, picture.height() - 1);
+  const Rgb8 c = picture(column, row);
+  return 0.299 * c.r + 0.587 * c.g + 0.114 * c.b;
+}
+
+}  // namespace
+
+double cased_part(const Raster<Rgb8>& picture, const CentreLine& line, const CasingOptions& options) {
+  const auto& p = line.points;
+  int all = 0;
+  int cased = 0;
+  constexpr std::size_t kStep = 2, kReach = 3;
+  for (std::size_t i = 0; i < p.size(); i += kStep) {
+    const MapPoint before = p[i - std::min(i, kReach)];
+    const MapPoint after = p[std::min(p.size() - 1, i + kReach)];
+    const double length = std::max(1e-9, std::hypot(after.x - before.x, after.y - before.y));
+    const MapPoint across{(before.y - after.y) / length, (after.x - before.x) / length};
+    const auto at = [&](double v) { return luma_at(picture, p[i].x + v * across.x, p[i].y + v * across.y); };
+    bool is_cased = false;
+    for (const double side : {-1.0, 1.0}) {
+      const double inside = at(side * std::max(0.0, line.radius_px - 2.0));
+      double border = inside;
+      for (double v = line.radius_px - 1.0; v <= line.radius_px + 2.0; v += 0.5)
+        border = std::min(border, at(side * v));
+      // Lettering beside the street is dark as well.
+      const double outside = std::max(at(side * (line.radius_px + 3.0)), at(side * (line.radius_px + 4.5)));
+      is_cased = is_cased || border + options.least_contrast <= std::min(inside, outside) ||
+                 outside + options.dark_land <= inside;
+    }
+    ++all;
+    cased += is_cased ? 1 : 0;
+  }
+  return static_cast<double>(cased) / std::max(1, all);
+}
+
+}  // namespace palpable::vision
