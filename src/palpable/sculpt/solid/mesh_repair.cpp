@@ -140,6 +140,18 @@ std::vector<char> to_be_examined(const Mesh& mesh, std::span<const char> is_two_
   return is_examined;
 }
 
+/// For each triangle, whether its surface has a rim: an edge of an odd number of triangles.
+std::vector<char> of_surfaces_with_rims(const Mesh& mesh) {
+  const std::vector<EdgeUse> uses = edge_uses(mesh.triangles);
+  const std::vector<std::uint32_t> surface = connected_by_edges(mesh.triangles.size(), uses);
+  std::vector<char> has_rim(mesh.triangles.size());
+  visit_edges(uses, [&](std::span<const EdgeUse> edge) {
+    if (edge.size() % 2 == 1) has_rim[surface[edge.front().triangle]] = 1;
+  });
+  for (std::size_t t = 0; t < has_rim.size(); ++t) has_rim[t] = has_rim[surface[t]];
+  return has_rim;
+}
+
 /// Some triangles of a mesh, with its vertices.
 Mesh part_of(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
   Mesh part;
@@ -190,33 +202,56 @@ class Divider {
   }
 
  private:
-  /// Divides edges that rims touch. If the surfaces that share edges only afterwards enclose cells that they
-  /// did not enclose before, keeps the divided mesh and its cells; else changes nothing and returns false.
+  /// Divides edges that rims touch. If surfaces with rims enclose cells only afterwards, keeps the divided
+  /// triangles at these cells, and the cells; else changes nothing and returns false.
   bool find_cells_of_divided_edges(double touching_m) {
-    std::optional<DividedMesh> divided = divide_touching_edges(mesh_, touching_m);
+    const std::optional<DividedMesh> divided = divide_touching_edges(mesh_, touching_m);
     if (!divided) return false;
-    Mesh& mesh = divided->mesh;
-    const std::vector<std::uint32_t>& part = divided->part_of;
+    Mesh mesh = divided->mesh;
+    const std::vector<std::uint32_t>& part_of = divided->part_of;
     std::vector<char> is_two_sided;
     if (!is_two_sided_.empty())
-      for (const std::uint32_t t : part) is_two_sided.push_back(is_two_sided_[t]);
+      for (const std::uint32_t t : part_of) is_two_sided.push_back(is_two_sided_[t]);
     const std::vector<char> is_examined = to_be_examined(mesh, is_two_sided);
     if (is_examined.empty()) return false;
-    std::vector<CellSide> sides = find_enclosed_cells(mesh, is_examined);
+    const std::vector<CellSide> sides = find_enclosed_cells(mesh, is_examined);
     const std::vector<char> before = to_be_examined(mesh_, is_two_sided_);
     Mesh undivided = mesh_;
     const std::vector<CellSide> sides_before =
         before.empty() ? std::vector<CellSide>(mesh_.triangles.size(), CellSide::open)
                        : find_enclosed_cells(undivided, before);
+    // A closed surface that only touches others encloses no more than before.
+    const std::vector<char> has_rim = of_surfaces_with_rims(mesh_);
+    std::vector<char> is_at_cell(mesh_.triangles.size());
     bool is_more = false;
-    for (std::size_t t = 0; t < part.size(); ++t)
-      is_more = is_more || (sides[t] == CellSide::boundary && sides_before[part[t]] == CellSide::open);
+    for (std::size_t t = 0; t < part_of.size(); ++t) {
+      if (sides[t] == CellSide::open) continue;
+      is_at_cell[part_of[t]] = 1;
+      is_more = is_more || (sides[t] == CellSide::boundary && sides_before[part_of[t]] == CellSide::open &&
+                            has_rim[part_of[t]] != 0);
+    }
     if (!is_more) return false;
-    mesh_ = std::move(mesh);
-    is_two_sided_ = std::move(is_two_sided);
-    if (is_two_sided_.empty()) is_two_sided_.assign(mesh_.triangles.size(), 0);
-    sides_ = std::move(sides);
+    keep_divided(mesh, part_of, sides, is_at_cell);
     return true;
+  }
+
+  /// Replaces the triangles of which pieces are at cells by their pieces. The others stay whole and share no
+  /// edges with surfaces that they only touch, so that their holes are those of the given mesh.
+  void keep_divided(const Mesh& mesh, std::span<const std::uint32_t> part_of, std::span<const CellSide> sides,
+                    std::span<const char> is_at_cell) {
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<char> is_two_sided;
+    const auto add = [&](const std::array<std::uint32_t, 3>& triangle, std::uint32_t given, CellSide side) {
+      triangles.push_back(triangle);
+      is_two_sided.push_back(is_two_sided_.empty() ? 0 : is_two_sided_[given]);
+      sides_.push_back(side);
+    };
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+      if (is_at_cell[t] == 0) add(mesh_.triangles[t], t, CellSide::open);
+    for (std::size_t t = 0; t < part_of.size(); ++t)
+      if (is_at_cell[part_of[t]] != 0) add(mesh.triangles[t], part_of[t], sides[t]);
+    mesh_.triangles = std::move(triangles);
+    is_two_sided_ = std::move(is_two_sided);
   }
 
   /// Bodies get vertices of their own, so that no edge connects them with sheets.

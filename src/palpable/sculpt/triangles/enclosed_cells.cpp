@@ -98,19 +98,15 @@ std::vector<CellSide> find_enclosed_cells(Mesh& mesh, std::span<const char> is_e
     shells.volumes_m3[sides.find(front_of(t))] += volume_m3;
     shells.volumes_m3[sides.find(back_of(t))] -= volume_m3;
   }
-  /// The shell of the outside.
-  std::map<std::uint32_t, std::uint32_t> outside;
-  for (const auto& [first, shells] : of_surface) {
-    const auto most = std::max_element(shells.volumes_m3.begin(), shells.volumes_m3.end(),
-                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto encloses = [&](const Shells& shells, std::uint32_t side) {
     constexpr double kHardlyAny = 1e-6;
-    if (most->second > kHardlyAny * shells.area_m2 * norm(shells.box.size_m())) outside[first] = most->first;
-  }
+    return shells.volumes_m3.at(sides.find(side)) <
+           -kHardlyAny * shells.area_m2 * norm(shells.box.size_m());
+  };
   for (std::uint32_t t = 0; t < count; ++t) {
-    const auto shell = outside.find(surface[t]);
-    if (is_examined[t] == 0 || shell == outside.end()) continue;
-    const bool front = sides.find(front_of(t)) == shell->second,
-               back = sides.find(back_of(t)) == shell->second;
+    if (is_examined[t] == 0) continue;
+    const Shells& shells = of_surface.at(surface[t]);
+    const bool front = !encloses(shells, front_of(t)), back = !encloses(shells, back_of(t));
     found[t] = front && back ? CellSide::open : front || back ? CellSide::boundary : CellSide::inner;
     if (!front && back) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
   }
