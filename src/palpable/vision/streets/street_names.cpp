@@ -5,6 +5,7 @@
 #include "palpable/vision/streets/gazetteer.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -148,14 +149,38 @@ MapLabel label_of(const TextLine& line, const ReadLine& read, bool names_street)
           names_street};
 }
 
+/// Whether a line of lettering ends at the picture's border, which may cut it off.
+bool is_at_border(const StreetMap& map, const TextLine& line, const StreetNameOptions& options) {
+  const double most = options.border_heights * line.height_px;
+  const auto is_near = [&](MapPoint p) {
+    return std::min({p.x, p.y, map.width_px - 1 - p.x, map.height_px - 1 - p.y}) <= most;
+  };
+  return is_near(line.centre.front()) || is_near(line.centre.back());
+}
+
 /// What is read as a street's name, spelled as in the gazetteer; nullopt if that has no such name.
-std::optional<std::string> name_of(const ReadLine& read, const StreetNameOptions& options) {
-  if (options.gazetteer.empty())
-    return read.confidence >= options.least_confidence ? std::optional(read.text) : std::nullopt;
+std::optional<std::string> name_of(const StreetMap& map, const TextLine& line, const ReadLine& read,
+                                   const StreetNameOptions& options) {
+  if (options.gazetteer.empty()) {
+    const bool is_name = read.confidence >= options.least_confidence && is_whole_name(read.text) &&
+                         !is_at_border(map, line, options);
+    return is_name ? std::optional(read.text) : std::nullopt;
+  }
   return nearest_name(read.text, options.gazetteer, options.least_similarity);
 }
 
 }  // namespace
+
+bool is_whole_name(std::string_view words) {
+  if (words.empty()) return false;
+  const auto first = static_cast<unsigned char>(words.front());
+  if (std::islower(first) != 0) return false;
+  static constexpr std::string_view kMarks = " '-./,()&";
+  return std::all_of(words.begin(), words.end(), [](char c) {
+    const auto u = static_cast<unsigned char>(c);
+    return u >= 0x80 || std::isalnum(u) != 0 || kMarks.find(c) != std::string_view::npos;
+  });
+}
 
 void add_names(StreetMap& map, std::span<const TextLine> lines, std::span<const ReadLine> read,
                const StreetNameOptions& options) {
@@ -165,7 +190,7 @@ void add_names(StreetMap& map, std::span<const TextLine> lines, std::span<const 
     if (read[i].text.empty()) continue;
     const Votes votes = votes_of(map, lines[i], options);
     const std::optional<std::string> name =
-        votes.part >= options.least_part_on_street ? name_of(read[i], options) : std::nullopt;
+        votes.part >= options.least_part_on_street ? name_of(map, lines[i], read[i], options) : std::nullopt;
     map.labels.push_back(label_of(lines[i], read[i], name.has_value()));
     if (!name) continue;
     map.labels.back().text = *name;

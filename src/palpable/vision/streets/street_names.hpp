@@ -8,6 +8,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace palpable::vision {
@@ -23,12 +24,19 @@ struct StreetNameOptions {
   double most_width_change = 0.35;
   /// Without a gazetteer, names that are read with less confidence are labels of places, 0 ... 1.
   double least_confidence = 0.7;
+  /// Without a gazetteer, lettering that ends nearer to the picture's border than this part of its height may
+  /// be cut off, and is a label.
+  double border_heights = 0.5;
   /// Names of the streets of the place, UTF-8; what is read becomes the most similar of them. Empty: none.
   std::vector<std::string> gazetteer;
   /// Least similarity of a name with that of the gazetteer, 0 ... 1: one minus their edit distance
   /// (core/edit_distance.hpp) as a part of the longer one's letters.
   double least_similarity = 0.7;
 };
+
+/// Whether words can be a whole name of a street: they begin with a capital or a digit, and have no marks but
+/// those of names. Fragments of names seldom are so. UTF-8.
+bool is_whole_name(std::string_view words);
 
 /// Adds the map's lettering (`read` belongs to `lines`, one for one): a name that lies along a street becomes
 /// the name of that street and of its straight continuation; other words become labels of places.

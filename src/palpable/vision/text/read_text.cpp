@@ -142,6 +142,7 @@ cv::Mat straightened(const cv::Mat& lettering, const TextLine& line, bool revers
   }
   cv::Mat out;
   cv::remap(lettering, out, map_x, map_y, cv::INTER_CUBIC, cv::BORDER_CONSTANT, cv::Scalar(255));
+  if (options.smoothing > 0.0) cv::GaussianBlur(out, out, {}, options.smoothing * options.letter_px);
   cv::copyMakeBorder(out, out, 8, 8, 16, 16, cv::BORDER_CONSTANT, cv::Scalar(255));
   return out;
 }

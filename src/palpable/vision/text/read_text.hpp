@@ -18,11 +18,13 @@ struct ReadTextOptions {
   /// Tesseract's languages, "eng+deu"; empty: all that are installed.
   std::string languages;
   /// Height of the straightened letters, and the space around them in that height.
-  int letter_px = 32;
+  int letter_px = 42;
   double margin = 0.35;
+  /// Enlarged letters are smoothed by this part of their height: the standard deviation.
+  double smoothing = 0.033;
   /// Each line is read at two more sizes, as parts of letter_px; two of the three readings must agree.
   double larger = 1.3;
-  double smaller = 0.8;
+  double smaller = 0.62;
   /// Lines that are read with less confidence are dropped, 0 ... 1.
   double least_confidence = 0.4;
   /// Lines that are read with less confidence are also read upside down.
