@@ -23,6 +23,8 @@ struct MapStreet {
   double width_px = 0.0;
   /// The centre line, at least two points.
   std::vector<MapPoint> points;
+  /// Whether it is felt in the scene; otherwise a finger could not tell it from its neighbours.
+  bool felt = true;
 };
 
 /// A place where three or more pieces of streets meet.
@@ -59,6 +61,8 @@ struct StreetMap {
   /// Size of the picture that the points refer to.
   int width_px = 0;
   int height_px = 0;
+  /// Metres of the world to a pixel; 0 if it is not known. Where it is known, north is up.
+  double metres_per_px = 0.0;
   std::vector<MapStreet> streets;
   std::vector<MapJunction> junctions;
   std::vector<MapArea> areas;

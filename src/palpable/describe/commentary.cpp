@@ -14,6 +14,8 @@ namespace {
 /// The name of a place for a sweeping probe; empty if it has none.
 std::string sweep_name(const models::Scene& scene, Place place) {
   const std::string name = name_at(scene, place);
+  // Between the streets of a map nothing is said.
+  if (scene.map != nullptr && models::label_at(scene, {{place.x_m, place.y_m, 0.0}}) == 0) return {};
   const auto* contours = std::get_if<std::shared_ptr<const models::Contours>>(&scene.model);
   if (contours == nullptr || !name.empty()) return name;
   return nearest_line((*contours)->boundaries, place, kOnLine_m) ? "on the line" : std::string();
@@ -23,6 +25,14 @@ double distance_m(Place a, Place b) { return std::hypot(a.x_m - b.x_m, a.y_m - b
 
 }  // namespace
 
+CommentaryOptions commentary_options(const models::Scene& scene) {
+  CommentaryOptions options;
+  if (scene.map == nullptr) return options;
+  options.dwell_s = 0.05;
+  options.gap_s = 0.5;
+  return options;
+}
+
 std::optional<std::string> Commentary::at(const models::Scene& scene, double height_factor, Place place,
                                           double now_s) {
   const std::string edge = edge_at(scene, height_factor, place);
@@ -30,11 +40,14 @@ std::optional<std::string> Commentary::at(const models::Scene& scene, double hei
   if (name != candidate_) candidate_ = name, candidate_since_s_ = now_s;
   const bool is_calm = now_s - said_s_ >= options_.gap_s;
   if (name != current_ && now_s - candidate_since_s_ >= options_.dwell_s) {
-    const bool again = name == said_ && now_s - said_s_ < options_.repeat_s;
+    std::erase_if(said_, [&](const Said& said) { return now_s - said.at_s >= options_.repeat_s; });
+    const bool again =
+        std::any_of(said_.begin(), said_.end(), [&name](const Said& said) { return said.name == name; });
     if (name.empty() || again) {
       current_ = name;
     } else if (is_calm) {
-      current_ = said_ = name;
+      current_ = name;
+      said_.push_back({name, now_s});
       said_s_ = now_s;
       return capitalised(name);
     }
@@ -48,15 +61,17 @@ std::optional<std::string> Commentary::at(const models::Scene& scene, double hei
 }
 
 void Commentary::heard(const models::Scene& scene, Place place, double now_s) {
-  candidate_ = current_ = said_ = sweep_name(scene, place);
+  candidate_ = current_ = sweep_name(scene, place);
+  said_ = {{candidate_, now_s}};
   candidate_since_s_ = said_s_ = now_s;
   way_.clear();
   on_edge_ = false;
 }
 
 std::string Commentary::edge_at(const models::Scene& scene, double height_factor, Place place) {
-  // The lines of contours are its edges.
-  if (std::holds_alternative<std::shared_ptr<const models::Contours>>(scene.model)) return {};
+  // The lines of contours are its edges, and the grooves of a map have names.
+  if (scene.map != nullptr || std::holds_alternative<std::shared_ptr<const models::Contours>>(scene.model))
+    return {};
   const models::Relief& surface = *models::relief_of(scene);
   const double height_m = height_factor * surface.sample(place.x_m, place.y_m).z_m;
   way_.push_back({place, height_m});

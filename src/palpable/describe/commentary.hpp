@@ -7,6 +7,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace palpable::describe {
 
@@ -22,6 +23,9 @@ struct CommentaryOptions {
   double edge_share = 0.2;
   double edge_least_m = 0.0005;
 };
+
+/// For this scene: the streets of a map are named sooner than the parts of other scenes.
+CommentaryOptions commentary_options(const models::Scene& scene);
 
 /// Announces in few words what a sweeping probe meets: each name, edge or contour line once when the probe
 /// enters it. One object for each probe and scene; one thread.
@@ -50,7 +54,12 @@ class Commentary {
   std::string candidate_;
   double candidate_since_s_ = 0.0;
   std::string current_;
-  std::string said_;
+  /// What was said within repeat_s.
+  struct Said {
+    std::string name;
+    double at_s;
+  };
+  std::vector<Said> said_;
   double said_s_ = -1e9;
 };
 

@@ -3,6 +3,7 @@
 #include "palpable/describe/place_words.hpp"
 
 #include "palpable/describe/contour_lines.hpp"
+#include "palpable/describe/map_route_words.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/describe/solid_shape.hpp"
 
@@ -139,6 +140,11 @@ std::string position_words(const models::Scene& scene, double height_factor, Pla
                            : is_beside_solid(scene, place) ? capitalised(kBeside)
                                                            : capitalised(height_name(scene)) + " " +
                                                                  surface_at(scene, height_factor, place);
+  if (scene.map != nullptr) {
+    const MapGuide guide(scene, MapStreets::felt);
+    return fmt::format("{}. {} {}", capitalised(where(scene, place)), map_position_words(guide, place),
+                       around_words(guide, place));
+  }
   const std::string name = name_at(scene, place);
   return fmt::format("{}. {}.{}", capitalised(where(scene, place)), what,
                      name.empty() ? "" : fmt::format(" {}.", capitalised(name)));
@@ -146,6 +152,8 @@ std::string position_words(const models::Scene& scene, double height_factor, Pla
 
 std::string step_words(const models::Scene& scene, double height_factor, Place place) {
   const models::BoundaryMap* const map = boundaries_of(scene);
+  // On a map the names are what counts.
+  if (scene.map != nullptr) return name_at(scene, place);
   if (is_beside_solid(scene, place)) return kBeside;
   const std::string what = map != nullptr ? line_at(*map, place) : surface_at(scene, height_factor, place);
   const std::string name = name_at(scene, place);

@@ -3,6 +3,7 @@
 #include "palpable/describe/scene_words.hpp"
 
 #include "palpable/describe/contour_words.hpp"
+#include "palpable/describe/map_route_words.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/describe/solid_words.hpp"
 #include "palpable/models/field/solid_view.hpp"
@@ -227,6 +228,7 @@ std::vector<std::string> parts_of_solid(const models::SolidField<Distance>& soli
 }
 
 std::vector<std::string> parts_of(const models::Scene& scene, double height_factor, Place probe) {
+  if (scene.map != nullptr) return map_parts(scene, probe);
   if (const auto* contours = std::get_if<std::shared_ptr<const models::Contours>>(&scene.model))
     return contour_parts((*contours)->boundaries, sentence(name_of(scene)), probe);
   if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model))
@@ -264,7 +266,8 @@ std::string opening_words(const models::Scene& scene) {
 
 std::vector<std::string> scene_parts(const models::Scene& scene, double height_factor, Place probe) {
   auto parts = parts_of(scene, height_factor, probe);
-  if (!scene.description.empty()) parts.insert(parts.begin() + 1, sentence(scene.description));
+  if (!scene.description.empty() && scene.map == nullptr)
+    parts.insert(parts.begin() + 1, sentence(scene.description));
   return parts;
 }
 std::string scene_part(const models::Scene& scene, double height_factor, Place probe, std::size_t part) {

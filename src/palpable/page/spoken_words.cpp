@@ -54,7 +54,7 @@ std::optional<std::string> SpokenWords::remark(const protocol::State& state) {
   const double height_factor = session_.settings().height_factor, now = now_s();
   if (scene->model != model_) {
     model_ = scene->model;
-    commentaries_.fill(describe::Commentary());
+    commentaries_.fill(describe::Commentary(describe::commentary_options(*scene)));
     // The first places of the probes are not announced.
     for (const auto& probe : state.probes)
       commentaries_.at(static_cast<std::size_t>(probe.probe)).heard(*scene, place_of(probe), now);

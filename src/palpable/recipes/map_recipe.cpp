@@ -5,8 +5,11 @@
 #include "palpable/sculpt/relief/relief_from_depth.hpp"
 #include "palpable/vision/image/reduced_picture.hpp"
 
+#include <algorithm>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -27,8 +30,47 @@ void enlarge(StreetMap& map, int width, int height) {
     for (MapPoint& p : area.outline) move(p);
   for (MapLabel& label : map.labels)
     for (MapPoint& p : label.box) move(p);
+  map.metres_per_px /= 0.5 * (sx + sy);
   map.width_px = width;
   map.height_px = height;
+}
+
+/// "A, B, C and 12 more".
+std::string some_of(const std::vector<std::string>& names) {
+  constexpr std::size_t kMostNamed = 5;
+  const std::size_t count = std::min(names.size(), kMostNamed);
+  std::string words =
+      fmt::format("{}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(count), ", "));
+  if (names.size() > count) words += fmt::format(" and {} more", names.size() - count);
+  return words;
+}
+
+/// What was joined or left out because a finger could not tell it apart.
+std::vector<Note> notes_on(const sculpt::StreetRelief& made, std::size_t pieces) {
+  std::vector<Note> notes;
+  const sculpt::StreetSelection& streets = made.streets;
+  if (streets.left_out > 0) {
+    std::string words = fmt::format(
+        "{} of {} pieces of streets are left out: a finger could not tell them from more important ones "
+        "beside "
+        "them.",
+        streets.left_out, pieces);
+    if (!streets.left_out_names.empty())
+      words += fmt::format(" Nothing is felt of {}.", some_of(streets.left_out_names));
+    notes.emplace_back(words + " A smaller part of the map, or a larger --size, shows more.");
+  }
+  if (streets.merged > 0)
+    notes.emplace_back(fmt::format("{} pieces of second carriageways are felt as one groove with the first.",
+                                   streets.merged));
+  if (made.buildings.drawn > 0 &&
+      (made.buildings.left_out > 0 || made.buildings.parts < made.buildings.drawn))
+    notes.emplace_back(
+        fmt::format("The {} buildings are felt as {} blocks; {} are too small, or too near to streets.",
+                    made.buildings.drawn, made.buildings.parts, made.buildings.left_out));
+  if (made.waters.left_out > 0)
+    notes.emplace_back(fmt::format("{} of {} areas of water are left out: too small, or too near to streets.",
+                                   made.waters.left_out, made.waters.drawn));
+  return notes;
 }
 
 Result<MadeScene> scene_of(StreetMap map, const MapRecipe& recipe, const char* method) {
@@ -40,8 +82,10 @@ Result<MadeScene> scene_of(StreetMap map, const MapRecipe& recipe, const char* m
   scene.labels = std::move(made->labels);
   scene.materials = std::move(made->materials);
   scene.source.method = method;
+  for (std::size_t i = 0; i < map.streets.size(); ++i) map.streets[i].felt = made->streets.felt[i];
+  auto notes = notes_on(*made, map.streets.size());
   scene.map = std::make_shared<const StreetMap>(std::move(map));
-  MadeScene out{std::move(scene), {}};
+  MadeScene out{std::move(scene), std::move(notes)};
   if (made->left_out_names > 0)
     out.notes.emplace_back(fmt::format(
         "The names of the {} shortest streets are not spoken: a scene has at most 256 materials. A "

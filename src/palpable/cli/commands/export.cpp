@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/arguments/scene_argument.hpp"
 #include "palpable/cli/command.hpp"
+#include "palpable/cli/commands/export_map.hpp"
 #include "palpable/cli/commands/export_tactile.hpp"
 #include "palpable/core/atomic_file.hpp"
 #include "palpable/core/byte_reader.hpp"
@@ -282,13 +283,16 @@ Result<Answer> run_export_recording(const ExportArguments& arguments, const Work
   return answer;
 }
 
-Result<Answer> run_export(const ExportArguments& arguments, const Work& work) {
+Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
+  const Work work = console.work();
   const auto start = read_file_start(arguments.scene, 8);
   if (!start) return start.error();
   if (has_magic(*start, "PALPREC")) return run_export_recording(arguments, work);
   const auto file = read_scene_argument(arguments.scene);
   if (!file) return file.error();
   const models::Scene& scene = file->scene;
+  if (is_map_drawing(scene, arguments.output))
+    return export_map(scene, arguments.tactile, arguments.output, console);
   return std::visit([&](const auto& model) { return export_model(*model, scene, arguments, work); },
                     scene.model);
 }
@@ -303,12 +307,13 @@ void add_export(Program& program) {
       "  palpable export aloe.palp -o aloe.stl    for a 3D printer; also .glb\n"
       "  palpable export aloe.palp -o aloe.svg    lines of equal height, for swell paper\n"
       "  palpable export cat.palp -o cat.brf      outlines of contours in braille dots; also .svg, .stl\n"
+      "  palpable export town.palp -o town.txt    a map in words; .svg and .brf with keys in braille\n"
       "  palpable export aloe.palp -o heights.png\n"
       "  palpable export house.palp -o house.vdb --grid 512    for Blender",
-      [arguments](Console& console) { return run_export(*arguments, console.work()); });
+      [arguments](Console& console) { return run_export(*arguments, console); });
   options.argument("SCENE", arguments->scene, "A .palp scene, or a recording of a touch");
   options.required_output("-o,--output", arguments->output,
-                          {".stl", ".glb", ".ply", ".vdb", ".svg", ".brf", ".png", ".npz", ".csv"},
+                          {".stl", ".glb", ".ply", ".vdb", ".svg", ".brf", ".txt", ".png", ".npz", ".csv"},
                           "File to write; its suffix selects the format");
   options.integer("--grid", arguments->grid, {2, 1024},
                   "Field: samples along its longest side in an .npz or .vdb");
@@ -318,11 +323,13 @@ void add_export(Program& program) {
   options.number("--interval", tactile.interval_mm, {0.1, 100.0},
                  "Relief: difference of height between lines in an .svg, mm");
   options.number("--width", tactile.width_mm, {10.0, 1000.0},
-                 "Contours: printed width of an .svg, mm; default true size");
+                 "Printed width of an .svg of contours or a map, mm; default true size, of a map 180");
   options.choice("--lines", arguments->lines, {"grooves", "raised"},
                  "Contours: lines as grooves or raised, in an .stl or .glb");
   options.integer("--braille-columns", tactile.braille_columns, {10, 100}, "Cells in a row of a .brf");
   options.integer("--braille-rows", tactile.braille_rows, {5, 100}, "Rows on a page of a .brf");
+  options.text("--braille-table", tactile.braille_table,
+               "Map: table of liblouis for the names in braille, as en-ueb-g1.ctb or de-g1.ctb");
 }
 
 }  // namespace palpable::cli

@@ -4,7 +4,6 @@
 
 #include "palpable/core/atomic_file.hpp"
 #include "palpable/formats/tactile/height_lines.hpp"
-#include "palpable/formats/tactile/tactile_drawing.hpp"
 #include "palpable/sculpt/contours/boundary_map_from_picture.hpp"
 #include "palpable/sculpt/contours/outline_polylines.hpp"
 #include "palpable/sculpt/relief/heights_above_ground.hpp"
@@ -22,6 +21,13 @@ Result<void> write_text(const Result<std::string>& text, const std::filesystem::
 }
 
 }  // namespace
+
+formats::BrailleOptions braille_options(const TactileArguments& arguments) {
+  formats::BrailleOptions options;
+  options.columns = arguments.braille_columns;
+  options.rows = arguments.braille_rows;
+  return options;
+}
 
 Result<void> write_height_lines(const models::Relief& relief, const TactileArguments& arguments,
                                 const std::filesystem::path& output, const Work& work) {
@@ -52,10 +58,9 @@ Result<void> write_outlines(const models::Contours& contours, const TactileArgum
     return write_text(formats::encode_swell_paper(outlines_of(contours), width_m, height_m, options), output);
   }
   if (output.extension() == ".brf") {
-    formats::BrailleOptions options;
-    options.columns = arguments.braille_columns;
-    options.rows = arguments.braille_rows;
-    return write_text(formats::encode_braille(outlines_of(contours), width_m, height_m, options), output);
+    return write_text(
+        formats::encode_braille(outlines_of(contours), width_m, height_m, braille_options(arguments)),
+        output);
   }
   return Error{ErrorCode::usage, "outlines are exported as .svg or .brf", output.string()};
 }

@@ -5,10 +5,12 @@
 #include "palpable/core/polyline.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
+#include "palpable/formats/tactile/tactile_drawing.hpp"
 #include "palpable/models/contours/contours.hpp"
 #include "palpable/models/relief/relief.hpp"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace palpable::cli {
@@ -16,11 +18,15 @@ namespace palpable::cli {
 /// Options of `export` for tactile drawings.
 struct TactileArguments {
   double interval_mm = 2.0;
-  /// Printed width of outlines; 0 = true size.
+  /// Printed width of outlines and maps; 0 = true size of outlines, 180 mm of maps.
   double width_mm = 0.0;
   int braille_columns = 40;
   int braille_rows = 25;
+  /// A table of liblouis.
+  std::string braille_table = "en-ueb-g1.ctb";
 };
+
+formats::BrailleOptions braille_options(const TactileArguments& arguments);
 
 /// Writes lines of equal height above the relief's ground, first the outlines of the objects on it; without a
 /// ground, above its lowest point. Errors: as formats::encode_height_lines() and write_file_atomically().

@@ -97,6 +97,10 @@ void add_touch(Program& program) {
   options.flag("--headless", arguments->headless, "No page: a scripted hand explores");
   options.flag("--keys", arguments->keys,
                "With --headless: explore with the keys of this terminal; H lists them (braille, speech)");
+  options.text(
+      "--route", arguments->route,
+      "Street map: the way 'A to B' is spoken, its streets are smooth and all others rough; A and B are "
+      "streets, places, or junctions as 'A & B'");
   add_view_options(options, arguments->view);
   options.flag("--speak", arguments->speak, "Speak faults, names and answers in a headless touch");
   options.number("--seconds", arguments->seconds, {0.01, 86400.0}, "How long a headless touch lasts");

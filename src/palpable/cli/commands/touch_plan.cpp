@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/commands/touch_plan.hpp"
 
+#include "palpable/cli/arguments/route_option.hpp"
+
 #include <limits>
 #include <set>
 #include <utility>
@@ -34,8 +36,14 @@ Result<session::TouchSettings> settings_of(const TouchArguments& arguments,
 }
 
 /// The scene with the names and words that the command line gives it.
-Result<std::shared_ptr<const models::Scene>> named_scene(models::Scene scene, const TouchPlan& plan) {
+Result<std::shared_ptr<const models::Scene>> named_scene(models::Scene scene, const TouchPlan& plan,
+                                                         const Notes& notes) {
   apply_title(plan.title, scene);
+  if (!plan.route.empty()) {
+    const auto words = apply_route(plan.route, {}, scene);
+    if (!words) return words.error();
+    for (const std::string& sentence : *words) notes(Note(sentence));
+  }
   if (auto applied = apply_materials(plan.material, scene); !applied) return std::move(applied).error();
   return std::make_shared<const models::Scene>(std::move(scene));
 }
@@ -64,7 +72,7 @@ session::SceneMaker maker_of(const TouchPlan& plan, Notes notes) {
           if (const auto lay = note_on_lay(plan.arguments, plan.make, one.scene)) one.notes.push_back(*lay);
           for (const Note& note : one.notes)
             if (given.insert(note.sentence).second) notes(note);
-          auto scene = named_scene(std::move(one.scene), plan);
+          auto scene = named_scene(std::move(one.scene), plan, notes);
           if (scene)
             deliver(*std::move(scene));
           else
@@ -104,6 +112,7 @@ Result<void> fill_plan(TouchArguments& arguments, const std::optional<Published>
   const auto title = read_title(arguments.scene.title);
   if (!title) return title.error();
   plan.title = *title;
+  plan.route = arguments.route;
   const auto settings = settings_of(arguments, published);
   if (!settings) return settings.error();
   plan.settings = *settings;

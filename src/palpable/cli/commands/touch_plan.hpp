@@ -37,6 +37,8 @@ struct TouchArguments {
   std::string transient = "none";
   double hand_damping_Ns_per_m = haptics::kLeastHandDamping_Ns_per_m;
   ViewArguments view;
+  /// "A to B" on a map; empty: none.
+  std::string route;
 };
 
 /// Receives notes for the user about the input.
@@ -49,6 +51,7 @@ struct TouchPlan {
   session::MakeOptions make;
   MaterialArguments material;
   TitleArguments title;
+  std::string route;
   std::vector<session::WalkStep> walk;
   session::TouchSettings settings;
   session::SessionOptions options;

@@ -58,7 +58,9 @@ bool is_valid(const StreetMap& map) {
   const auto label = [](const MapLabel& l) {
     return is_near(l.box) && l.confidence >= 0.0 && l.confidence <= 1.0 && std::abs(l.angle_deg) <= 360.0;
   };
-  return map.width_px > 0 && map.height_px > 0 && map.streets.size() <= kMostMapParts &&
+  constexpr double kMostMetres = 1e6;
+  return map.width_px > 0 && map.height_px > 0 && map.metres_per_px >= 0.0 &&
+         map.metres_per_px <= kMostMetres && map.streets.size() <= kMostMapParts &&
          map.areas.size() <= kMostMapParts && std::all_of(map.streets.begin(), map.streets.end(), street) &&
          std::all_of(map.junctions.begin(), map.junctions.end(), junction) &&
          std::all_of(map.areas.begin(), map.areas.end(), area) &&
@@ -69,9 +71,10 @@ Result<StreetMap> map_from(const nlohmann::json& j) {
   StreetMap map;
   map.width_px = j.at("width_px").get<int>();
   map.height_px = j.at("height_px").get<int>();
+  map.metres_per_px = j.value("metres_per_px", 0.0);
   for (const nlohmann::json& s : j.at("streets"))
-    map.streets.push_back(
-        {s.value("name", std::string()), s.at("width_px").get<double>(), points_from(s.at("points_px"))});
+    map.streets.push_back({s.value("name", std::string()), s.at("width_px").get<double>(),
+                           points_from(s.at("points_px")), s.value("felt", true)});
   for (const nlohmann::json& c : j.at("crossings"))
     map.junctions.push_back({{c.at("x_px").get<double>(), c.at("y_px").get<double>()},
                              c.at("degree").get<int>(),
@@ -91,6 +94,7 @@ Result<StreetMap> map_from(const nlohmann::json& j) {
 nlohmann::json json_of(const StreetMap& map) {
   nlohmann::json j = {{"width_px", map.width_px},
                       {"height_px", map.height_px},
+                      {"metres_per_px", map.metres_per_px},
                       {"streets", nlohmann::json::array()},
                       {"crossings", nlohmann::json::array()},
                       {"labels", nlohmann::json::array()}};
@@ -99,7 +103,8 @@ nlohmann::json json_of(const StreetMap& map) {
     j["streets"].push_back({{"id", j["streets"].size()},
                             {"name", s.name},
                             {"width_px", hundredths(s.width_px)},
-                            {"points_px", points_json(s.points)}});
+                            {"points_px", points_json(s.points)},
+                            {"felt", s.felt}});
   for (const MapJunction& c : map.junctions)
     j["crossings"].push_back({{"x_px", hundredths(c.at.x)},
                               {"y_px", hundredths(c.at.y)},

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/streets/street_relief.hpp"
 
+#include "palpable/sculpt/streets/map_areas.hpp"
+#include "palpable/sculpt/streets/map_grid.hpp"
+#include "palpable/sculpt/streets/mask_shapes.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -17,76 +21,30 @@ namespace {
 
 constexpr std::size_t kMostMaterials = 256;
 
-/// From pixels of the map to samples of the relief.
-struct Grid {
-  int columns = 0;
-  int rows = 0;
-  /// Samples for one pixel of the map, and for one metre.
-  double of_pixel = 1.0;
-  double of_metre = 1.0;
-
-  cv::Point2d at(MapPoint p) const { return {(p.x + 0.5) * of_pixel - 0.5, (p.y + 0.5) * of_pixel - 0.5}; }
-};
-
-Grid grid_for(const StreetMap& map, const StreetReliefOptions& options) {
-  const double longer = std::max(map.width_px, map.height_px);
-  Grid grid;
-  grid.of_pixel = options.samples / longer;
-  grid.columns = std::max(2, static_cast<int>(std::lround(map.width_px * grid.of_pixel)));
-  grid.rows = std::max(2, static_cast<int>(std::lround(map.height_px * grid.of_pixel)));
-  const double sample_m = std::min(options.width_m / grid.columns, options.height_m / grid.rows);
-  grid.of_metre = 1.0 / sample_m;
-  return grid;
-}
-
-/// Distance from a place to the nearest street, as a part of half its groove's width, and which street.
+/// Distance from a place to the nearest felt street, as a part of half its groove's width, and which street.
 struct NearestStreet {
   Raster<float> part;
   Raster<std::int32_t> street;
 };
 
-double groove_width_m(const MapStreet& street, const Grid& grid, const StreetReliefOptions& options) {
-  return std::clamp(street.width_px * grid.of_pixel / grid.of_metre, options.narrowest_street_m,
-                    options.widest_street_m);
-}
-
-NearestStreet nearest_streets(const StreetMap& map, const Grid& grid, const StreetReliefOptions& options) {
+NearestStreet nearest_streets(const StreetMap& map, const MapGrid& grid, const GrooveWidths& widths,
+                              const std::vector<bool>& felt) {
   NearestStreet out{Raster<float>(grid.columns, grid.rows, 1.0F),
                     Raster<std::int32_t>(grid.columns, grid.rows, -1)};
   for (std::size_t i = 0; i < map.streets.size(); ++i) {
+    if (!felt[i]) continue;
     const MapStreet& street = map.streets[i];
-    const double half = 0.5 * groove_width_m(street, grid, options) * grid.of_metre;
-    for (std::size_t k = 1; k < street.points.size(); ++k) {
-      const cv::Point2d a = grid.at(street.points[k - 1]);
-      const cv::Point2d d = grid.at(street.points[k]) - a;
-      const double square = d.dot(d);
-      const int left = std::max(0, static_cast<int>(std::min(a.x, a.x + d.x) - half));
-      const int right = std::min(grid.columns - 1, static_cast<int>(std::max(a.x, a.x + d.x) + half) + 1);
-      const int top = std::max(0, static_cast<int>(std::min(a.y, a.y + d.y) - half));
-      const int bottom = std::min(grid.rows - 1, static_cast<int>(std::max(a.y, a.y + d.y) + half) + 1);
-      for (int y = top; y <= bottom; ++y)
-        for (int x = left; x <= right; ++x) {
-          const cv::Point2d p = cv::Point2d(x, y) - a;
-          const double t = square > 0.0 ? std::clamp(p.dot(d) / square, 0.0, 1.0) : 0.0;
-          const auto part = static_cast<float>(cv::norm(p - t * d) / half);
-          if (part >= out.part(x, y)) continue;
-          out.part(x, y) = part;
-          out.street(x, y) = static_cast<std::int32_t>(i);
-        }
-    }
+    const double half = 0.5 * groove_width_m(street, grid, widths) * grid.of_metre;
+    for (std::size_t k = 1; k < street.points.size(); ++k)
+      near_segment(grid, grid.at(street.points[k - 1]), grid.at(street.points[k]), half,
+                   [&](int x, int y, double distance) {
+                     const auto part = static_cast<float>(distance / half);
+                     if (part >= out.part(x, y)) return;
+                     out.part(x, y) = part;
+                     out.street(x, y) = static_cast<std::int32_t>(i);
+                   });
   }
   return out;
-}
-
-cv::Mat area_mask(const StreetMap& map, MapArea::Kind kind, const Grid& grid) {
-  cv::Mat mask = cv::Mat::zeros(grid.rows, grid.columns, CV_8U);
-  for (const MapArea& area : map.areas) {
-    if (area.kind != kind) continue;
-    std::vector<cv::Point> outline;
-    for (const MapPoint p : area.outline) outline.emplace_back(grid.at(p));
-    cv::fillPoly(mask, std::vector<std::vector<cv::Point>>{outline}, cv::Scalar(255));
-  }
-  return mask;
 }
 
 /// 0 to 1 with level ends.
@@ -95,17 +53,72 @@ double smooth_step(double t) {
   return 0.5 * (1.0 - std::cos(std::numbers::pi * c));
 }
 
-/// Distance inside the mask to its border, samples; buildings keep `gap` samples away from streets.
-cv::Mat inside_of(const cv::Mat& mask, const NearestStreet& nearest, double gap) {
-  cv::Mat free(mask.size(), CV_8U, cv::Scalar(255));
+/// Gives samples of `merged` the street of the nearest sample of `mask`.
+void spread_streets(Raster<std::int32_t>& street, const cv::Mat& mask, const cv::Mat& merged) {
+  cv::Mat distance, nearest;
+  cv::distanceTransform(~mask, distance, nearest, cv::DIST_L2, 5, cv::DIST_LABEL_PIXEL);
+  std::vector<std::int32_t> street_of(mask.total() + 1, -1);
   for (int y = 0; y < mask.rows; ++y)
     for (int x = 0; x < mask.cols; ++x)
-      if (nearest.street(x, y) >= 0) free.at<std::uint8_t>(y, x) = 0;
-  cv::Mat from_street, distance;
-  cv::distanceTransform(free, from_street, cv::DIST_L2, 5);
-  const cv::Mat kept = mask & (from_street > gap);
-  cv::distanceTransform(kept, distance, cv::DIST_L2, 5);
-  return distance;
+      if (mask.at<std::uint8_t>(y, x) != 0)
+        street_of[static_cast<std::size_t>(nearest.at<int>(y, x))] = street(x, y);
+  for (int y = 0; y < mask.rows; ++y)
+    for (int x = 0; x < mask.cols; ++x)
+      if (merged.at<std::uint8_t>(y, x) != 0 && street(x, y) < 0)
+        street(x, y) = street_of[static_cast<std::size_t>(nearest.at<int>(y, x))];
+}
+
+/// The grooves: where they are, and how deep as a part of the full depth.
+struct Grooves {
+  cv::Mat mask;
+  cv::Mat depth;
+};
+
+/// The grooves with the land that is narrower than the gap between two of them. Where that makes a passage
+/// between two pieces of land that is narrower than a groove, it is widened.
+cv::Mat merged_grooves(const cv::Mat& mask, const MapGrid& grid, const StreetReliefOptions& options) {
+  const double half_gap = 0.5 * options.rules.least_gap_m * grid.of_metre;
+  const double half_groove = 0.5 * options.narrowest_street_m * grid.of_metre;
+  constexpr double kTolerance = 1.0;
+  constexpr int kMostRounds = 20;
+  cv::Mat merged = closed(mask, half_gap);
+  for (int round = 0; round < kMostRounds; ++round) {
+    const cv::Mat narrow = narrow_parts(merged, half_groove, kTolerance);
+    if (cv::countNonZero(narrow) == 0) break;
+    merged = closed(merged | dilated(narrow, half_groove), half_gap);
+  }
+  return merged;
+}
+
+/// Land that is narrower than the gap between two grooves becomes a part of them, with the label of the
+/// nearest one.
+Grooves grooves_of(NearestStreet& nearest, const MapGrid& grid, const StreetReliefOptions& options) {
+  Grooves out{cv::Mat::zeros(grid.rows, grid.columns, CV_8U),
+              cv::Mat::zeros(grid.rows, grid.columns, CV_32F)};
+  for (int y = 0; y < grid.rows; ++y)
+    for (int x = 0; x < grid.columns; ++x) {
+      if (nearest.street(x, y) < 0) continue;
+      out.mask.at<std::uint8_t>(y, x) = 255;
+      out.depth.at<float>(y, x) = static_cast<float>(1.0 - smooth_step(nearest.part(x, y)));
+    }
+  const cv::Mat merged = merged_grooves(out.mask, grid, options);
+  const double half = 0.5 * options.narrowest_street_m * grid.of_metre;
+  const cv::Mat before = distance_inside(out.mask);
+  cv::Mat after = distance_inside(merged);
+  // Distances to a border of samples are not smooth; they count only where grooves were merged.
+  constexpr double kSmooth = 2.0, kFade = 4.0;
+  cv::GaussianBlur(after, after, {}, kSmooth);
+  for (int y = 0; y < grid.rows; ++y)
+    for (int x = 0; x < grid.columns; ++x) {
+      if (merged.at<std::uint8_t>(y, x) == 0) continue;
+      const double deeper = after.at<float>(y, x) - before.at<float>(y, x);
+      const double weight = std::clamp((deeper - 1.0) / kFade, 0.0, 1.0);
+      float& depth = out.depth.at<float>(y, x);
+      depth = std::max(depth, static_cast<float>(weight * smooth_step(after.at<float>(y, x) / half)));
+    }
+  spread_streets(nearest.street, out.mask, merged);
+  out.mask = merged;
+  return out;
 }
 
 /// The materials: which one each street and junction has.
@@ -149,7 +162,7 @@ std::string words_of(const std::set<std::string>& names) {
   return words;
 }
 
-Naming naming_of(const StreetMap& map) {
+Naming naming_of(const StreetMap& map, const std::vector<bool>& felt) {
   Naming out;
   models::Material land;
   land.name = "land";
@@ -171,8 +184,9 @@ Naming naming_of(const StreetMap& map) {
   out.building = 1;
   out.water = 2;
   std::map<std::string, double> lengths;
-  for (const MapStreet& s : map.streets)
-    if (!s.name.empty()) lengths[s.name] += street_length_px(s);
+  for (std::size_t i = 0; i < map.streets.size(); ++i)
+    if (felt[i] && !map.streets[i].name.empty())
+      lengths[map.streets[i].name] += street_length_px(map.streets[i]);
   std::vector<std::pair<double, std::string>> longest;
   for (const auto& [name, length] : lengths) longest.emplace_back(-length, name);
   std::sort(longest.begin(), longest.end());
@@ -201,6 +215,21 @@ Naming naming_of(const StreetMap& map) {
   return out;
 }
 
+/// Junctions of felt streets get their own material.
+void mark_junctions(const StreetMap& map, const MapGrid& grid, const StreetReliefOptions& options,
+                    const NearestStreet& nearest, const Naming& naming, Raster<std::uint8_t>& labels) {
+  for (std::size_t j = 0; j < map.junctions.size(); ++j) {
+    const MapPoint at = grid.at(map.junctions[j].at);
+    const double radius = 0.5 * options.junction_part * options.narrowest_street_m * grid.of_metre;
+    for (int y = std::max(0, static_cast<int>(at.y - radius));
+         y <= std::min<double>(grid.rows - 1, at.y + radius); ++y)
+      for (int x = std::max(0, static_cast<int>(at.x - radius));
+           x <= std::min<double>(grid.columns - 1, at.x + radius); ++x)
+        if (nearest.street(x, y) >= 0 && std::hypot(x - at.x, y - at.y) <= radius)
+          labels(x, y) = naming.of_junction[j];
+  }
+}
+
 }  // namespace
 
 std::vector<Parameter> parameters_of(StreetReliefOptions& o) {
@@ -212,6 +241,9 @@ std::vector<Parameter> parameters_of(StreetReliefOptions& o) {
       {"building_gap_m", &o.building_gap_m, {0.0001, 0.01}, "m", "least distance from buildings to streets"},
       {"building_wall_m", &o.building_wall_m, {0.0001, 0.01}, "m", "width of the slope of a building's wall"},
       {"water_depth_m", &o.water_depth_m, {0.0, 0.01}, "m", "depth of water below the land"},
+      {"least_relief_m", &o.rules.least_relief_m, {0.0001, 0.02}, "m", "least difference of height"},
+      {"least_gap_m", &o.rules.least_gap_m, {0.0001, 0.02}, "m", "least distance of two grooves or areas"},
+      {"least_part_m", &o.rules.least_part_m, {0.0001, 0.02}, "m", "least width of a building or water"},
       {"junction_part", &o.junction_part, {0.1, 3.0}, "", "size of a junction's texture, in street widths"},
       {"samples", &o.samples, {64, 4096}, "", "samples along the longer side"}};
 }
@@ -222,46 +254,55 @@ Result<StreetRelief> relief_from_street_map(const StreetMap& map, const StreetRe
     return Error{ErrorCode::usage, "the narrowest street is wider than the widest one", {}};
   if (map.streets.empty() || map.width_px < 1 || map.height_px < 1)
     return invalid_input("the map has no streets");
-  const Grid grid = grid_for(map, options);
-  const NearestStreet nearest = nearest_streets(map, grid, options);
-  const cv::Mat buildings = inside_of(area_mask(map, MapArea::Kind::building, grid), nearest,
-                                      options.building_gap_m * grid.of_metre);
-  const cv::Mat water = inside_of(area_mask(map, MapArea::Kind::water, grid), nearest, 0.0);
-  Naming naming = naming_of(map);
+  const MapGrid grid = map_grid(map, options.width_m, options.height_m, options.samples);
+  const GrooveWidths widths{options.narrowest_street_m, options.widest_street_m};
+  StreetSelection selection = select_streets(map, grid, widths, options.rules);
+  NearestStreet nearest = nearest_streets(map, grid, widths, selection.felt);
+  const Grooves grooves = grooves_of(nearest, grid, options);
+  const FeltAreas water =
+      felt_areas(map, MapArea::Kind::water, grid, grooves.mask, options.rules.least_gap_m, options.rules);
+  const FeltAreas buildings = felt_areas(map, MapArea::Kind::building, grid, grooves.mask | water.mask,
+                                         options.building_gap_m, options.rules);
+  Naming naming = naming_of(map, selection.felt);
   Raster<float> height(grid.columns, grid.rows);
   Raster<std::uint8_t> labels(grid.columns, grid.rows);
+  Raster<MapPart> parts(grid.columns, grid.rows, MapPart::land);
+  const cv::Mat in_building = distance_inside(buildings.mask), in_water = distance_inside(water.mask);
   const double wall = options.building_wall_m * grid.of_metre;
   // The deepest place is at 0.
   const double land_m = std::max(options.street_depth_m, options.water_depth_m);
   for (int y = 0; y < grid.rows; ++y)
     for (int x = 0; x < grid.columns; ++x) {
       double z = land_m;
-      if (nearest.street(x, y) >= 0) {
-        z -= options.street_depth_m * (1.0 - smooth_step(nearest.part(x, y)));
+      if (grooves.mask.at<std::uint8_t>(y, x) != 0) {
+        z -= options.street_depth_m * grooves.depth.at<float>(y, x);
         labels(x, y) = naming.of_street[static_cast<std::size_t>(nearest.street(x, y))];
-      } else if (buildings.at<float>(y, x) > 0.0F) {
-        z += options.building_m * smooth_step(buildings.at<float>(y, x) / wall);
+        parts(x, y) = MapPart::street;
+      } else if (buildings.mask.at<std::uint8_t>(y, x) != 0) {
+        z += options.building_m * smooth_step(in_building.at<float>(y, x) / wall);
         labels(x, y) = naming.building;
-      } else if (water.at<float>(y, x) > 0.0F) {
-        z -= options.water_depth_m * smooth_step(water.at<float>(y, x) / wall);
+        parts(x, y) = MapPart::building;
+      } else if (water.mask.at<std::uint8_t>(y, x) != 0) {
+        z -= options.water_depth_m * smooth_step(in_water.at<float>(y, x) / wall);
         labels(x, y) = naming.water;
+        parts(x, y) = MapPart::water;
       }
       height(x, y) = static_cast<float>(z);
     }
-  for (std::size_t j = 0; j < map.junctions.size(); ++j) {
-    const cv::Point2d at = grid.at(map.junctions[j].at);
-    const double radius = 0.5 * options.junction_part * options.narrowest_street_m * grid.of_metre;
-    for (int y = std::max(0, static_cast<int>(at.y - radius));
-         y <= std::min<double>(grid.rows - 1, at.y + radius); ++y)
-      for (int x = std::max(0, static_cast<int>(at.x - radius));
-           x <= std::min<double>(grid.columns - 1, at.x + radius); ++x)
-        if (nearest.street(x, y) >= 0 && std::hypot(x - at.x, y - at.y) <= radius)
-          labels(x, y) = naming.of_junction[j];
-  }
+  mark_junctions(map, grid, options, nearest, naming, labels);
   auto relief = models::Relief::from_samples(std::move(height), 1.0 / grid.of_metre);
   if (!relief) return relief.error();
-  return StreetRelief{*std::move(relief), std::move(labels), std::move(naming.materials),
-                      naming.left_out_names};
+  StreetRelief out{*std::move(relief),
+                   std::move(labels),
+                   std::move(naming.materials),
+                   std::move(parts),
+                   naming.left_out_names,
+                   std::move(selection),
+                   {},
+                   {}};
+  out.buildings = {buildings.drawn, buildings.parts, buildings.left_out};
+  out.waters = {water.drawn, water.parts, water.left_out};
+  return out;
 }
 
 }  // namespace palpable::sculpt

@@ -8,6 +8,8 @@
 #include "palpable/core/street_map.hpp"
 #include "palpable/models/material/material.hpp"
 #include "palpable/models/relief/relief.hpp"
+#include "palpable/sculpt/streets/street_selection.hpp"
+#include "palpable/sculpt/streets/tactile_rules.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -31,9 +33,11 @@ struct StreetReliefOptions {
   double building_gap_m = 0.0008;
   double building_wall_m = 0.0005;
   /// Depth of water below the land, 0 ... 10 mm.
-  double water_depth_m = 0.0006;
+  double water_depth_m = 0.0008;
   /// Diameter of a junction's texture, as a part of the width of its streets.
   double junction_part = 1.0;
+  /// What a finger can tell apart; its narrowest groove is `narrowest_street_m`.
+  TactileRules rules;
   /// Samples along the longer side, 64 ... 4096.
   int samples = 1024;
 };
@@ -47,14 +51,27 @@ struct StreetRelief {
   /// "street" or the street's name, "junction" or "junction of A and B", "building", "water"; the first is
   /// that of the land.
   std::vector<models::Material> materials;
+  /// What each sample of the relief belongs to.
+  Raster<MapPart> parts;
   /// Names of the shortest streets, for which there are no more materials.
   std::size_t left_out_names = 0;
+  /// Which streets are felt.
+  StreetSelection streets;
+  /// How many areas the map has, as how many parts they are felt, and how many of them are not.
+  struct Areas {
+    std::size_t drawn = 0;
+    std::size_t parts = 0;
+    std::size_t left_out = 0;
+  };
+  Areas buildings;
+  Areas waters;
 };
 
 /// Streets become grooves with rounded walls, buildings are raised, water is lower and rippled, junctions
-/// have bumps. Each named street has a material of its own name, as far as there are materials: the longest
-/// streets first, then junctions. Errors: usage for options out of range; invalid_input for a map without
-/// streets or size.
+/// have bumps. What a finger cannot tell apart is joined or left out (street_selection.hpp, map_areas.hpp),
+/// so that check_tactile_rules() finds nothing. Each named street has a material of its own name, as far as
+/// there are materials: the longest streets first, then junctions. Errors: usage for options out of range;
+/// invalid_input for a map without streets or size.
 Result<StreetRelief> relief_from_street_map(const StreetMap& map, const StreetReliefOptions& options);
 
 }  // namespace palpable::sculpt

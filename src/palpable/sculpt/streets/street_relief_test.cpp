@@ -3,6 +3,8 @@
 #include "palpable/sculpt/streets/street_relief.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -81,14 +83,20 @@ TEST(StreetRelief, NamesStreetsAndTheStreetsThatMeet) {
 }
 
 TEST(StreetRelief, NamesStreetsUpToTheNumberOfMaterials) {
-  StreetMap map = small_map();
-  for (int i = 0; i < 400; ++i)
-    map.streets.push_back({"Street " + std::to_string(i), 3.0, {{1.0 * i, 0}, {1.0 * i, 10.0 + i % 7}}});
-  const auto made = relief_from_street_map(map, {});
+  // 400 streets of 12 mm, 20 mm apart.
+  StreetMap map;
+  map.width_px = map.height_px = 400;
+  for (int i = 0; i < 400; ++i) {
+    const double x = 4.0 + 20.0 * (i % 20), y = 10.0 + 20.0 * std::floor(i / 20.0);
+    map.streets.push_back({"Street " + std::to_string(i), 3.0, {{x, y}, {x + 12.0, y}}});
+  }
+  StreetReliefOptions options;
+  options.width_m = options.height_m = 0.4;
+  const auto made = relief_from_street_map(map, options);
   ASSERT_TRUE(made);
   EXPECT_EQ(made->materials.size(), 256U);
   // Five materials have other names.
-  EXPECT_EQ(made->left_out_names, 402U - 251U);
+  EXPECT_EQ(made->left_out_names, 400U - 251U);
   const auto largest = std::max_element(made->labels.values().begin(), made->labels.values().end());
   EXPECT_LT(*largest, made->materials.size());
 }

@@ -322,6 +322,7 @@ Result<WindowMap> street_map_of(const MapExtract& extract, const ExtractWindow& 
   const Projection project(*center, window);
   WindowMap out;
   out.map.width_px = out.map.height_px = window.side_px;
+  out.map.metres_per_px = window.width_m / window.side_px;
   add_streets(out.map, streets, project, window.side_px / window.width_m);
   if (out.map.streets.empty())
     return invalid_input(fmt::format("has no streets in the {:.0f} m around {:.5f},{:.5f}", window.width_m,

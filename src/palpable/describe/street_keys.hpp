@@ -1,0 +1,14 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace palpable::describe {
+
+/// Keys of streets on a tactile map: two small letters for each name, all different, the initials of its
+/// words where these are free. One for one with `names`; with more than 676 names the later ones get none.
+std::vector<std::string> street_keys(const std::vector<std::string>& names);
+
+}  // namespace palpable::describe

@@ -1,0 +1,144 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/formats/tactile/braille_page.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace palpable::formats {
+namespace {
+
+/// The cell, and the dot in it, nearest to a position on an axis.
+std::pair<int, int> nearest_dot(double at_m, double pitch_m, double dot_m, int dots, int cells) {
+  std::pair<int, int> best{0, 0};
+  double least = 1e9;
+  const int near = static_cast<int>(at_m / pitch_m);
+  for (int cell = std::max(0, near - 1); cell <= std::min(cells - 1, near + 1); ++cell)
+    for (int dot = 0; dot < dots; ++dot)
+      if (const double off = std::abs(cell * pitch_m + dot * dot_m - at_m); off < least) {
+        least = off;
+        best = {cell, dot};
+      }
+  return best;
+}
+
+bool within(double value, double least, double most) { return value >= least && value <= most; }
+
+/// Calls `visit` for points along the line, at most `step_m` apart.
+template <class Visit>
+void walk(const Polyline& line, double step_m, const Visit& visit) {
+  const std::size_t pieces = line.points.size() - (line.closed ? 0 : 1);
+  for (std::size_t i = 0; i < pieces; ++i) {
+    const Vec3 from = line.points[i], to = line.points[(i + 1) % line.points.size()];
+    const int steps = std::max(1, static_cast<int>(std::ceil(norm(to - from) / step_m)));
+    for (int k = 0; k <= steps; ++k) visit(from + (static_cast<double>(k) / steps) * (to - from));
+  }
+}
+
+}  // namespace
+
+BraillePage::BraillePage(const BrailleOptions& options)
+    : options_(options),
+      cells_(static_cast<std::size_t>(options.columns) * static_cast<std::size_t>(options.rows)) {}
+
+std::size_t BraillePage::index_of(int column, int row) const {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(options_.columns) +
+         static_cast<std::size_t>(column);
+}
+
+void BraillePage::raise(double right_m, double down_m) {
+  const auto [column, dot_column] =
+      nearest_dot(right_m, options_.cell_m, options_.dot_m, 2, options_.columns);
+  const auto [row, dot_row] = nearest_dot(down_m, options_.line_m, options_.dot_m, 3, options_.rows);
+  cells_[index_of(column, row)] |=
+      static_cast<BrailleCell>(1U << static_cast<unsigned>(3 * dot_column + dot_row));
+}
+
+bool BraillePage::is_free(int column, int row) const {
+  return column >= 0 && row >= 0 && column < options_.columns && row < options_.rows &&
+         cells_[index_of(column, row)] == 0;
+}
+
+void BraillePage::write(int column, int row, const BrailleLine& cells) {
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    cells_[index_of(column + static_cast<int>(k), row)] = cells[k];
+}
+
+int BraillePage::column_of(double right_m) const {
+  return std::clamp(static_cast<int>(std::lround(right_m / options_.cell_m)), 0, options_.columns - 1);
+}
+
+int BraillePage::row_of(double down_m) const {
+  return std::clamp(static_cast<int>(std::lround(down_m / options_.line_m)), 0, options_.rows - 1);
+}
+
+std::string BraillePage::text() const {
+  std::string out;
+  for (int row = 0; row < options_.rows; ++row) {
+    std::string line = braille_ascii(
+        std::span(cells_).subspan(index_of(0, row), static_cast<std::size_t>(options_.columns)));
+    line.erase(line.find_last_not_of(' ') + 1);
+    out += line + "\r\n";
+  }
+  return out + "\f";
+}
+
+BrailleView draw_dots(BraillePage& page, std::span<const Polyline> lines, double width_m, double height_m,
+                      const BrailleOptions& options) {
+  const BrailleView view{std::min(page.width_m() / width_m, page.height_m() / height_m), 0.5 * page.width_m(),
+                         0.5 * page.height_m()};
+  for (const Polyline& line : lines)
+    if (line.points.size() > 1)
+      walk(line, 0.25 * options.dot_m / view.scale,
+           [&](Vec3 p) { page.raise(view.right_m(p.x), view.down_m(p.y)); });
+  return view;
+}
+
+Result<void> check_braille(const BrailleOptions& options) {
+  if (options.columns < 10 || options.columns > 100 || options.rows < 5 || options.rows > 100)
+    return Error{ErrorCode::usage, "a braille page must have 10 to 100 columns and 5 to 100 rows", {}};
+  for (const double distance : {options.dot_m, options.cell_m, options.line_m})
+    if (!within(distance, 0.001, 0.02))
+      return Error{ErrorCode::usage, "the distances of braille dots must be 1 to 20 mm", {}};
+  return {};
+}
+
+std::vector<BrailleLine> wrapped(const std::vector<BrailleLine>& lines, int columns) {
+  constexpr std::size_t kIndent = 2;
+  const auto most = static_cast<std::size_t>(columns);
+  std::vector<BrailleLine> out;
+  for (BrailleLine rest : lines) {
+    while (rest.size() > most) {
+      // The last blank that leaves more than the indent before it; a long word is divided.
+      std::size_t end = most;
+      for (std::size_t k = most; k > kIndent; --k)
+        if (rest[k] == 0) {
+          end = k;
+          break;
+        }
+      out.emplace_back(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(end));
+      const std::size_t next = rest[end] == 0 ? end + 1 : end;
+      BrailleLine further(kIndent, 0);
+      further.insert(further.end(), rest.begin() + static_cast<std::ptrdiff_t>(next), rest.end());
+      rest = std::move(further);
+    }
+    out.push_back(std::move(rest));
+  }
+  return out;
+}
+
+std::string braille_text(const std::vector<BrailleLine>& lines, const BrailleOptions& options) {
+  std::string text;
+  const auto rows = static_cast<std::size_t>(options.rows);
+  const auto all = wrapped(lines, options.columns);
+  for (std::size_t begin = 0; begin < all.size(); begin += rows) {
+    BraillePage page(options);
+    for (std::size_t k = begin; k < std::min(all.size(), begin + rows); ++k)
+      page.write(0, static_cast<int>(k - begin), all[k]);
+    text += page.text();
+  }
+  return text;
+}
+
+}  // namespace palpable::formats
