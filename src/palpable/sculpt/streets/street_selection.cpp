@@ -3,6 +3,7 @@
 #include "palpable/sculpt/streets/street_selection.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -117,50 +118,93 @@ class Chosen {
   Raster<std::int32_t> owner_;
 };
 
+/// The nodes at the two ends of each piece: ends in one place are one node.
+std::vector<std::array<std::size_t, 2>> nodes_of(const StreetMap& map) {
+  constexpr double kJoin_px = 2.0;
+  std::map<std::pair<long, long>, std::vector<std::size_t>> cells;
+  std::vector<MapPoint> nodes;
+  const auto node_at = [&](MapPoint p) {
+    const long x = std::lround(p.x / kJoin_px), y = std::lround(p.y / kJoin_px);
+    for (long j = y - 1; j <= y + 1; ++j)
+      for (long i = x - 1; i <= x + 1; ++i) {
+        const auto found = cells.find({i, j});
+        if (found == cells.end()) continue;
+        for (const std::size_t node : found->second)
+          if (std::hypot(nodes[node].x - p.x, nodes[node].y - p.y) <= kJoin_px) return node;
+      }
+    cells[{x, y}].push_back(nodes.size());
+    nodes.push_back(p);
+    return nodes.size() - 1;
+  };
+  std::vector<std::array<std::size_t, 2>> ends;
+  for (const MapStreet& street : map.streets)
+    ends.push_back({node_at(street.points.front()), node_at(street.points.back())});
+  return ends;
+}
+
+/// Groups of nodes that hang together.
+class Groups {
+ public:
+  explicit Groups(std::size_t nodes) : up_(nodes) { std::iota(up_.begin(), up_.end(), std::size_t{0}); }
+  std::size_t of(std::size_t node) {
+    while (up_[node] != node) node = up_[node] = up_[up_[node]];
+    return node;
+  }
+  /// Whether they were two groups.
+  bool join(std::size_t a, std::size_t b) {
+    a = of(a);
+    b = of(b);
+    up_[a] = b;
+    return a != b;
+  }
+
+ private:
+  std::vector<std::size_t> up_;
+};
+
+/// Adds pieces that connect groups of felt streets, the most important first, so that routes can be followed
+/// where streets are near each other: their grooves merge (Kruskal 1956, without branches that lead nowhere).
+void connect(const std::vector<std::array<std::size_t, 2>>& ends, const std::vector<std::size_t>& order,
+             std::vector<bool>& felt) {
+  Groups groups(2 * ends.size());
+  std::vector<int> felt_at(2 * ends.size(), 0);
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    if (felt[i]) {
+      groups.join(ends[i][0], ends[i][1]);
+      for (const std::size_t node : ends[i]) ++felt_at[node];
+    }
+  std::vector<std::size_t> added;
+  for (const std::size_t i : order)
+    if (!felt[i] && groups.join(ends[i][0], ends[i][1])) {
+      added.push_back(i);
+      for (const std::size_t node : ends[i]) ++felt_at[node];
+    }
+  for (bool changed = true; changed;) {
+    changed = false;
+    std::erase_if(added, [&](std::size_t i) {
+      if (felt_at[ends[i][0]] > 1 && felt_at[ends[i][1]] > 1) return false;
+      for (const std::size_t node : ends[i]) --felt_at[node];
+      return changed = true;
+    });
+  }
+  for (const std::size_t i : added) felt[i] = true;
+}
+
 /// Leaves out groups of felt pieces that hang together and are shorter than `least_px` in all, if there are
 /// longer ones.
-void drop_fragments(const StreetMap& map, double least_px, std::vector<bool>& felt) {
-  constexpr double kJoin_px = 2.0;
-  std::map<std::pair<long, long>, std::vector<std::size_t>> at;
-  const auto cell = [](MapPoint p) {
-    return std::pair(std::lround(p.x / kJoin_px), std::lround(p.y / kJoin_px));
-  };
+void drop_fragments(const StreetMap& map, const std::vector<std::array<std::size_t, 2>>& ends,
+                    double least_px, std::vector<bool>& felt) {
+  Groups groups(2 * ends.size());
+  for (std::size_t i = 0; i < felt.size(); ++i)
+    if (felt[i]) groups.join(ends[i][0], ends[i][1]);
+  std::map<std::size_t, double> lengths;
+  double longest = 0.0;
   for (std::size_t i = 0; i < felt.size(); ++i)
     if (felt[i])
-      for (const MapPoint end : {map.streets[i].points.front(), map.streets[i].points.back()})
-        at[cell(end)].push_back(i);
-  std::vector<int> group(felt.size(), -1);
-  std::vector<double> lengths;
-  for (std::size_t begin = 0; begin < felt.size(); ++begin) {
-    if (!felt[begin] || group[begin] >= 0) continue;
-    const int number = static_cast<int>(lengths.size());
-    lengths.push_back(0.0);
-    std::vector<std::size_t> open{begin};
-    group[begin] = number;
-    while (!open.empty()) {
-      const std::size_t piece = open.back();
-      open.pop_back();
-      lengths.back() += line_length_px(map.streets[piece]);
-      for (const MapPoint end : {map.streets[piece].points.front(), map.streets[piece].points.back()}) {
-        const auto [x, y] = cell(end);
-        for (long j = y - 1; j <= y + 1; ++j)
-          for (long i = x - 1; i <= x + 1; ++i) {
-            const auto found = at.find({i, j});
-            if (found == at.end()) continue;
-            for (const std::size_t next : found->second)
-              if (group[next] < 0) {
-                group[next] = number;
-                open.push_back(next);
-              }
-          }
-      }
-    }
-  }
-  if (lengths.empty()) return;
-  const double longest = *std::max_element(lengths.begin(), lengths.end());
+      longest = std::max(longest, lengths[groups.of(ends[i][0])] += line_length_px(map.streets[i]));
   for (std::size_t i = 0; i < felt.size(); ++i)
     if (felt[i]) {
-      const double length = lengths[static_cast<std::size_t>(group[i])];
+      const double length = lengths[groups.of(ends[i][0])];
       felt[i] = length >= least_px || length == longest;
     }
 }
@@ -180,7 +224,8 @@ StreetSelection select_streets(const StreetMap& map, const MapGrid& grid, const 
   std::vector<bool> stands_for(map.streets.size(), false);
   Chosen chosen(map, grid, widths, rules.least_gap_m * grid.of_metre);
   constexpr double kMostCrowded = 0.5;
-  for (const std::size_t piece : by_importance(map, lengths)) {
+  const auto order = by_importance(map, lengths);
+  for (const std::size_t piece : order) {
     const auto crowding = chosen.crowding_of(piece);
     if (crowding.part <= kMostCrowded) {
       chosen.add(piece);
@@ -192,7 +237,9 @@ StreetSelection select_streets(const StreetMap& map, const MapGrid& grid, const 
   }
   // A line shorter than two grooves and the gap between them leads nowhere.
   const double least_px = (2.0 * widths.narrowest_m + rules.least_gap_m) * grid.of_metre / grid.of_pixel;
-  drop_fragments(map, least_px, out.felt);
+  const auto ends = nodes_of(map);
+  connect(ends, order, out.felt);
+  drop_fragments(map, ends, least_px, out.felt);
   std::set<std::string> names, felt_names;
   for (std::size_t i = 0; i < out.felt.size(); ++i) {
     if (out.felt[i]) felt_names.insert(map.streets[i].name);

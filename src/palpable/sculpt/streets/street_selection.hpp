@@ -34,7 +34,8 @@ double groove_width_m(const MapStreet& street, const MapGrid& grid, const Groove
 
 /// Chooses streets by their importance: wide ones first, then named ones, then long ones. A piece is left out
 /// if for more than half of its length the land beside it, towards a more important one, would be narrower
-/// than the rules' gap; and so are short pieces that then hang together with no others.
+/// than the rules' gap. Pieces that connect groups of streets which would not hang together otherwise are
+/// felt all the same, merged with their neighbours; short groups that nothing connects are left out.
 StreetSelection select_streets(const StreetMap& map, const MapGrid& grid, const GrooveWidths& widths,
                                const TactileRules& rules);
 
