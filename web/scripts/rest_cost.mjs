@@ -3,9 +3,8 @@
 // Measures the processor time of a page at rest: node scripts/rest_cost.mjs PROGRAM [SECONDS]. Prints the share of one core that
 // the program and the browser use, for the view from above and for the 3D view, each without sound and 14 s after opening, and for
 // an empty page. Run it on an idle machine.
-import { spawn } from 'node:child_process';
 import { readdirSync, readFileSync } from 'node:fs';
-import { chromium } from 'playwright-core';
+import { startBrowser, touch } from './touched_page.mjs';
 
 const [program, seconds = '20'] = process.argv.slice(2);
 const ticksPerSecond = 100;
@@ -30,8 +29,7 @@ function used(root) {
 const wait = (s) => new Promise((resolve) => setTimeout(resolve, 1000 * s));
 
 async function measure(what, args, prepare) {
-  const server = await chromium.launchServer({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox', '--disable-component-update', ...args] });
-  const browser = await chromium.connect(server.wsEndpoint());
+  const { server, browser } = await startBrowser(args);
   const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
   const child = await prepare(page);
   await wait(14);
@@ -45,22 +43,6 @@ async function measure(what, args, prepare) {
   await server.close();
 }
 
-/** Starts a touch of the sample and opens its page. */
-async function touch(page) {
-  const child = spawn(program, ['touch', '--method', 'scanline', '--no-browser'], { stdio: ['ignore', 'pipe', 'pipe'] });
-  const address = await new Promise((resolve) => {
-    let said = '';
-    child.stdout.on('data', (text) => {
-      said += text;
-      const found = /http:\/\/127\.0\.0\.1:\d+\/#[0-9a-f]+/.exec(said);
-      if (found) resolve(found[0]);
-    });
-  });
-  await page.goto(address);
-  await page.waitForFunction(() => document.getElementById('status')?.dataset.state === 'running');
-  return child;
-}
-
 await measure('an empty page', ['--disable-gpu'], () => undefined);
-await measure('from above', ['--disable-gpu', '--disable-3d-apis'], touch);
-await measure('in 3D, software WebGL', ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'], touch);
+await measure('from above', ['--disable-gpu', '--disable-3d-apis'], (page) => touch(program, page));
+await measure('in 3D, software WebGL', ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'], (page) => touch(program, page));
