@@ -16,6 +16,13 @@ std::string scale_text(double scale) {
   return scale <= 1.0 ? fmt::format("1 : {}", figure(1.0 / scale)) : fmt::format("{} : 1", figure(scale));
 }
 
+/// Very small units by their number in a millimetre, since their length would be "0".
+std::string unit_text(double unit_mm) {
+  constexpr double kSmall_mm = 0.001;
+  return unit_mm >= kSmall_mm ? fmt::format("one unit being {} mm", figure(unit_mm, 3))
+                              : fmt::format("{} units being one mm", figure(1.0 / unit_mm, 3));
+}
+
 }  // namespace
 
 std::vector<Note> placement_notes(const sculpt::Placement& placement, const sculpt::Box& box,
@@ -43,8 +50,7 @@ std::vector<Note> placement_notes(const sculpt::Placement& placement, const scul
                                    figure(extent.y, 3), figure(extent.z, 3), scale_text(scale)));
   } else if (!options.size_m) {
     notes.emplace_back(
-        fmt::format("The input states no unit: it was scaled to fit a hand, one unit being {} mm.",
-                    figure(1000.0 * scale, 3)));
+        fmt::format("The input states no unit: it was scaled to fit a hand, {}.", unit_text(1000.0 * scale)));
   }
   const bool asked = options.up && options.lay != sculpt::Lay::automatic;
   const bool as_it_was = placement.lay == sculpt::Lay::upright && placement.up == AxisDirection::plus_y;

@@ -283,11 +283,6 @@ class Search {
 
 }  // namespace
 
-Vec3 fit_place(std::size_t k) {
-  const auto axis = [](std::size_t i) { return static_cast<double>(i % 3) - 1.0; };
-  return {axis(k), axis(k / 3), axis(k / 9)};
-}
-
 void RecentLeaves::add(const LeafFit& leaf) {
   const LeafHead head{leaf.words[0]};
   if (head.pieces() < 2 || !head.flat()) return;

@@ -34,7 +34,10 @@ inline constexpr double kKinkInCells = 0.1;
 /// determine the 10 of a quadratic.
 inline constexpr std::size_t kFitPlaces = 27;
 /// Sample point k relative to the cell's centre, in halves of its side.
-Vec3 fit_place(std::size_t k);
+inline Vec3 fit_place(std::size_t k) {
+  const auto axis = [](std::size_t i) { return static_cast<double>(i % 3) - 1.0; };
+  return {axis(k), axis(k / 3), axis(k / 9)};
+}
 
 struct CellSamples {
   /// The cell's centre from the field's origin, and half its side.

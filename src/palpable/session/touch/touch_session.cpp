@@ -333,8 +333,8 @@ bool TouchSession::recording() const {
 TouchStatistics TouchSession::statistics() const {
   TouchStatistics statistics;
   statistics.servo = impl_->loop->statistics();
-  statistics.seconds_to_first_force = 1e-9 * static_cast<double>(impl_->servo_begin_ns - impl_->begin_ns) +
-                                      statistics.servo.touch.first_force_t_s;
+  statistics.seconds_to_scene = 1e-9 * static_cast<double>(impl_->servo_begin_ns - impl_->begin_ns);
+  statistics.seconds_to_first_force = statistics.seconds_to_scene + statistics.servo.touch.first_force_t_s;
   statistics.device = impl_->loop->device_traits().name;
   const auto real_time = impl_->loop->real_time();
   statistics.realtime_priority = real_time.priority;

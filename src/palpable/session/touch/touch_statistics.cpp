@@ -48,6 +48,7 @@ std::string to_json(const TouchStatistics& statistics) {
   json["contact_ticks"] = touch.contact_ticks;
   json["fault_ticks"] = touch.fault_ticks;
   json["allocations_in_ticks"] = servo.allocations_in_ticks;
+  json["seconds_to_scene"] = number(statistics.seconds_to_scene);
   json["seconds_to_first_force"] = number(statistics.seconds_to_first_force);
   json["device"] = statistics.device;
   json["realtime_priority"] = statistics.realtime_priority;

@@ -12,7 +12,9 @@ namespace palpable::session {
 /// Statistics of a touch without page (docs/cli.md).
 struct TouchStatistics {
   haptics::ServoStatistics servo;
-  /// Time from `begin_ns` of TouchSession::open() to the first force that a hand can feel; NaN if there was
+  /// Time from `begin_ns` of TouchSession::open() until the first scene could be touched.
+  double seconds_to_scene = std::numeric_limits<double>::quiet_NaN();
+  /// The same to the first force that a hand can feel; NaN if there was
   /// none.
   double seconds_to_first_force = std::numeric_limits<double>::quiet_NaN();
   std::string device;
