@@ -10,8 +10,8 @@
 namespace palpable::session {
 
 /// The coarse field with which the touch of a mesh begins while the requested field is computed. The defaults
-/// were chosen for a first touch of a mesh of 100 000 triangles after about 6 s of processor time, most of
-/// which runs on two cores (docs/history/2026-11-22-fields.md).
+/// were chosen for a first touch of a mesh of 100 000 triangles after about 4 s of processor time, most of
+/// which runs on two cores (docs/history/2026-11-23-fields.md).
 struct CoarseField {
   /// Finest cells along the longest side, 16 ... 512; 0 = no coarse field. Used only if the requested field
   /// has at least twice as many.
