@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 #include <optional>
 
 #include <opencv2/imgproc.hpp>
@@ -101,12 +102,55 @@ NetworkShape shape_of(const MapColours& colours, const std::vector<LayerOfColour
   return shape;
 }
 
+double luma_of(Rgb8 c) { return 0.299 * c.r + 0.587 * c.g + 0.114 * c.b; }
+
+/// The most frequent colour.
+Rgb8 land_of(const MapColours& colours) {
+  return std::max_element(colours.colours.begin(), colours.colours.end(),
+                          [](const MapColour& a, const MapColour& b) { return a.pixels < b.pixels; })
+      ->value;
+}
+
+/// Whether a network is a table, or boxes joined by lines.
+bool is_line_drawing(const MapColours& colours, const std::vector<LayerOfColour>& layers,
+                     const CentreLines& graph, const StreetMapOptions& options) {
+  const double most_luma = luma_of(land_of(colours)) - options.ink_contrast;
+  for (std::size_t k = 0; k < layers.size(); ++k)
+    if (layers[k].layer == MapLayer::street && luma_of(colours.colours[k].value) > most_luma) return false;
+  double all = 0.0;
+  double upright = 0.0;
+  const double least = std::cos(options.upright_deg * std::numbers::pi / 180.0);
+  for (const CentreLine& line : graph.lines) {
+    const std::vector<MapPoint> corners = simplified(line.points, 1.0);
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+      const double dx = std::abs(corners[i].x - corners[i - 1].x);
+      const double dy = std::abs(corners[i].y - corners[i - 1].y);
+      const double length = std::hypot(dx, dy);
+      all += length;
+      upright += std::max(dx, dy) >= least * length ? length : 0.0;
+    }
+  }
+  return upright >= options.upright_part * all;
+}
+
+/// Whether a line is the edge of the picture rather than a street: it runs along a side as near as it is
+/// wide.
+bool is_edge(const MapColours& colours, const CentreLine& line) {
+  constexpr double kRadii = 1.5;
+  const auto near = std::count_if(line.points.begin(), line.points.end(), [&](MapPoint p) {
+    return distance_to_side(colours.frame, p) <= kRadii * line.radius_px + 1.0;
+  });
+  return 2 * static_cast<std::size_t>(near) > line.points.size();
+}
+
 /// Whether what was found is a network of streets in a drawing, not stripes or a photograph.
 bool is_street_map(const MapColours& colours, const std::vector<LayerOfColour>& layers,
                    const CentreLines& graph, const StreetMapOptions& options) {
   if (graph.lines.empty()) return false;
   const NetworkShape shape = shape_of(colours, layers, graph, options);
-  const bool is_one_street = shape.junctions == 0 && shape.border_ends == 2;
+  if (is_line_drawing(colours, layers, graph, options)) return false;
+  const bool is_one_street =
+      shape.junctions == 0 && shape.border_ends == 2 && !is_edge(colours, graph.lines.front());
   if (shape.street_part > options.most_street_part || (shape.junctions < 1 && !is_one_street) ||
       shape.dead_ends > options.dead_ends_per_junction * shape.junctions)
     return false;
@@ -119,13 +163,10 @@ bool is_street_map(const MapColours& colours, const std::vector<LayerOfColour>& 
          !is_small && !is_colourful && shape.ribbon_part >= options.lossy_ribbon_part;
 }
 
-/// Whether the most frequent colour is dark: then lettering is light.
+/// Whether the land is dark: then lettering is light.
 bool has_dark_land(const MapColours& colours) {
-  const MapColour* land = nullptr;
-  for (const MapColour& c : colours.colours)
-    if (land == nullptr || c.pixels > land->pixels) land = &c;
-  constexpr int kDark = 110;
-  return land != nullptr && (299 * land->value.r + 587 * land->value.g + 114 * land->value.b) / 1000 < kDark;
+  constexpr double kDark = 110.0;
+  return !colours.colours.empty() && luma_of(land_of(colours)) < kDark;
 }
 
 /// Light lettering becomes dark, as the reader expects it.

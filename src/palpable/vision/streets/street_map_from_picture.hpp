@@ -37,6 +37,12 @@ struct StreetMapOptions {
   double lossy_length = 2.0;
   double lossy_ribbon_part = 0.55;
   int least_junctions = 5;
+  /// Tables and boxes are drawn with dark lines, mostly along the picture's sides: a network is a drawing of
+  /// these if its lines are darker than the land by this much, grey levels, and at least this part of their
+  /// length is within this angle of a side, degrees.
+  double ink_contrast = 150.0;
+  double upright_part = 0.5;
+  double upright_deg = 2.0;
   int most_colours = 26;
   /// Areas smaller than this are left out, pixels.
   double least_area_px = 40.0;

@@ -145,6 +145,61 @@ TEST(StreetMapFromPicture, RefusesRampsStripesAndRings) {
   for (const Image& image : {ramp, stripes, rings}) EXPECT_FALSE(street_map_from_picture(image, {}, Work{}));
 }
 
+/// Of a canvas with channels r, g, b.
+Image image_of(const cv::Mat& canvas) {
+  Image out{canvas.cols, canvas.rows, 3, 8, {}};
+  for (int y = 0; y < canvas.rows; ++y)
+    for (int x = 0; x < canvas.cols; ++x)
+      for (int c = 0; c < 3; ++c)
+        out.samples.push_back(static_cast<float>(canvas.at<cv::Vec3b>(y, x)[c]) / 255.0F);
+  return out;
+}
+
+TEST(StreetMapFromPicture, RefusesTablesBoxesAndSmoothRamps) {
+  cv::Mat table(400, 500, CV_8UC3, cv::Scalar(255, 255, 255));
+  for (int y = 20; y <= 380; y += 45) cv::line(table, {30, y}, {450, y}, {0, 0, 0}, 2);
+  for (int x = 30; x <= 450; x += 70) cv::line(table, {x, 20}, {x, 380}, {0, 0, 0}, 2);
+  EXPECT_FALSE(street_map_from_picture(image_of(table), {}, Work{}));
+  cv::Mat boxes(400, 500, CV_8UC3, cv::Scalar(255, 255, 255));
+  const std::vector<cv::Point> places{{20, 30}, {300, 20}, {150, 130}, {350, 200}, {40, 260}, {240, 320}};
+  for (std::size_t i = 1; i < places.size(); ++i)
+    cv::line(boxes, places[i - 1] + cv::Point(50, 20), places[i] + cv::Point(50, 20), {0, 0, 0}, 3,
+             cv::LINE_AA);
+  for (const cv::Point p : places) {
+    cv::rectangle(boxes, {p.x, p.y, 100, 40}, {255, 255, 255}, cv::FILLED);
+    cv::rectangle(boxes, {p.x, p.y, 100, 40}, {0, 0, 0}, 3);
+  }
+  EXPECT_FALSE(street_map_from_picture(image_of(boxes), {}, Work{}));
+  for (const int side : {200, 256, 512}) {
+    Image ramp{side, side, 1, 8, {}};
+    for (int i = 0; i < side * side; ++i)
+      ramp.samples.push_back(static_cast<float>(255 * (i % side) / (side - 1)) / 255.0F);
+    EXPECT_FALSE(street_map_from_picture(ramp, {}, Work{})) << side;
+  }
+}
+
+TEST(StreetMapFromPicture, FindsAMapThatIsTurnedOnAPage) {
+  const Image upright = drawn_map(crossing());
+  cv::Mat canvas(400, 400, CV_32FC3, const_cast<float*>(upright.samples.data()));
+  cv::Mat turn = cv::getRotationMatrix2D({199.5F, 199.5F}, 25.0, 1.0);
+  turn.at<double>(0, 2) += 100.0;
+  turn.at<double>(1, 2) += 100.0;
+  cv::Mat page;
+  cv::warpAffine(canvas, page, turn, {600, 600}, cv::INTER_CUBIC, cv::BORDER_CONSTANT, {1.0, 1.0, 1.0});
+  page.convertTo(page, CV_8UC3, 255.0);
+  const auto found = street_map_from_picture(image_of(page), {}, Work{});
+  ASSERT_TRUE(found);
+  std::vector<DrawnStreet> streets = crossing();
+  for (DrawnStreet& street : streets)
+    for (cv::Point& p : street.points)
+      p = {static_cast<int>(std::lround(turn.at<double>(0, 0) * p.x + turn.at<double>(0, 1) * p.y +
+                                        turn.at<double>(0, 2))),
+           static_cast<int>(std::lround(turn.at<double>(1, 0) * p.x + turn.at<double>(1, 1) * p.y +
+                                        turn.at<double>(1, 2)))};
+  EXPECT_GT(found_part(found->map, streets), 0.95);
+  EXPECT_EQ(found->map.junctions.size(), 2U);
+}
+
 TEST(StreetMapFromPicture, SeparatesBuildingsFromStreets) {
   const auto found = street_map_from_picture(drawn_map(crossing()), {}, Work{});
   ASSERT_TRUE(found);
