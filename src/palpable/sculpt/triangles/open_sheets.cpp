@@ -198,9 +198,8 @@ std::map<std::uint32_t, RimLength> rim_lengths(const Mesh& mesh, const std::vect
     if (sheet[t] != OpenSheets::kNone) chosen.push_back(t), triangles.push_back(mesh.triangles[t]);
   std::map<std::uint32_t, RimLength> lengths;
   visit_edges(edge_uses(triangles), [&](std::span<const EdgeUse> edge) {
-    int sum = 0;
-    for (const EdgeUse& use : edge) sum += use.step;
-    if (sum == 0) return;
+    // Where three triangles meet, such as walls and a floor inside, nothing is open.
+    if (edge.size() > 1) return;
     const Vec3 from = mesh.vertices_m[edge.front().key >> 32U],
                way = mesh.vertices_m[static_cast<std::uint32_t>(edge.front().key)] - from;
     RimLength& length = lengths[sheet[chosen[edge.front().triangle]]];

@@ -23,7 +23,8 @@ using Divisions = std::map<std::uint64_t, std::vector<std::uint32_t>>;
 
 class EdgeDivider {
  public:
-  EdgeDivider(const Mesh& mesh, double touching_m) : mesh_(mesh), touching_m_(touching_m) {}
+  EdgeDivider(const Mesh& mesh, double touching_m, TouchingEdges which)
+      : mesh_(mesh), touching_m_(touching_m), which_(which) {}
 
   Divisions divisions() {
     const std::vector<EdgeUse> uses = edge_uses(mesh_.triangles);
@@ -36,22 +37,20 @@ class EdgeDivider {
                        static_cast<std::uint32_t>(edge.front().key)});
     });
     if (rim.empty()) return {};
-    const auto surfaces = connected_by_edges(mesh_.triangles.size(), uses);
-    if (!is_branched && std::count(surfaces.begin(), surfaces.end(), 0U) ==
-                            static_cast<std::ptrdiff_t>(mesh_.triangles.size()))
-      return {};
+    if (which_ == TouchingEdges::all && !is_branched && is_one_surface(uses)) return {};
     const TriangleTree tree(mesh_);
     std::set<std::uint32_t> rim_vertices;
-    for (const auto& [from, to] : rim) {
-      rim_vertices.insert({from, to});
+    for (const auto& [from, to] : rim) rim_vertices.insert({from, to});
+    for (const auto& [from, to] : rim)
       visit_near({mesh_.vertices_m[from], mesh_.vertices_m[to]}, tree, [&](const Indices& t) {
-        for (const std::uint32_t v : t) add_if_on(from, to, v);
+        for (const std::uint32_t v : t)
+          if (which_ == TouchingEdges::all || rim_vertices.contains(v)) add_if_on(from, to, v);
       });
-    }
-    for (const std::uint32_t v : rim_vertices)
-      visit_near({mesh_.vertices_m[v], mesh_.vertices_m[v]}, tree, [&](const Indices& t) {
-        for (std::size_t k = 0; k < 3; ++k) add_if_on(t[k], t[(k + 1) % 3], v);
-      });
+    if (which_ == TouchingEdges::all)
+      for (const std::uint32_t v : rim_vertices)
+        visit_near({mesh_.vertices_m[v], mesh_.vertices_m[v]}, tree, [&](const Indices& t) {
+          for (std::size_t k = 0; k < 3; ++k) add_if_on(t[k], t[(k + 1) % 3], v);
+        });
     Divisions divisions;
     for (const auto& [key, vertices] : on_edges_) {
       const Vec3 from = mesh_.vertices_m[key >> 32U];
@@ -65,6 +64,11 @@ class EdgeDivider {
   }
 
  private:
+  bool is_one_surface(std::span<const EdgeUse> uses) const {
+    const auto surfaces = connected_by_edges(mesh_.triangles.size(), uses);
+    return std::count(surfaces.begin(), surfaces.end(), 0U) ==
+           static_cast<std::ptrdiff_t>(mesh_.triangles.size());
+  }
   template <class Visit>
   void visit_near(std::array<Vec3, 2> places, const TriangleTree& tree, Visit&& visit) {
     const Box box = bounds_of(std::span<const Vec3>(places));
@@ -84,6 +88,7 @@ class EdgeDivider {
 
   const Mesh& mesh_;
   double touching_m_;
+  TouchingEdges which_;
   std::map<std::uint64_t, std::set<std::uint32_t>> on_edges_;
 };
 
@@ -121,8 +126,8 @@ void divide(const Indices& t, std::span<const std::vector<std::uint32_t>> lines,
 
 }  // namespace
 
-std::optional<DividedMesh> divide_touching_edges(const Mesh& mesh, double touching_m) {
-  const Divisions divisions = EdgeDivider(mesh, touching_m).divisions();
+std::optional<DividedMesh> divide_touching_edges(const Mesh& mesh, double touching_m, TouchingEdges which) {
+  const Divisions divisions = EdgeDivider(mesh, touching_m, which).divisions();
   if (divisions.empty()) return std::nullopt;
   DividedMesh divided;
   divided.mesh.vertices_m = mesh.vertices_m;

@@ -17,11 +17,14 @@ struct DividedMesh {
   std::vector<std::uint32_t> part_of;
 };
 
-/// Divides edges where rims touch them without a common vertex: rim edges at vertices of other triangles that
-/// lie on them, and edges of other triangles at vertices of rims. A rim is an edge of an odd number of
+/// Which edges are divided: rims at vertices of rims alone, which joins faces that form one surface but for
+/// slits without a width; or also rims at vertices of other triangles, and other edges at vertices of rims.
+enum class TouchingEdges { rims, all };
+
+/// Divides edges where rims touch them without a common vertex. A rim is an edge of an odd number of
 /// triangles. Where surfaces meet along lines that are divided differently, such as a box against a wall,
 /// they share edges afterwards. No vertices are added; places within `touching_m` coincide. The mesh must be
-/// welded. nullopt if nothing is divided, as in a single surface without edges of three triangles.
-std::optional<DividedMesh> divide_touching_edges(const Mesh& mesh, double touching_m);
+/// welded. nullopt if nothing is divided, as with `all` in a single surface without edges of three triangles.
+std::optional<DividedMesh> divide_touching_edges(const Mesh& mesh, double touching_m, TouchingEdges which);
 
 }  // namespace palpable::sculpt

@@ -24,23 +24,26 @@ HalfSolidAngle half_solid_angle(Vec3 p, const std::array<Vec3, 3>& t) {
   return {la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb, dot(a, cross(b, c))};
 }
 
-bool meets(Vec3 p, Vec3 direction, const std::array<Vec3, 3>& t) {
-  // Moller & Trumbore 1997.
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// Where the ray meets the triangle, in lengths of `direction` (Moller & Trumbore 1997).
+double hit(Vec3 p, Vec3 direction, const std::array<Vec3, 3>& t) {
   const Vec3 e1 = t[1] - t[0], e2 = t[2] - t[0];
   const Vec3 h = cross(direction, e2);
   const double det = dot(e1, h);
-  if (det == 0.0) return false;
+  if (det == 0.0) return kNever;
   const Vec3 s = p - t[0];
   const double u = dot(s, h) / det;
-  if (u < 0.0 || u > 1.0) return false;
+  if (u < 0.0 || u > 1.0) return kNever;
   const Vec3 q = cross(s, e1);
   const double v = dot(direction, q) / det;
-  return v >= 0.0 && u + v <= 1.0 && dot(e2, q) / det > 0.0;
+  const double at = dot(e2, q) / det;
+  return v >= 0.0 && u + v <= 1.0 && at > 0.0 ? at : kNever;
 }
 
-bool meets_box(Vec3 p, Vec3 inverse, Vec3 low, Vec3 high) {
+/// Whether the ray meets the box before `to`.
+bool meets_box(Vec3 p, Vec3 inverse, Vec3 low, Vec3 high, double to = kNever) {
   double from = 0.0;
-  double to = std::numeric_limits<double>::infinity();
   const auto cut = [&](double at, double inv, double lo, double hi) {
     const double a = (lo - at) * inv, b = (hi - at) * inv;
     from = std::max(from, std::min(a, b));
@@ -118,9 +121,22 @@ int TriangleTree::crossings(Vec3 p, Vec3 direction) const {
   const auto opens = [&](std::uint32_t at) { return meets_box(p, inverse, nodes_[at].low, nodes_[at].high); };
   descend<kStack>(nodes_, opens, [&](const Node& node) {
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-      count += meets(p, direction, corners_[i]) ? 1 : 0;
+      count += hit(p, direction, corners_[i]) < kNever ? 1 : 0;
   });
   return count;
+}
+
+double TriangleTree::first_hit(Vec3 p, Vec3 direction) const {
+  const Vec3 inverse{1.0 / direction.x, 1.0 / direction.y, 1.0 / direction.z};
+  double first = kNever;
+  const auto opens = [&](std::uint32_t at) {
+    return meets_box(p, inverse, nodes_[at].low, nodes_[at].high, first);
+  };
+  descend<kStack>(nodes_, opens, [&](const Node& node) {
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+      first = std::min(first, hit(p, direction, corners_[i]));
+  });
+  return first;
 }
 
 }  // namespace palpable::sculpt

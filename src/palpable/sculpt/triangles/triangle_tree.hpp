@@ -73,6 +73,10 @@ class TriangleTree {
   /// Number of triangles that a ray from `p` crosses.
   int crossings(Vec3 p, Vec3 direction) const;
 
+  /// How far a ray from `p` reaches until it meets a triangle, in lengths of `direction`; infinite if it
+  /// meets none.
+  double first_hit(Vec3 p, Vec3 direction) const;
+
  private:
   struct Node {
     Vec3 low, high;
