@@ -6,6 +6,8 @@
 #include "palpable/recipes/placement_notes.hpp"
 #include "palpable/sculpt/solid/mesh_solid.hpp"
 #include "palpable/sculpt/solid/superquadric_source.hpp"
+#include "palpable/sculpt/triangles/mesh_orientation.hpp"
+#include "palpable/sculpt/triangles/visible_places.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -62,6 +64,15 @@ Result<void> check_size(const sculpt::Box& box, const FieldRecipe& recipe) {
   return {};
 }
 
+/// What is seen only through gaps narrower than four cells is not counted.
+std::vector<Vec3> visible_places_of(const Mesh& mesh, double cell_m, const Work& work) {
+  std::size_t omitted = 0;
+  const Mesh clean = sculpt::welded(mesh, omitted);
+  if (clean.triangles.empty()) return {};
+  constexpr double kBesideCells = 2.0;
+  return sculpt::visible_places(sculpt::TriangleTree(clean), {.beside_m = kBesideCells * cell_m}, work.seed);
+}
+
 models::Superquadric placed(models::Superquadric shape, const SceneFromInput& transform) {
   auto& scene_from_shape = shape.scene_from_shape;
   const Transform<SceneFrame, SceneFrame> turned{transform.rotation, {}, 1.0};
@@ -81,6 +92,66 @@ std::string note_on(const models::FieldErrors& errors) {
       1e6 * errors.max_m, 1e6 * errors.p99_m);
 }
 
+/// How far the input's visible places are from a field's surface.
+struct InputErrors {
+  std::size_t places = 0;
+  double p99_m = 0.0, max_m = 0.0;
+  /// Places more than two cells outside and inside the field's solid, and the farthest of each.
+  std::size_t lost = 0, closed = 0;
+  double lost_m = 0.0, closed_m = 0.0;
+};
+
+template <class Distance>
+InputErrors input_errors(const Distance& field, const std::vector<Vec3>& visible_m) {
+  InputErrors errors;
+  errors.places = visible_m.size();
+  if (visible_m.empty()) return errors;
+  // Thickened walls reach one cell beyond sheets, and a field rounds edges within half of one.
+  constexpr double kFarCells = 2.0;
+  const double far_m = kFarCells * field.cell_m();
+  std::vector<double> distances_m;
+  for (const Vec3 place : visible_m) {
+    const double felt_m = field.sample(place).distance_m;
+    distances_m.push_back(std::abs(felt_m));
+    if (felt_m > far_m) ++errors.lost, errors.lost_m = std::max(errors.lost_m, felt_m);
+    if (felt_m < -far_m) ++errors.closed, errors.closed_m = std::max(errors.closed_m, -felt_m);
+  }
+  std::sort(distances_m.begin(), distances_m.end());
+  errors.p99_m = distances_m[distances_m.size() * 99 / 100];
+  errors.max_m = distances_m.back();
+  return errors;
+}
+
+/// For the scene's description; empty if the input is no mesh.
+std::string method_on(const InputErrors& errors) {
+  if (errors.places == 0) return {};
+  return fmt::format(", the input's visible surface within {:.0f} um (99 %), {:.0f} um at most",
+                     1e6 * errors.p99_m, 1e6 * errors.max_m);
+}
+
+std::vector<Note> notes_on(const InputErrors& errors) {
+  std::vector<Note> notes;
+  if (errors.places == 0) return notes;
+  notes.emplace_back(
+      fmt::format("Of {} places of the input that are visible from outside, 99 % are within {:.0f} um of the "
+                  "field's surface; the farthest is {:.0f} um from it.",
+                  errors.places, 1e6 * errors.p99_m, 1e6 * errors.max_m));
+  const auto percent = [&](std::size_t count) {
+    return 100.0 * static_cast<double>(count) / static_cast<double>(errors.places);
+  };
+  if (errors.lost > 0)
+    notes.emplace_back(fmt::format(
+        "Part of the input's surface was lost: {:.2g} % of its visible places lie outside the solid, up to "
+        "{:.2g} mm from its surface.",
+        percent(errors.lost), 1e3 * errors.lost_m));
+  if (errors.closed > 0)
+    notes.emplace_back(fmt::format(
+        "Openings of the input were closed: {:.2g} % of its visible places lie inside the solid, up to "
+        "{:.2g} mm below its surface.",
+        percent(errors.closed), 1e3 * errors.closed_m));
+  return notes;
+}
+
 template <class Distance>
 Result<models::Model> model_of(Distance distance, const Solid& solid) {
   const sculpt::Box surface = solid.distance->bounds();
@@ -93,13 +164,14 @@ Result<models::Model> model_of(Distance distance, const Solid& solid) {
 Result<StoredField> stored_densely(const Solid& solid, const FieldRecipe& recipe, const Work& work) {
   auto distance = sculpt::dense_field_from_source(*solid.distance, dense_options(recipe), work);
   if (!distance) return distance.error();
+  const InputErrors of_input = input_errors(*distance, solid.visible_m);
   auto model = model_of(*std::move(distance), solid);
   if (!model) return model.error();
   const bool paper = recipe.storage == FieldStorage::paper;
   return StoredField{*std::move(model),
-                     fmt::format("{} cells, dense{}", recipe.field.resolution,
-                                 paper ? ", distance and force by fast marching" : ""),
-                     {}};
+                     fmt::format("{} cells, dense{}{}", recipe.field.resolution,
+                                 paper ? ", distance and force by fast marching" : "", method_on(of_input)),
+                     notes_on(of_input)};
 }
 
 }  // namespace
@@ -132,6 +204,7 @@ Result<Solid> solid_of(Mesh mesh, const FieldRecipe& recipe, const Work& work) {
   sculpt::WallOptions walls =
       recipe.storage == FieldStorage::adaptive ? recipe.walls : sculpt::kWallsAsTheyAre;
   walls.up = place->pose == models::SolidPose::flat ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
+  solid.visible_m = visible_places_of(mesh, *cell_m, work);
   auto made = sculpt::solid_from_mesh(mesh, *cell_m, work, facets, walls, recipe.sheets);
   if (!made) return made.error();
   solid.distance = std::move(made->distance);
@@ -189,12 +262,15 @@ Result<StoredField> stored_field(const Solid& solid, const FieldRecipe& recipe, 
   auto distance = sculpt::field_from_source(*solid.distance, field_options, work);
   if (!distance) return distance.error();
   const models::FieldErrors errors = distance->errors();
+  const InputErrors of_input = input_errors(*distance, solid.visible_m);
   auto model = model_of(*std::move(distance), solid);
   if (!model) return model.error();
-  return StoredField{
-      *std::move(model),
-      fmt::format("{} cells, error bound {:.1f} um", field_options.resolution, 1e6 * errors.bound_m),
-      {note_on(errors)}};
+  std::vector<Note> notes{note_on(errors)};
+  for (Note& note : notes_on(of_input)) notes.push_back(std::move(note));
+  return StoredField{*std::move(model),
+                     fmt::format("{} cells, error bound {:.1f} um{}", field_options.resolution,
+                                 1e6 * errors.bound_m, method_on(of_input)),
+                     std::move(notes)};
 }
 
 Result<MadeScene> field_scene(Solid solid, const std::string& input, const FieldRecipe& recipe,

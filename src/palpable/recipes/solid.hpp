@@ -30,6 +30,9 @@ struct Solid {
   double exact_to_m = 0.0;
   /// The superquadrics that the solid consists of, in the scene's frame; may be empty.
   std::vector<models::Superquadric> primitives;
+  /// Places of the input mesh that are visible from outside (sculpt::visible_places()), in the scene's frame;
+  /// empty for other inputs.
+  std::vector<Vec3> visible_m;
 };
 
 /// The solid of a mesh, repaired if necessary.

@@ -186,29 +186,47 @@ std::vector<std::uint32_t> numbered(const Mesh& mesh, const std::vector<char>& i
   return sheet;
 }
 
-/// The length of each sheet's rim, and of its part that lies neither on nor in `bodies`.
+/// The length of each sheet's rim, and of its part that lies neither on nor in `bodies`, nor on the sheet itself.
 struct RimLength {
   double all_m = 0.0, free_m = 0.0;
 };
 std::map<std::uint32_t, RimLength> rim_lengths(const Mesh& mesh, const std::vector<std::uint32_t>& sheet,
                                                const TriangleTree& bodies, double touching_m) {
   std::vector<std::uint32_t> chosen;
-  std::vector<IndexTriple> triangles;
+  Mesh sheets;
+  sheets.vertices_m = mesh.vertices_m;
   for (std::uint32_t t = 0; t < sheet.size(); ++t)
-    if (sheet[t] != OpenSheets::kNone) chosen.push_back(t), triangles.push_back(mesh.triangles[t]);
+    if (sheet[t] != OpenSheets::kNone) chosen.push_back(t), sheets.triangles.push_back(mesh.triangles[t]);
+  const TriangleTree tree(sheets);
+  // Files use single precision: a sheet that ends on itself may be apart from itself by the last digit.
+  constexpr double kSameShare = 2e-7;
+  const double same_m = kSameShare * norm(tree.bounds().size_m());
+  const auto is_on_itself = [&](Vec3 place, std::uint32_t own) {
+    bool is_on = false;
+    const Vec3 by{same_m, same_m, same_m};
+    tree.visit_box(place - by, place + by, [&](std::uint32_t other) {
+      if (other == own || sheet[chosen[other]] != sheet[chosen[own]]) return;
+      const IndexTriple& t = sheets.triangles[other];
+      is_on = is_on || nearest_on_triangle(place, mesh.vertices_m[t[0]], mesh.vertices_m[t[1]],
+                                           mesh.vertices_m[t[2]])
+                               .squared_distance_m2 <= same_m * same_m;
+    });
+    return is_on;
+  };
   std::map<std::uint32_t, RimLength> lengths;
-  visit_edges(edge_uses(triangles), [&](std::span<const EdgeUse> edge) {
+  visit_edges(edge_uses(sheets.triangles), [&](std::span<const EdgeUse> edge) {
     // Where three triangles meet, such as walls and a floor inside, nothing is open.
     if (edge.size() > 1) return;
+    const std::uint32_t own = edge.front().triangle;
     const Vec3 from = mesh.vertices_m[edge.front().key >> 32U],
                way = mesh.vertices_m[static_cast<std::uint32_t>(edge.front().key)] - from;
-    RimLength& length = lengths[sheet[chosen[edge.front().triangle]]];
+    RimLength& length = lengths[sheet[chosen[own]]];
     length.all_m += norm(way);
     constexpr std::array kShares{0.1, 0.5, 0.9};
     for (const double share : kShares) {
       const Vec3 place = from + share * way;
-      const bool is_hidden =
-          bodies.any_within(place, touching_m, OpenSheets::kNone) || std::abs(bodies.winding(place)) > 0.5;
+      const bool is_hidden = bodies.any_within(place, touching_m, OpenSheets::kNone) ||
+                             std::abs(bodies.winding(place)) > 0.5 || is_on_itself(place, own);
       if (!is_hidden) length.free_m += norm(way) / kShares.size();
     }
   });
