@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <numeric>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -88,6 +91,48 @@ TEST(TriangleTree, FindsTheSameInTheListsOfNestedBalls) {
     EXPECT_EQ(hint.entered, 0U);
   }
   EXPECT_GT(short_lists, 10U);
+}
+
+/// A closed ball of 50 mm, its facets at most 0.1 % inside it.
+Mesh ball(Vec3 centre_m) {
+  constexpr std::uint32_t kRings = 60, kAround = 120;
+  Mesh mesh;
+  for (std::uint32_t ring = 0; ring <= kRings; ++ring)
+    for (std::uint32_t k = 0; k < kAround; ++k) {
+      const double down = std::numbers::pi * ring / kRings, round = 2.0 * std::numbers::pi * k / kAround;
+      mesh.vertices_m.push_back(centre_m + 0.05 * Vec3{std::sin(down) * std::cos(round),
+                                                       std::sin(down) * std::sin(round), std::cos(down)});
+    }
+  for (std::uint32_t ring = 0; ring < kRings; ++ring)
+    for (std::uint32_t k = 0; k < kAround; ++k) {
+      const std::uint32_t a = ring * kAround + k, b = ring * kAround + (k + 1) % kAround;
+      if (ring > 0) mesh.triangles.push_back({a, a + kAround, b});
+      if (ring + 1 < kRings) mesh.triangles.push_back({b, a + kAround, b + kAround});
+    }
+  return mesh;
+}
+
+TEST(TriangleTree, WindsOnceAroundTheInsideOfABallAlsoAfterItMoved) {
+  const Mesh mesh = ball({}), moved = ball({0.03, 0.0, 0.0});
+  TriangleTree tree(mesh);
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform(-0.1, 0.1);
+  const auto check_around = [&](Vec3 centre_m) {
+    for (int i = 0; i < 2000; ++i) {
+      const double x = uniform(random), y = uniform(random), z = uniform(random);
+      // Half of the places lie close to the surface, on both of its sides.
+      const Vec3 from =
+          i % 2 == 0 ? Vec3{x, y, z} : 0.05 * (1.0 + (i % 4 == 1 ? 1e-5 : -0.002)) * unit({x, y, z});
+      // Between the facets and the ball.
+      if (norm(from) > 0.04995 && norm(from) < 0.05) continue;
+      EXPECT_NEAR(tree.winding(centre_m + from), norm(from) < 0.05 ? 1.0 : 0.0, 0.02);
+    }
+  };
+  check_around({});
+  std::vector<std::uint32_t> all(mesh.triangles.size());
+  std::iota(all.begin(), all.end(), 0U);
+  tree.move(moved, all);
+  check_around({0.03, 0.0, 0.0});
 }
 
 }  // namespace
