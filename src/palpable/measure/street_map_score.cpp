@@ -136,20 +136,21 @@ std::vector<TrueJunction> junctions_of(const TrueStreetMap& truth, bool wanted_o
 std::vector<std::pair<std::size_t, std::size_t>> pairs_of(const std::vector<TrueJunction>& truth,
                                                           const std::vector<MapJunction>& found,
                                                           double most_px) {
-  struct Pair {
+  struct NearJunctions {
     double distance;
     std::size_t wanted, found;
   };
-  std::vector<Pair> near;
+  std::vector<NearJunctions> near;
   for (std::size_t i = 0; i < truth.size(); ++i)
     for (std::size_t k = 0; k < found.size(); ++k)
       if (const double d = std::hypot(truth[i].at.x - found[k].at.x, truth[i].at.y - found[k].at.y);
           d <= most_px)
         near.push_back({d, i, k});
-  std::sort(near.begin(), near.end(), [](const Pair& a, const Pair& b) { return a.distance < b.distance; });
+  std::sort(near.begin(), near.end(),
+            [](const NearJunctions& a, const NearJunctions& b) { return a.distance < b.distance; });
   std::vector<std::pair<std::size_t, std::size_t>> out;
   std::set<std::size_t> used_truth, used_found;
-  for (const Pair& pair : near) {
+  for (const NearJunctions& pair : near) {
     if (used_truth.contains(pair.wanted) || used_found.contains(pair.found)) continue;
     used_truth.insert(pair.wanted);
     used_found.insert(pair.found);
