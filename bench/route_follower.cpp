@@ -8,7 +8,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <span>
 
 namespace palpable::bench {
 namespace {
@@ -41,24 +40,15 @@ class Follower {
     heading_ = begin_heading(legs.front());
     for (std::size_t k = 0; k < legs.size(); ++k) {
       const bool last = k + 1 == legs.size();
-      if (last) {
-        walk(legs[k], {});
-      } else {
-        // A leg that is hardly longer than a junction may be passed without being felt.
-        const std::size_t count = legs[k + 1].length_m < kShortLeg_m && k + 2 < legs.size() ? 2 : 1;
-        const std::size_t taken = walk(legs[k], std::span(legs).subspan(k + 1, count));
-        if (taken == 0) break;
-        k += taken - 1;
-      }
+      if (!walk(legs[k], last ? nullptr : &legs[k + 1])) break;
     }
     return at_;
   }
 
  private:
-  static constexpr int kRing = 72, kMostSteps = 20000;
-  static constexpr double kShortLeg_m = 0.006;
-  /// Where the hand was longer ago than this, within this distance, it does not go again.
-  static constexpr double kTrailBehind_m = 0.004, kTrailWidth_m = 0.0015;
+  static constexpr int kRing = 72, kMostSteps = 2000, kStepsOfChord = 6;
+  /// Where the name of the next street is felt, the middle of the junction is about this far behind.
+  static constexpr double kBehindJunction_m = 0.0015;
 
   double height(Place p) const { return surface_.sample(p.x_m, p.y_m).z_m; }
   bool is_groove(Place p) const {
@@ -85,7 +75,6 @@ class Follower {
     for (int k = 0; k < kRing; ++k) {
       const double bearing = kFullTurn * k / kRing;
       if (turn(wanted, bearing) >= least || !is_open(bearing, reach_m)) continue;
-      if (was_at(moved(at_, bearing, reach_m))) continue;
       if (street != nullptr && !is_called(moved(at_, bearing, reach_m), *street)) continue;
       least = turn(wanted, bearing);
       best = bearing;
@@ -102,13 +91,6 @@ class Follower {
     return 0.5 * (left + right);
   }
 
-  bool was_at(Place p) const {
-    const auto behind = static_cast<std::size_t>(kTrailBehind_m / options_.step_m);
-    for (std::size_t k = 0; k + behind < trail_.size(); ++k)
-      if (std::hypot(p.x_m - trail_[k].x_m, p.y_m - trail_[k].y_m) < kTrailWidth_m) return true;
-    return false;
-  }
-
   double begin_heading(const SpokenLeg& leg) const {
     for (const double reach : {options_.reach_m, 0.5 * options_.reach_m})
       if (const auto open = open_direction(leg.direction, nullptr, kQuarter, reach)) return *open;
@@ -117,15 +99,13 @@ class Follower {
 
   /// One step along the groove; false at its end.
   bool step(const std::string& street) {
-    std::optional<double> next;
-    for (const std::string* name : {&street, static_cast<const std::string*>(nullptr)})
-      for (const double reach : {1.0, 0.5, 0.3})
-        if (!next) next = open_direction(heading_, name, 0.6 * std::numbers::pi, reach * options_.reach_m);
+    auto next = open_direction(heading_, &street, 0.45 * std::numbers::pi, options_.reach_m);
+    for (const double reach : {options_.reach_m, 0.5 * options_.reach_m, 2.0 * options_.step_m})
+      if (!next) next = open_direction(heading_, nullptr, 0.6 * std::numbers::pi, reach);
     if (!next) return false;
     heading_ = *next;
     at_ = moved(at_, heading_, options_.step_m);
     settle();
-    trail_.push_back(at_);
     return true;
   }
 
@@ -145,39 +125,40 @@ class Follower {
           open_direction(next.direction, &next.name, 0.4 * std::numbers::pi, reach * options_.reach_m);
       if (!open) continue;
       at_ = moved(at_, *open, reach * options_.reach_m);
-      travelled_ = reach * options_.reach_m;
+      travelled_ = kBehindJunction_m;
       heading_ = *open;
       settle();
-      trail_.clear();
       return true;
     }
     return false;
   }
 
-  /// Goes along a leg until one of the next streets is felt or, at the last one, its length is over; how many
-  /// of the next ones it takes, 0 if none is found.
-  std::size_t walk(const SpokenLeg& leg, std::span<const SpokenLeg> next) {
+  /// Goes along a leg until its end is felt or its length is over; false if the next street is not found.
+  bool walk(const SpokenLeg& leg, const SpokenLeg* next) {
     const double early = std::min(0.006 + 0.1 * leg.length_m, leg.length_m);
     double gone = travelled_, most = leg.length_m + options_.overshoot_m;
     travelled_ = 0.0;
     bool back = false;
+    Place mark = at_;
     for (int k = 0; k < kMostSteps; ++k) {
-      if (next.empty() && gone >= leg.length_m) return 0;
-      if (back || gone >= leg.length_m - early)
-        for (std::size_t n = 0; n < next.size(); ++n)
-          if (turn_into(next[n])) return n + 1;
+      if (next == nullptr && gone >= leg.length_m) return true;
+      if (next != nullptr && (back || gone >= leg.length_m - early) && turn_into(*next)) return true;
       const bool went = gone < most && step(leg.name);
-      gone += options_.step_m;
+      // Over several steps, so that trembling does not count.
+      if ((k + 1) % kStepsOfChord == 0) {
+        gone += std::hypot(at_.x_m - mark.x_m, at_.y_m - mark.y_m);
+        mark = at_;
+      }
       if (went) continue;
-      if (next.empty() || back) return 0;
+      if (next == nullptr) return true;
+      if (back) return false;
       // Too far: back along the same groove, and look on the way.
       back = true;
       heading_ += std::numbers::pi;
-      trail_.clear();
       gone = 0.0;
       most = 2.0 * options_.overshoot_m + early;
     }
-    return 0;
+    return false;
   }
 
   const models::Scene& scene_;
@@ -186,7 +167,6 @@ class Follower {
   double in_groove_below_ = 0.0;
   Place at_;
   double heading_ = 0.0;
-  std::vector<Place> trail_;
   /// What of the present leg was gone while the hand turned into it.
   double travelled_ = 0.0;
 };
