@@ -241,7 +241,6 @@ std::vector<Parameter> parameters_of(StreetReliefOptions& o) {
       {"building_gap_m", &o.building_gap_m, {0.0001, 0.01}, "m", "least distance from buildings to streets"},
       {"building_wall_m", &o.building_wall_m, {0.0001, 0.01}, "m", "width of the slope of a building's wall"},
       {"water_depth_m", &o.water_depth_m, {0.0, 0.01}, "m", "depth of water below the land"},
-      {"least_relief_m", &o.rules.least_relief_m, {0.0001, 0.02}, "m", "least difference of height"},
       {"least_gap_m", &o.rules.least_gap_m, {0.0001, 0.02}, "m", "least distance of two grooves or areas"},
       {"least_part_m", &o.rules.least_part_m, {0.0001, 0.02}, "m", "least width of a building or water"},
       {"junction_part", &o.junction_part, {0.1, 3.0}, "", "size of a junction's texture, in street widths"},
