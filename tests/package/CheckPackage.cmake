@@ -15,8 +15,22 @@ if(NOT WITH_VISION)
     list(APPEND disabled -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
   endforeach()
 endif()
+# Compiling is most of the time; an earlier run's objects are as good, where there is a compiler cache.
+find_program(CCACHE ccache)
+set(launcher "")
+set(compile ${COMPILER})
+if(CCACHE)
+  set(ENV{CCACHE_BASEDIR} ${WORK})
+  set(launcher -DCMAKE_CXX_COMPILER_LAUNCHER=${CCACHE})
+  set(compile ${CCACHE} ${COMPILER})
+endif()
+# By pkg-config and the compiler alone.
+function(compile_by_pkg_config source program)
+  execute_process(COMMAND ${compile} -c ${source} ${flags} -o ${program}.o COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${COMPILER} ${program}.o ${flags} -o ${program} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
 execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -S ${EXAMPLES} -B ${WORK}/build -DCMAKE_PREFIX_PATH=${WORK}/prefix
-                        -DCMAKE_CXX_COMPILER=${COMPILER} -DWITH_VISION=${WITH_VISION} ${disabled}
+                        -DCMAKE_CXX_COMPILER=${COMPILER} ${launcher} -DWITH_VISION=${WITH_VISION} ${disabled}
                 OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build COMMAND_ERROR_IS_FATAL ANY)
 # The same with only pkg-config and the compiler.
@@ -26,14 +40,15 @@ if(WITH_VISION)
   set(by_pkg_config stereo_to_stl)
   set(packages palpable-recipes palpable-formats palpable-sources)
 else()
-  set(by_pkg_config touch_height_field custom_device custom_law)
+  # The flags are the same for every example.
+  set(by_pkg_config touch_height_field)
   set(packages palpable-haptics)
 endif()
 execute_process(COMMAND ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${pc_folder} pkg-config --cflags --libs ${packages}
                 OUTPUT_VARIABLE flags OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 separate_arguments(flags UNIX_COMMAND "${flags}")
 foreach(example ${by_pkg_config})
-  execute_process(COMMAND ${COMPILER} ${EXAMPLES}/${example}.cpp ${flags} -o ${WORK}/${example}_by_pkg_config COMMAND_ERROR_IS_FATAL ANY)
+  compile_by_pkg_config(${EXAMPLES}/${example}.cpp ${WORK}/${example}_by_pkg_config)
 endforeach()
 if(NOT WITH_VISION)
   execute_process(COMMAND ${WORK}/touch_height_field_by_pkg_config COMMAND_ERROR_IS_FATAL ANY)
@@ -54,11 +69,11 @@ if(NOT WITH_VISION)
   write_block(cpp ${WORK}/library/touch.cpp)
   write_block(cmake ${WORK}/library/CMakeLists.txt)
   execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -S ${WORK}/library -B ${WORK}/library/build -DCMAKE_PREFIX_PATH=${WORK}/prefix
-                          -DCMAKE_CXX_COMPILER=${COMPILER} ${disabled}
+                          -DCMAKE_CXX_COMPILER=${COMPILER} ${launcher} ${disabled}
                   OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/library/build COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND ${WORK}/library/build/touch COMMAND_ERROR_IS_FATAL ANY)
-  execute_process(COMMAND ${COMPILER} ${WORK}/library/touch.cpp ${flags} -o ${WORK}/library/touch COMMAND_ERROR_IS_FATAL ANY)
+  compile_by_pkg_config(${WORK}/library/touch.cpp ${WORK}/library/touch)
   execute_process(COMMAND ${WORK}/library/touch COMMAND_ERROR_IS_FATAL ANY)
 endif()
 if(WITH_VISION)

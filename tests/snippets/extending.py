@@ -46,10 +46,14 @@ def main() -> None:
         listed = re.search(r"SOURCES(.*?)TESTS", (copy / "src/palpable/device/CMakeLists.txt").read_text(encoding="utf-8"), re.DOTALL)
         sources = [copy / "src/palpable/device" / name for name in listed.group(1).split()]
         sources += [path for path in (copy / "src/palpable/core").rglob("*.cpp") if not path.stem.endswith("_test") and path.stem not in OTHER_PROGRAMS]
-        whole = "".join(f'#include "{path}"\n' for path in sources)
+        whole = "".join(f'#include "{path.relative_to(copy / "src")}"\n' for path in sources)
         (copy / "main.cpp").write_text(whole + PROGRAM, encoding="utf-8")
         program = copy / "program"
-        subprocess.run([compiler, "-std=c++20", "-O0", f"-I{copy}/src", copy / "main.cpp", "-pthread", "-lz", "-o", program], check=True)
+        # Relative names: a compiler cache then knows what it compiled in another folder.
+        cache = shutil.which("ccache")
+        compile_it = [*([cache] if cache else []), compiler, "-std=c++20", "-O0", "-Isrc", "-c", "main.cpp", "-o", "main.o"]
+        subprocess.run(compile_it, check=True, cwd=copy)
+        subprocess.run([compiler, "main.o", "-pthread", "-lz", "-o", program], check=True, cwd=copy)
         subprocess.run([program], check=True)
 
 
