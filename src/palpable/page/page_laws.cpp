@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/page_laws.hpp"
 
-#include "palpable/haptics/law/law_parameters.hpp"
-
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -55,7 +53,7 @@ std::vector<protocol::ParameterValue> parameter_values(const models::Scene& scen
     const bool follows = parameter.value == &LawParameters::dynamic_friction && parameters.static_friction;
     values.push_back(
         {std::string(parameter.name), set,
-         set.value_or(follows ? haptics::kDynamicOfStatic * *parameters.static_friction : unset)});
+         set.value_or(follows ? models::kDynamicOfStatic * *parameters.static_friction : unset)});
   }
   return values;
 }

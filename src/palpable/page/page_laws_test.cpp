@@ -47,6 +47,17 @@ TEST(PageLaws, OfferTheToolToDevicesWithTorqueAndSayWhyNotToOthers) {
   EXPECT_EQ(refused->unavailable, "needs a device with torque");
 }
 
+TEST(PageLaws, ShowTheBoundsOfTracingAsASwitch) {
+  const auto& parameters = haptics::description_of(haptics::Law::tracing).parameters;
+  const auto bounds = std::find_if(parameters.begin(), parameters.end(),
+                                   [](const auto& p) { return p.name == "tracing_bounds"; });
+  ASSERT_NE(bounds, parameters.end());
+  // As the page asks (web/src/settings/parameter_panel.ts).
+  EXPECT_EQ(bounds->unit, "yes or no");
+  EXPECT_EQ(bounds->slider_min, 0.0);
+  EXPECT_EQ(bounds->slider_max, 1.0);
+}
+
 TEST(PageLaws, ListEveryLawOfTheSceneWithEveryParameterOfItsDescription) {
   const models::Scene scene = level_solid();
   const auto laws = page_laws(scene, {});

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The sliders of a law's parameters, generated from the law's descriptor.
+// The sliders and switches of a law's parameters, generated from the law's descriptor.
 import { element } from '../dom';
 import type { Parameter } from '../generated/protocol';
 import { figure, RangeInput } from './range_input';
@@ -10,20 +10,29 @@ export function scaleOf({ unit }: Pick<Parameter, 'unit'>): { scale: number; uni
   return unit === 'm' ? { scale: 1000, unit: 'mm' } : { scale: 1, unit };
 }
 
+/** Whether it is 0 for no or 1 for yes. */
+export function isSwitch({ unit }: Pick<Parameter, 'unit'>): boolean {
+  return unit === 'yes or no';
+}
+
 const idOf = (name: string) => `parameter-${name}`;
 
 export class ParameterPanel {
   private readonly container = element('parameters');
-  private ranges: { parameter: Parameter; range: RangeInput }[] = [];
+  private controls: { parameter: Parameter; range: RangeInput | null }[] = [];
 
   constructor(private readonly changed: (name: string, value: number) => void) {}
 
   /** `used`: the effective values; `set`: those that the user has set; by name. */
   show(parameters: readonly Parameter[], used: Readonly<Record<string, number>>, set: Readonly<Record<string, number>>, materials: number): void {
-    if (JSON.stringify(parameters) !== JSON.stringify(this.ranges.map(({ parameter }) => parameter))) this.build(parameters);
-    for (const { parameter, range } of this.ranges) {
+    if (JSON.stringify(parameters) !== JSON.stringify(this.controls.map(({ parameter }) => parameter))) this.build(parameters);
+    for (const { parameter, range } of this.controls) {
       const { scale, unit } = scaleOf(parameter);
       const value = used[parameter.name] ?? parameter.min;
+      if (range === null) {
+        element<HTMLInputElement>(idOf(parameter.name)).checked = value > 0;
+        continue;
+      }
       const differs = set[parameter.name] === undefined && materials > 1 && isOfMaterials(parameter.name) ? ', each region its own' : '';
       range.show({
         min: figure(parameter.min * scale),
@@ -36,11 +45,23 @@ export class ParameterPanel {
   }
 
   private build(parameters: readonly Parameter[]): void {
-    this.container.replaceChildren(...parameters.map(sliderElement));
-    this.ranges = parameters.map((parameter) => ({
+    this.container.replaceChildren(...parameters.map((parameter) => (isSwitch(parameter) ? this.switchElement(parameter) : sliderElement(parameter))));
+    this.controls = parameters.map((parameter) => ({
       parameter,
-      range: new RangeInput(idOf(parameter.name), (value) => this.changed(parameter.name, value / scaleOf(parameter).scale)),
+      range: isSwitch(parameter) ? null : new RangeInput(idOf(parameter.name), (value) => this.changed(parameter.name, value / scaleOf(parameter).scale)),
     }));
+  }
+
+  private switchElement({ name, title }: Parameter): HTMLElement {
+    const label = document.createElement('label');
+    label.className = 'check';
+    label.htmlFor = idOf(name);
+    const input = document.createElement('input');
+    input.type = 'checkbox';
+    input.id = idOf(name);
+    input.addEventListener('change', () => this.changed(name, input.checked ? 1 : 0));
+    label.append(input, ` ${title}`);
+    return label;
   }
 }
 

@@ -8,8 +8,8 @@ namespace palpable::haptics {
 
 // Descriptions of parameters that several laws share.
 
-/// Ratio of dynamic to static friction if only the static coefficient is set.
-inline constexpr double kDynamicOfStatic = 5.0 / 6.0;
+/// The unit of a parameter that is 0 for no and 1 for yes: the page shows it as a switch.
+inline constexpr std::string_view kYesOrNo = "yes or no";
 
 inline constexpr LawParameter kStiffness{&LawParameters::stiffness_N_per_m,
                                          "stiffness_N_per_m",
