@@ -12,12 +12,6 @@
 namespace palpable::haptics {
 namespace {
 
-constexpr double kKnee_m_per_s = 0.005;
-constexpr double kSpeedWindow_s = 0.04;
-/// Cosine of the angle between the directions of two ticks below which the hand has reversed. At a square
-/// corner the tangent turns by a right angle, which is not a reversal.
-constexpr double kTurnedRound = -0.5;
-
 constexpr LawParameter kForce{&LawParameters::tracing_force_N,
                               "tracing_force_N",
                               "Force along a boundary",
@@ -85,8 +79,8 @@ MadeLaw make(const LawInput& in) {
 }
 
 /// 0 at rest, 1/2 at the knee, 1 beyond; so flat at rest that a sensor's last digit moves no hand.
-double moving(double speed) {
-  const double ratio = speed / kKnee_m_per_s;
+double moving(double speed, double knee_m_per_s) {
+  const double ratio = speed / knee_m_per_s;
   const double v6 = ratio * ratio * ratio * ratio * ratio * ratio;
   return v6 < 1e6 ? v6 / (v6 + 1.0) : 1.0;
 }
@@ -111,7 +105,7 @@ LawOutput TracingLaw::evaluate(const Hand& hand, State& s) const noexcept {
   s.spent_J += s.last_fx_N * (x - s.last_x_m) + s.last_fy_N * (y - s.last_y_m);
   const double refilled_J = s.steady_s >= kSteady_s ? kRefill_W * hand.dt_s : 0.0;
   s.spent_J = std::clamp(s.spent_J - refilled_J, 0.0, kTank_J);
-  const double blend = hand.dt_s / (hand.dt_s + kSpeedWindow_s);
+  const double blend = hand.dt_s / (hand.dt_s + p_.speed_window_s);
   s.vx_m_per_s += blend * ((x - s.last_x_m) / hand.dt_s - s.vx_m_per_s);
   s.vy_m_per_s += blend * ((y - s.last_y_m) / hand.dt_s - s.vy_m_per_s);
 
@@ -130,12 +124,12 @@ LawOutput TracingLaw::evaluate(const Hand& hand, State& s) const noexcept {
   const double speed = std::sqrt(s.vx_m_per_s * s.vx_m_per_s + s.vy_m_per_s * s.vy_m_per_s);
   const double along = direction_x * b.tangent_x + direction_y * b.tangent_y;
   const double printed = p_.force_N * along * b.strength;
-  const double wanted = printed * moving(speed) * below_cap(speed);
+  const double wanted = printed * moving(speed, p_.knee_m_per_s) * below_cap(speed);
   s.steady_s += hand.dt_s;
   if (wanted != 0.0) {
     const double heading_x = std::copysign(1.0, wanted) * b.tangent_x;
     const double heading_y = std::copysign(1.0, wanted) * b.tangent_y;
-    if (heading_x * s.heading_x + heading_y * s.heading_y < kTurnedRound) {
+    if (heading_x * s.heading_x + heading_y * s.heading_y < p_.reversal_cosine) {
       s.steady_s = 0.0;
       s.spent_J = kTank_J;
     }

@@ -25,12 +25,20 @@ struct TracingParameters {
   /// Whether the speed gate, the speed cap and the energy tank are used. Without them eq. 8 is rendered as
   /// printed, which pushes a resting hand and generates energy without limit.
   bool is_bounded = true;
+  /// Speed at which the gate passes half of the force, > 0. Slower hands count as resting: the sensor's last
+  /// digit must not move a hand. 1 … 50 mm/s.
+  double knee_m_per_s = 0.005;
+  /// Time constant over which the speed for gate and cap is smoothed, >= 0. 0 … 0.2 s.
+  double speed_window_s = 0.04;
+  /// Cosine of the angle between the pushes of two ticks below which the hand has reversed, -1 … 0. At a
+  /// square corner the tangent turns by a right angle, which is not a reversal.
+  double reversal_cosine = -0.5;
 };
 
 /// `tracing` (graphic-haptic display 2006, eq. 8, corrected): f = F_m (d·t) |b| t. It pushes a hand that
 /// moves along a boundary onwards in its direction; there is no force across the boundary and none at rest. d
 /// is the direction of Hayward & Armstrong (eqs 5–6), which keeps its last value when the hand stops, so the
-/// force is gated by the speed: s(v) = r / (r + 1), r = (v / 5 mm/s)^6.
+/// force is gated by the speed: s(v) = r / (r + 1), r = (v / knee)^6.
 /// The force is active. The energy that it may deliver is limited by an energy tank (50 mJ, never below zero,
 /// refilled at 100 mW), and the force is zero at 0.25 m/s and above. A push along every motion is negative
 /// friction: it would keep a hand oscillating about a fixed aim. So a reversal of the hand empties the tank,
@@ -53,7 +61,7 @@ class TracingLaw {
     double w_x_m, w_y_m;
     double last_x_m, last_y_m;
     double last_fx_N, last_fy_N;
-    /// Velocity, smoothed over 40 ms so that the sensor's last digit does not count as motion.
+    /// Velocity, smoothed over speed_window_s so that the sensor's last digit does not count as motion.
     double vx_m_per_s, vy_m_per_s;
     /// Energy delivered and not yet refilled; 0 = full tank, at most kTank_J.
     double spent_J;
