@@ -90,6 +90,18 @@ TEST_F(MapCommands, MakeAMapOfAnExtract) {
   EXPECT_EQ(info["kind"], "map");
   EXPECT_EQ(info["streets"].size(), 3U);
   EXPECT_EQ(info["crossings"].size(), 1U);
+  for (const char* file : {"map.txt", "map.svg", "map.brf", "map.stl"}) {
+    const auto exported = palpable({"export", path("map.palp"), "-o", path(file)});
+    EXPECT_EQ(exported.exit_code, 0) << exported.err;
+    EXPECT_TRUE(std::filesystem::exists(path(file))) << file;
+  }
+  EXPECT_TRUE(std::filesystem::exists(path("map-key.svg")));
+  EXPECT_THAT(read_text(path("map.txt")), HasSubstr("300 by 300 metres; north is up"));
+  EXPECT_THAT(read_text(path("map.txt")), HasSubstr("Key li: Lindenweg"));
+  const auto routed = palpable(
+      {"touch", path("map.palp"), "--headless", "--seconds", "0.1", "--route", "Lindenweg to Nowhere"});
+  EXPECT_EQ(routed.exit_code, 2);
+  EXPECT_THAT(routed.err, HasSubstr("nothing on the map is called 'Nowhere'"));
   const auto far = palpable({"make", path("map.osm"), "-o", path("far.palp"), "--center", "12,13"});
   EXPECT_EQ(far.exit_code, 2);
   EXPECT_THAT(far.err, HasSubstr("outside this extract"));
