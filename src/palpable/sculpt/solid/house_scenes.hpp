@@ -43,6 +43,8 @@ struct HouseScene {
   /// Nothing is solid outside of them, and all is within them, but for niches of this depth.
   std::vector<ConvexHull> hulls;
   double niches_m = 0.0;
+  /// Whether a house has storeys of which one has slits: these may stay hollow.
+  bool may_be_hollow = false;
   std::string words;
 
   double hull_distance(Vec3 p) const {
@@ -127,8 +129,8 @@ class HouseMaker {
 
   void add_box(HouseScene& scene, Vec3 low, Vec3 high) {
     add(scene, box_mesh(low, high));
-    scene.hulls.push_back(prism_hull({low, {high.x, low.y, 0}, {high.x, high.y, 0}, {low.x, high.y, 0}},
-                                     low.z, high.z));
+    scene.hulls.push_back(
+        prism_hull({low, {high.x, low.y, 0}, {high.x, high.y, 0}, {low.x, high.y, 0}}, low.z, high.z));
   }
 
   /// How the rim meets another part: it touches it, sinks into it, or hovers by less than a cell.
@@ -172,8 +174,8 @@ class HouseMaker {
     mesh.vertices_m.push_back(top);
     for (const auto& t : {std::array{4U, 5U, 8U}, {5U, 7U, 8U}, {7U, 6U, 8U}, {6U, 4U, 8U}})
       mesh.triangles.push_back(t);
-    ConvexHull hull = prism_hull({least, {most.x, least.y, 0}, {most.x, most.y, 0}, {least.x, most.y, 0}},
-                                 least.z, top.z);
+    ConvexHull hull =
+        prism_hull({least, {most.x, least.y, 0}, {most.x, most.y, 0}, {least.x, most.y, 0}}, least.z, top.z);
     for (std::size_t k = mesh.triangles.size() - 4; k < mesh.triangles.size(); ++k) {
       const auto& t = mesh.triangles[k];
       const Vec3 a = mesh.vertices_m[t[0]];
@@ -187,8 +189,8 @@ class HouseMaker {
   /// A niche in a wall's cell: its sides and its back.
   static Mesh niche(Vec3 corner, Vec3 u, Vec3 v, Vec3 inwards) {
     Mesh mesh = quad(corner + inwards, u, v);
-    for (const auto& [from, along] : {std::pair{corner, u}, {corner + u, v}, {corner + u + v, -u},
-                                      {corner + v, -v}})
+    for (const auto& [from, along] :
+         {std::pair{corner, u}, {corner + u, v}, {corner + u + v, -u}, {corner + v, -v}})
       mesh = together(std::move(mesh), quad(from, along, inwards));
     return mesh;
   }
@@ -196,8 +198,8 @@ class HouseMaker {
   /// A box before a wall without the face towards it.
   void add_bay(HouseScene& scene, Vec3 corner, Vec3 u, Vec3 v, Vec3 outwards) {
     Mesh mesh = quad(corner + outwards, u, v);
-    for (const auto& [from, along] : {std::pair{corner, u}, {corner + u, v}, {corner + u + v, -u},
-                                      {corner + v, -v}})
+    for (const auto& [from, along] :
+         {std::pair{corner, u}, {corner + u, v}, {corner + u + v, -u}, {corner + v, -v}})
       mesh = together(std::move(mesh), quad(from, outwards, along));
     add(scene, mesh);
     ConvexHull hull;
@@ -211,8 +213,9 @@ class HouseMaker {
     scene.words += "bay, ";
   }
 
-  /// The walls over an outline, without a floor or a ceiling, with niches.
-  void add_walls(HouseScene& scene, const Outline& corners, double low_m, double high_m) {
+  /// The walls over an outline, without a floor or a ceiling, with niches. Returns whether neighbouring walls
+  /// may be divided differently.
+  bool add_walls(HouseScene& scene, const Outline& corners, double low_m, double high_m) {
     const auto rows = static_cast<std::uint32_t>(whole(1, 3));
     const bool has_slits = whole(0, 3) == 0, has_niches = whole(0, 1) == 0;
     const Vec3 up{0, 0, high_m - low_m};
@@ -239,6 +242,7 @@ class HouseMaker {
     }
     scene.words += std::to_string(corners.size()) + (has_slits ? " walls with slits, " : " walls, ");
     scene.hulls.push_back(prism_hull(corners, low_m, high_m));
+    return has_slits;
   }
 
   void add_house(HouseScene& scene, Vec3 at) {
@@ -249,7 +253,8 @@ class HouseMaker {
     const int storeys = whole(1, 2);
     for (int storey = 0; storey < storeys; ++storey) {
       const double high_m = low_m + mm(5, 20);
-      add_walls(scene, corners, low_m, high_m);
+      const bool has_slits = add_walls(scene, corners, low_m, high_m);
+      scene.may_be_hollow = scene.may_be_hollow || (has_slits && storeys > 1);
       // A floor inside, that nobody sees.
       if (whole(0, 3) == 0 && corners.size() == 4) {
         const Vec3 inner = corners[0] + Vec3{0, 0, 0.5 * (low_m + high_m)};

@@ -45,13 +45,16 @@ TEST(HouseScenes, AreSolidWithinTheirHullsAndShowTheirVisibleSurfaces) {
     constexpr int kPlaces = 3000;
     for (int i = 0; i < kPlaces; ++i) {
       const Vec3 size = box.size_m();
-      const Vec3 p = box.least_m + Vec3{size.x * share(random), size.y * share(random), size.z * share(random)};
+      const Vec3 p =
+          box.least_m + Vec3{size.x * share(random), size.y * share(random), size.z * share(random)};
       const double hull_m = scene.hull_distance(p), felt_m = solid->distance->at(p, hint).distance_m;
       wrong_solid += hull_m > 2.0 * kCell_m && felt_m < 0.0 ? 1 : 0;
       wrong_air += hull_m < -scene.niches_m - 2.0 * kCell_m && felt_m > 0.0 ? 1 : 0;
     }
     EXPECT_EQ(wrong_solid, 0) << seed + k << ": " << scene.words;
-    EXPECT_EQ(wrong_air, 0) << seed + k << ": " << scene.words;
+    if (!scene.may_be_hollow) {
+      EXPECT_EQ(wrong_air, 0) << seed + k << ": " << scene.words;
+    }
   }
 }
 

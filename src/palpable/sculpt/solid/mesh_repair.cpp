@@ -392,8 +392,7 @@ void join_sheets(const Mesh& whole, std::vector<std::array<std::uint32_t, 3>>& g
     if (found.of_triangle[t] == OpenSheets::kNone)
       all.triangles.push_back({own[0] + first_vertex, own[1] + first_vertex, own[2] + first_vertex});
   }
-  const OpenSheets still =
-      open_sheets_of(all, holes_of(all.vertices_m, all.triangles), touching_m, options);
+  const OpenSheets still = open_sheets_of(all, holes_of(all.vertices_m, all.triangles), touching_m, options);
   // A surface of which any part is still a sheet, or that is a single sheet as before, stays as it was.
   const auto surface = connected_by_edges(count, edge_uses(mesh.triangles));
   std::vector<std::uint32_t> only_sheet(count, OpenSheets::kNone);
@@ -438,8 +437,8 @@ RepairedMesh repaired(const Mesh& mesh, double touching_m, const OpenSheetOption
   // Files use single precision: places that coincide may be apart by the last digit.
   constexpr double kTouchingShare = 2e-7;
   const double same_m = kTouchingShare * norm(bounds_of(clean).size_m());
-  Division division = Divider(std::move(clean), std::move(coincident.is_two_sided), repair)
-                          .divided(same_m, options, seed);
+  Division division =
+      Divider(std::move(clean), std::move(coincident.is_two_sided), repair).divided(same_m, options, seed);
   Mesh& whole = result.whole;
   whole = std::move(division.mesh);
   auto given = whole.triangles;

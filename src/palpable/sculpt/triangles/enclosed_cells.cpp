@@ -100,8 +100,7 @@ std::vector<CellSide> find_enclosed_cells(Mesh& mesh, std::span<const char> is_e
   }
   const auto encloses = [&](const Shells& shells, std::uint32_t side) {
     constexpr double kHardlyAny = 1e-6;
-    return shells.volumes_m3.at(sides.find(side)) <
-           -kHardlyAny * shells.area_m2 * norm(shells.box.size_m());
+    return shells.volumes_m3.at(sides.find(side)) < -kHardlyAny * shells.area_m2 * norm(shells.box.size_m());
   };
   for (std::uint32_t t = 0; t < count; ++t) {
     if (is_examined[t] == 0) continue;

@@ -186,7 +186,8 @@ std::vector<std::uint32_t> numbered(const Mesh& mesh, const std::vector<char>& i
   return sheet;
 }
 
-/// The length of each sheet's rim, and of its part that lies neither on nor in `bodies`, nor on the sheet itself.
+/// The length of each sheet's rim, and of its part that lies neither on nor in `bodies`, nor on the sheet
+/// itself.
 struct RimLength {
   double all_m = 0.0, free_m = 0.0;
 };
@@ -207,9 +208,9 @@ std::map<std::uint32_t, RimLength> rim_lengths(const Mesh& mesh, const std::vect
     tree.visit_box(place - by, place + by, [&](std::uint32_t other) {
       if (other == own || sheet[chosen[other]] != sheet[chosen[own]]) return;
       const IndexTriple& t = sheets.triangles[other];
-      is_on = is_on || nearest_on_triangle(place, mesh.vertices_m[t[0]], mesh.vertices_m[t[1]],
-                                           mesh.vertices_m[t[2]])
-                               .squared_distance_m2 <= same_m * same_m;
+      is_on = is_on ||
+              nearest_on_triangle(place, mesh.vertices_m[t[0]], mesh.vertices_m[t[1]], mesh.vertices_m[t[2]])
+                      .squared_distance_m2 <= same_m * same_m;
     });
     return is_on;
   };
