@@ -23,8 +23,9 @@ enum class CellSide : std::uint8_t {
 /// The cells that surfaces enclose, whatever the orientation of their triangles. A surface consists of
 /// triangles that are connected across edges. Around each edge, each triangle's side meets the facing side of
 /// the next one (Attene, "As-exact-as-possible repair of unprintable STL files", 2018); sides that meet form
-/// the shell of one cell, and the shell of the outside is that with the greatest volume. Where surfaces cross
-/// without common edges, each has its own cells. `is_examined`: for each triangle, whether its surface is
+/// one shell. A shell with a volume, seen from within, is that of a cell; all others are of the outside, such
+/// as both sides of walls without a floor and a ceiling under a closed roof. Where surfaces cross without
+/// common edges, each has its own cells. `is_examined`: for each triangle, whether its surface is
 /// examined, the same for all triangles of a surface. Triangles of boundaries are turned so that their front
 /// is outside. Surfaces whose cells have hardly any volume stay as they are, open.
 std::vector<CellSide> find_enclosed_cells(Mesh& mesh, std::span<const char> is_examined);
