@@ -5,6 +5,7 @@
 #include "palpable/core/figure.hpp"
 #include "palpable/sculpt/triangles/coincident_triangles.hpp"
 #include "palpable/sculpt/triangles/enclosed_cells.hpp"
+#include "palpable/sculpt/triangles/joined_sheets.hpp"
 #include "palpable/sculpt/triangles/mesh_edges.hpp"
 #include "palpable/sculpt/triangles/mesh_orientation.hpp"
 #include "palpable/sculpt/triangles/touching_edges.hpp"
@@ -368,58 +369,6 @@ class Divider {
   std::vector<CellSide> sides_;
 };
 
-/// Sheets whose rims lie on each other but are divided differently, as the walls of many houses, may form a
-/// body together: its divided triangles replace theirs in `given` and `found`, whose vertices are those of
-/// `whole`.
-void join_sheets(const Mesh& whole, std::vector<std::array<std::uint32_t, 3>>& given, OpenSheets& found,
-                 double same_m, double touching_m, const OpenSheetOptions& options, std::uint64_t seed) {
-  Mesh sheets;
-  sheets.vertices_m = whole.vertices_m;
-  std::vector<std::uint32_t> index;
-  for (std::uint32_t t = 0; t < given.size(); ++t)
-    if (found.of_triangle[t] != OpenSheets::kNone) index.push_back(t), sheets.triangles.push_back(given[t]);
-  std::optional<DividedMesh> joined = divide_touching_edges(sheets, same_m, TouchingEdges::rims);
-  if (!joined) return;
-  Mesh& mesh = joined->mesh;
-  orient_outwards(mesh, seed);
-  // The bodies may hide rims; with vertices of their own they stay separate.
-  const std::size_t count = mesh.triangles.size();
-  Mesh all = mesh;
-  const auto first_vertex = static_cast<std::uint32_t>(all.vertices_m.size());
-  all.vertices_m.insert(all.vertices_m.end(), whole.vertices_m.begin(), whole.vertices_m.end());
-  for (std::size_t t = 0; t < given.size(); ++t) {
-    const auto& own = whole.triangles[t];
-    if (found.of_triangle[t] == OpenSheets::kNone)
-      all.triangles.push_back({own[0] + first_vertex, own[1] + first_vertex, own[2] + first_vertex});
-  }
-  const OpenSheets still = open_sheets_of(all, holes_of(all.vertices_m, all.triangles), touching_m, options);
-  // A surface of which any part is still a sheet, or that is a single sheet as before, stays as it was.
-  const auto surface = connected_by_edges(count, edge_uses(mesh.triangles));
-  std::vector<std::uint32_t> only_sheet(count, OpenSheets::kNone);
-  std::vector<char> is_body(count), is_sheet(count), is_joined(given.size());
-  for (std::size_t t = 0; t < count; ++t) {
-    const std::uint32_t sheet = found.of_triangle[index[joined->part_of[t]]];
-    std::uint32_t& first = only_sheet[surface[t]];
-    if (first == OpenSheets::kNone) first = sheet;
-    if (sheet != first) is_body[surface[t]] = 1;
-    if (still.count > 0 && still.of_triangle[t] != OpenSheets::kNone) is_sheet[surface[t]] = 1;
-  }
-  for (std::size_t t = 0; t < count; ++t) {
-    if (is_body[surface[t]] == 0 || is_sheet[surface[t]] != 0) continue;
-    is_joined[index[joined->part_of[t]]] = 1;
-    given.push_back(mesh.triangles[t]);
-    found.of_triangle.push_back(OpenSheets::kNone);
-  }
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < given.size(); ++t) {
-    if (t < is_joined.size() && is_joined[t] != 0) continue;
-    given[kept] = given[t];
-    found.of_triangle[kept++] = found.of_triangle[t];
-  }
-  given.resize(kept);
-  found.of_triangle.resize(kept);
-}
-
 }  // namespace
 
 RepairedMesh repaired(const Mesh& mesh, double touching_m, const OpenSheetOptions& options,
@@ -447,7 +396,7 @@ RepairedMesh repaired(const Mesh& mesh, double touching_m, const OpenSheetOption
     repair.turned_parts = orient_outwards(whole, seed, division.oriented);
     result.holes = holes_of(whole.vertices_m, whole.triangles);
     found = open_sheets_of(whole, result.holes, touching_m, options);
-    if (found.count > 0) join_sheets(whole, given, found, same_m, touching_m, options, seed);
+    if (found.count > 0) join_sheets(whole, given, found, {same_m, touching_m}, options, seed);
   }
   result.sheet_count = found.count + division.sheet_count;
   if (result.sheet_count == 0) return result;
