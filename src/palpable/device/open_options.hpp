@@ -6,8 +6,10 @@
 #include "palpable/core/hand_off.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace palpable::device {
 
@@ -15,11 +17,19 @@ namespace palpable::device {
 /// thread; the device reads.
 using PointerFeed = LatestValue<std::optional<Point<DeviceFrame>>>;
 
+/// Polylines along the surface of a scene, at least two points each; metres.
+using SurfaceStrokes = std::vector<std::vector<Point<DeviceFrame>>>;
+
+struct Traits;
+
 struct OpenOptions {
   /// Seed for a device whose URL has none.
   std::uint64_t seed = 1;
   /// The loop's rate: the frequency at which read() and write() will be called.
   double rate_hz = 1000.0;
+  /// The strokes with which a simulated hand explores a scene, asked once when it is opened, with its traits.
+  /// Empty, or if it returns none: the hand follows a curve over its whole workspace.
+  std::function<SurfaceStrokes(const Traits&)> strokes;
   /// Needed by `pointer:` only.
   std::shared_ptr<PointerFeed> pointer;
 };

@@ -40,6 +40,7 @@ class HostOnATouch : public ::testing::Test {
     session::SessionOptions options;
     options.servo.realtime_priority = 0;
     options.further_probes = 9;
+    options.recording = recorded;
     auto opened = session::TouchSession::open(cone_scene(), {}, "pointer:", options);
     EXPECT_TRUE(opened);
     session = std::move(opened).value();
@@ -64,6 +65,9 @@ class HostOnATouch : public ::testing::Test {
   }
 
   std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "palpable_host_test.palp";
+  std::filesystem::path recorded = std::filesystem::path(::testing::TempDir()) /
+                                   (std::string("palpable_host_test_") +
+                                    ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".rec");
   std::shared_ptr<const models::Scene> better;
   std::unique_ptr<session::TouchSession> session;
   std::unique_ptr<TouchHost> host;
@@ -108,8 +112,6 @@ TEST_F(HostOnATouch, FeelsAForceOnlyWhileThePagePresses) {
 
 TEST_F(HostOnATouch, FeelsWithSeveralProbesUntilTheyAreLifted) {
   EXPECT_EQ(host->hello().probes, 10);
-  const auto recorded = std::filesystem::path(::testing::TempDir()) / "palpable_host_test.rec";
-  ASSERT_TRUE(session->start_recording(recorded));
   host->move({0, 0.0, 0.0, 0.001});
   host->move({3, 0.005, 0.0, 0.002});
   host->move({9, -0.005, 0.0, -0.004});

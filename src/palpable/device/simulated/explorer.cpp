@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/device/simulated/explorer.hpp"
 
+#include "palpable/core/check.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -22,7 +24,10 @@ constexpr double kYield_m_per_s = 0.04;
 constexpr double kStopped_N = 1.0;
 /// The part of the workspace that is explored.
 constexpr double kVisited = 0.46;
-/// Time of a stroke along the floor without contact after which the hand continues elsewhere.
+/// Height above a known surface at which the hand begins to move down slowly.
+constexpr double kAbove_m = 0.002;
+/// Time of a stroke along the floor, or off a known surface, without contact after which the hand continues
+/// elsewhere.
 constexpr double kEmpty_s = 0.6;
 /// Its speed on the way there, in free air.
 constexpr double kTravel_m_per_s = 0.15;
@@ -43,7 +48,17 @@ Explorer::Explorer(const ExplorerOptions& options) : options_(options), random_(
   goal_m_ = {0.0, 0.0, options.deep ? 0.5 * options.workspace_m.z : 0.0};
   target_m_ = goal_m_;
   along_m_ = uniform(0.0, 1.0);
-  if (options.script == ExplorerOptions::Script::scan) {
+  crossing_m_ = 0.5 * options.workspace_m.z;
+  if (has_strokes()) {
+    double highest_m = -crossing_m_;
+    for (const auto& stroke : options_.strokes) {
+      PALPABLE_CHECK(stroke.size() >= 2);
+      for (const auto& point : stroke) highest_m = std::max(highest_m, point.v.z);
+    }
+    crossing_m_ = std::min(crossing_m_, highest_m + kAbove_m);
+    choose_stroke(static_cast<std::size_t>(options.seed % options_.strokes.size()));
+    goal_m_ = target_m_;
+  } else if (options.script == ExplorerOptions::Script::scan) {
     const Vec3 place = curve_at(along_m_, options.workspace_m);
     goal_m_ = {place.x, place.y, goal_m_.z};
   }
@@ -60,6 +75,10 @@ void Explorer::begin(Phase phase) noexcept {
   phase_s_ = 0.0;
   empty_s_ = 0.0;
   if (phase == Phase::stroke) stroke_s_ = uniform(2.0, 5.0);
+}
+
+bool Explorer::has_strokes() const noexcept {
+  return options_.deep && options_.script == ExplorerOptions::Script::scan && !options_.strokes.empty();
 }
 
 Vec3 Explorer::step(Vec3 hand_m, Vec3 force_N, double dt_s) noexcept {
@@ -81,8 +100,8 @@ Vec3 Explorer::step(Vec3 hand_m, Vec3 force_N, double dt_s) noexcept {
                                      kYield_m_per_s);
       goal_m_.z = std::clamp(goal_m_.z, floor_m, ceiling_m);
       note_contact(force_N, dt_s);
-      if (empty_s_ > kEmpty_s) {
-        choose_nearer_middle();
+      if (empty_s_ > kEmpty_s || (has_strokes() && phase_s_ > stroke_s_)) {
+        choose_elsewhere();
         begin(Phase::travel);
       } else if (phase_s_ > stroke_s_) {
         begin(Phase::lift);
@@ -110,6 +129,10 @@ void Explorer::stroke_along(double dt_s, Vec3 force_N) noexcept {
   const double excess_N = norm(force_N) - options_.press_N;
   const double ease = options_.deep ? std::clamp(1.0 - excess_N / kStopped_N, 0.05, 1.0) : 1.0;
   const double step_m = ease * options_.speed_m_per_s * dt_s;
+  if (has_strokes()) {
+    follow_stroke(step_m);
+    return;
+  }
   if (options_.script == ExplorerOptions::Script::scan) {
     follow_curve(step_m);
     return;
@@ -129,11 +152,43 @@ void Explorer::follow_curve(double step_m) noexcept {
   goal_m_ = {place.x, place.y, goal_m_.z};
 }
 
+/// The desired position moves as the point on the polyline does, there and back, also up and down; the force
+/// adds to its height.
+void Explorer::follow_stroke(double step_m) noexcept {
+  const auto& stroke = options_.strokes[stroke_];
+  const Vec3 way = stroke[next_point_].v - on_stroke_m_;
+  const bool arrives = norm(way) <= step_m;
+  const Vec3 moved = arrives ? way : step_m * unit(way);
+  on_stroke_m_ += moved;
+  goal_m_ += moved;
+  if (!arrives) return;
+  if (next_point_ == 0) is_returning_ = false;
+  if (next_point_ + 1 == stroke.size()) is_returning_ = true;
+  next_point_ = is_returning_ ? next_point_ - 1 : next_point_ + 1;
+}
+
+/// Its first point becomes the target.
+void Explorer::choose_stroke(std::size_t stroke) noexcept {
+  stroke_ = stroke;
+  next_point_ = 1;
+  is_returning_ = false;
+  on_stroke_m_ = options_.strokes[stroke].front().v;
+  target_m_ = on_stroke_m_;
+  target_m_.z = std::min(target_m_.z + kAbove_m, 0.5 * options_.workspace_m.z);
+}
+
+void Explorer::choose_elsewhere() noexcept {
+  if (has_strokes())
+    choose_stroke((stroke_ + 1) % options_.strokes.size());
+  else
+    choose_nearer_middle();
+}
+
 void Explorer::note_contact(Vec3 force_N, double dt_s) noexcept {
   if (norm(force_N) > kNoticed_N) {
     empty_s_ = 0.0;
     visited_part_ = 1.0;
-  } else if (goal_m_.z <= -0.5 * options_.workspace_m.z) {
+  } else if (has_strokes() || goal_m_.z <= -0.5 * options_.workspace_m.z) {
     empty_s_ += dt_s;
   }
 }
@@ -156,12 +211,12 @@ void Explorer::choose_nearer_middle() noexcept {
   }
 }
 
-/// Up first, then across, then down.
+/// Up first, then across, then down: above a known surface at the same speed, else slowly.
 void Explorer::travel(double dt_s) noexcept {
-  const double ceiling_m = 0.5 * options_.workspace_m.z;
   const double step_m = kTravel_m_per_s * dt_s;
-  if (goal_m_.z < ceiling_m) {
-    goal_m_.z = std::min(goal_m_.z + step_m, ceiling_m);
+  const bool is_above = goal_m_.x == target_m_.x && goal_m_.y == target_m_.y;
+  if (!is_above && goal_m_.z < crossing_m_) {
+    goal_m_.z = std::min(goal_m_.z + step_m, crossing_m_);
     return;
   }
   const Vec3 way{target_m_.x - goal_m_.x, target_m_.y - goal_m_.y, 0.0};
@@ -170,7 +225,10 @@ void Explorer::travel(double dt_s) noexcept {
     return;
   }
   goal_m_ = {target_m_.x, target_m_.y, goal_m_.z};
-  begin(Phase::approach);
+  if (has_strokes() && goal_m_.z > target_m_.z)
+    goal_m_.z = std::max(goal_m_.z - step_m, target_m_.z);
+  else
+    begin(Phase::approach);
 }
 
 }  // namespace palpable::device

@@ -41,13 +41,29 @@ TEST(Explorer, FindsAPillarThatStandsAloneInTheMiddle) {
 
 TEST(Explorer, MovesItsGoalNoFasterThanAnArm) {
   ExplorerOptions options;
-  Explorer explorer(options);
-  Vec3 before = explorer.step({}, {}, 0.0);
-  for (int i = 0; i < 20000; ++i) {
-    // There is never a contact, so the hand repeats its travels.
-    const Vec3 goal = explorer.step(before, {}, kTick_s);
-    ASSERT_LE(norm(goal - before), 0.25 * kTick_s) << "tick " << i;
-    before = goal;
+  const SurfaceStrokes apart{{{{-0.02, -0.03, 0.01}}, {{0.02, -0.03, -0.01}}},
+                             {{{-0.03, 0.03, 0.0}}, {{-0.03, 0.02, 0.0}}}};
+  for (const SurfaceStrokes& strokes : {SurfaceStrokes{}, apart}) {
+    options.strokes = strokes;
+    Explorer explorer(options);
+    Vec3 before = explorer.step({}, {}, 0.0);
+    for (int i = 0; i < 20000; ++i) {
+      // There is never a contact, so the hand repeats its travels.
+      const Vec3 goal = explorer.step(before, {}, kTick_s);
+      ASSERT_LE(norm(goal - before), 0.25 * kTick_s) << "tick " << i;
+      before = goal;
+    }
+  }
+}
+
+TEST(Explorer, StaysOnAPillarWhoseSurfaceItKnows) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    ExplorerOptions options;
+    options.seed = seed;
+    options.strokes = {{{{-0.004, 0.0, 0.0}}, {{0.004, 0.0, 0.0}}},
+                       {{{0.0, -0.004, 0.0}}, {{0.0, 0.004, 0.0}}}};
+    Explorer explorer(options);
+    EXPECT_GT(seconds_on_a_pillar(explorer, 0.006, 10.0), 6.0) << "seed " << seed;
   }
 }
 

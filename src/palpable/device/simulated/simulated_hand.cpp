@@ -173,6 +173,7 @@ Result<std::unique_ptr<Device>> open_simulated_hand(DeviceUrl& url, const OpenOp
   explorer.script = script == "scan"     ? ExplorerOptions::Script::scan
                     : script == "random" ? ExplorerOptions::Script::random
                                          : ExplorerOptions::Script::hold;
+  if (options.strokes) explorer.strokes = options.strokes(traits_of(hand));
   const std::string motor_path = url.take_text("motors");
   if (auto valid = url.finish(); !valid) return std::move(valid).error();
   std::unique_ptr<MotorFile> motors;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/touch/recorder.hpp"
 
+#include "palpable/core/check.hpp"
+
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -35,7 +37,6 @@ struct Recorder::Impl {
   // Used only by the thread.
   std::vector<device::TouchSample> ticks;
   Result<void> outcome;
-  std::uint64_t lost_before = 0;
   std::thread thread;
 };
 
@@ -79,19 +80,13 @@ Recorder::Recorder(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Result<std::unique_ptr<Recorder>> Recorder::start(haptics::ServoLoop& loop, const std::filesystem::path& file,
                                                   const std::string& header_json,
                                                   const device::RecordedScene& scene) {
+  PALPABLE_CHECK(loop.is_recording());
   auto writer = device::RecordingWriter::create(file, header_json);
   if (!writer) return std::move(writer).error();
   auto impl = std::make_unique<Impl>();
   impl->loop = &loop;
   impl->writer = std::move(*writer);
   impl->scenes.push_back(scene);
-  if (!loop.is_recording()) {
-    impl->lost_before = loop.recording_lost();
-    // Ticks of an earlier recording do not belong to this one.
-    while (loop.take_recorded()) {
-    }
-    loop.record(haptics::Recording::on);
-  }
   impl->thread = std::thread([&it = *impl] { it.run(); });
   return std::unique_ptr<Recorder>(new Recorder(std::move(impl)));
 }
@@ -119,7 +114,7 @@ Result<void> Recorder::finish() {
   it.rest.notify_all();
   it.thread.join();
   it.write_what_came();
-  if (it.outcome) it.outcome = it.writer->finish(it.loop->recording_lost() - it.lost_before);
+  if (it.outcome) it.outcome = it.writer->finish(it.loop->recording_lost());
   return it.outcome;
 }
 

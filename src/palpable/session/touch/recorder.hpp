@@ -16,8 +16,8 @@ namespace palpable::session {
 /// Writes a servo loop's recording ring to a file, on a separate thread. The loop must outlive it.
 class Recorder {
  public:
-  /// Turns the loop's recording on. If it is on already, the buffered ticks are recorded too. Errors
-  /// (failed): the file cannot be created.
+  /// The loop must record from its first tick (ServoOptions::recording); the ticks so far are written too.
+  /// Errors (failed): the file cannot be created.
   static Result<std::unique_ptr<Recorder>> start(haptics::ServoLoop& loop, const std::filesystem::path& file,
                                                  const std::string& header_json,
                                                  const device::RecordedScene& scene);

@@ -12,6 +12,7 @@
 #include "palpable/session/touch/recorder.hpp"
 #include "palpable/session/touch/recording_header.hpp"
 #include "palpable/session/touch/scene_hash.hpp"
+#include "palpable/session/touch/surface_strokes.hpp"
 
 #include <array>
 #include <mutex>
@@ -35,10 +36,9 @@ RecordedTouch recorded_touch(const PreparedScene& prepared, const TouchSettings&
 
 }  // namespace
 
-/// Three locks, always taken in this order. `recording_changes`: while a recording begins or ends.
-/// `changing`: while a scene is prepared, which may take a second. `state`: needed by every caller, for
-/// example by the pointer ten times per second; so no code that reads a whole model, writes a file or waits
-/// for a thread runs under it.
+/// Two locks, always taken in this order. `changing`: while a scene is prepared, which may take a second.
+/// `state`: needed by every caller, for example by the pointer ten times per second; so no code that reads a
+/// whole model, writes a file or waits for a thread runs under it.
 struct TouchSession::Impl {
   Result<void> change(std::shared_ptr<const models::Scene> to_scene, const TouchSettings& to_settings,
                       const Transform<SceneFrame, DeviceFrame>& to_place);
@@ -46,7 +46,6 @@ struct TouchSession::Impl {
   device::RecordedScene described(const PreparedScene& prepared,
                                   const std::shared_ptr<const models::Scene>& touched,
                                   const TouchSettings& asked);
-  /// Under `changing` and `recording_changes`.
   Result<void> record_into(const std::filesystem::path& file);
 
   SessionOptions options;
@@ -57,7 +56,6 @@ struct TouchSession::Impl {
   std::vector<std::shared_ptr<device::PointerFeed>> pointers;
   std::unique_ptr<haptics::ServoLoop> loop;
 
-  std::mutex recording_changes;
   std::mutex changing;
   /// Read and written under `changing`.
   KeptSurfaces kept;
@@ -131,8 +129,14 @@ Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const m
   for (auto& sample : impl->latest) sample.status = device::Status::not_ready;
   for (std::size_t probe = 0; probe <= options.further_probes; ++probe)
     impl->pointers.push_back(std::make_shared<device::PointerFeed>());
-  auto device =
-      device::open_device(device_url, {options.seed, options.servo.rate_hz, impl->pointers.front()});
+  device::OpenOptions device_options;
+  device_options.seed = options.seed;
+  device_options.rate_hz = options.servo.rate_hz;
+  device_options.strokes = [&scene](const device::Traits& traits) {
+    return strokes_along_solid(*scene, haptics::fit_workspace(*scene, traits));
+  };
+  device_options.pointer = impl->pointers.front();
+  auto device = device::open_device(device_url, device_options);
   if (!device) return std::move(device).error();
   if (settings.limits == Limits::off && !device::is_virtual_device(device_url) &&
       !((*device)->traits().max_force_N <= kMostUnlimited_N))
@@ -290,14 +294,6 @@ std::optional<Error> TouchSession::take_recording_fault() {
   return impl_->recorder ? impl_->recorder->take_fault() : std::nullopt;
 }
 
-Result<void> TouchSession::start_recording(const std::filesystem::path& file) {
-  const std::lock_guard recording_changes(impl_->recording_changes);
-  // The scene with which the file begins must not change until the recorder receives changes.
-  const std::lock_guard changing(impl_->changing);
-  if (recording()) return Error{ErrorCode::usage, "a recording is running already", file.string()};
-  return impl_->record_into(file);
-}
-
 Result<void> TouchSession::Impl::record_into(const std::filesystem::path& file) {
   RecordedSession session;
   session.made_by = options.made_by;
@@ -316,18 +312,12 @@ Result<void> TouchSession::Impl::record_into(const std::filesystem::path& file) 
 }
 
 Result<void> TouchSession::stop_recording() {
-  const std::lock_guard recording_changes(impl_->recording_changes);
   std::unique_ptr<Recorder> ended;
   {
     const std::lock_guard lock(impl_->state);
     ended = std::exchange(impl_->recorder, nullptr);
   }
   return ended ? ended->finish() : Result<void>();
-}
-
-bool TouchSession::recording() const {
-  const std::lock_guard lock(impl_->state);
-  return impl_->recorder != nullptr;
 }
 
 TouchStatistics TouchSession::statistics() const {

@@ -29,8 +29,7 @@ struct SessionOptions {
   /// Written to recordings: "palpable 0.1.0", and the command line as given.
   std::string made_by = "palpable";
   std::vector<std::string> command;
-  /// File in which the touch is recorded from the first tick; empty = none, start_recording() may begin one
-  /// later.
+  /// File in which the touch is recorded from the first tick; empty = none.
   std::filesystem::path recording;
   /// Number of probes besides the hand, moved by move_pointer(); at most haptics::kMaxLiveProbes - 1.
   std::size_t further_probes = 0;
@@ -98,12 +97,8 @@ class TouchSession {
   /// The reason why the current recording cannot be continued, returned once; the touch continues.
   std::optional<Error> take_recording_fault();
 
-  /// Starts a recording. Unlike SessionOptions::recording it lacks the start of the touch, so not all of it
-  /// can be recomputed. Errors: the file cannot be written; a recording is running already.
-  Result<void> start_recording(const std::filesystem::path& file);
   /// Ends the recording; errors of any earlier write are returned here.
   Result<void> stop_recording();
-  bool recording() const;
 
   TouchStatistics statistics() const;
   const device::Traits& device_traits() const;
