@@ -80,6 +80,13 @@ TEST_F(ContourInput, IsExportedForSwellPaperEmbossersAndPrinters) {
   EXPECT_THAT(brf, AllOf(HasSubstr("C"), ::testing::StartsWith("\r\n"), ::testing::EndsWith("\f")));
   ASSERT_EQ(palpable({"export", path("a.palp"), "-o", path("raised.stl"), "--lines", "raised"}).exit_code, 0);
   EXPECT_NE(read("raised.stl"), read("a.stl"));
+  // As a picture of the lines, with its scale beside it: 160 px are 100 mm.
+  const Outcome picture = palpable({"export", path("a.palp"), "-o", path("lines.png")});
+  ASSERT_EQ(picture.exit_code, 0);
+  EXPECT_THAT(picture.out, HasSubstr("0.625 mm a pixel"));
+  const auto scale = nlohmann::json::parse(read("lines.png.json"), nullptr, false);
+  EXPECT_NEAR(scale["pixel_m"].get<double>(), 0.000625, 1e-9);
+  EXPECT_NEAR(scale["strength_per_step"].get<double>(), 1.0 / 65535.0, 1e-12);
   const Outcome wrong = palpable({"export", path("a.palp"), "-o", path("a.vdb")});
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_THAT(wrong.err, HasSubstr(".brf"));

@@ -68,6 +68,9 @@ Result<void> check_folder(const fs::path& file) {
 Result<void> check_output(const fs::path& file, const OutputOption& option,
                           std::span<const std::string> words) {
   std::error_code none;
+  if (*option.value == "-")
+    return usage("files are not written to standard output: give the file to write a name (./- for this one)",
+                 file);
   if (fs::is_directory(file, none)) return usage("cannot be written: it is a folder", file);
   // A device or a pipe can always be written to, and its name has no suffix.
   const auto status = fs::status(file, none);

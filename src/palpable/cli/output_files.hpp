@@ -30,8 +30,8 @@ struct OutputOption {
 
 /// Checks before any work that all outputs of a command can be written. `words` are the other values on its
 /// command line: no output may be a file that one of them names, also through links. Nothing is changed on
-/// the disk. Errors: usage for such a file, for two outputs of one name, a wrong suffix, a folder that is
-/// missing, is not a folder or is not writable; failed if the disk is full.
+/// the disk. Errors: usage for such a file, for "-", two outputs of one name, a wrong suffix, a folder that
+/// is missing, is not a folder or is not writable; failed if the disk is full.
 Result<void> check_outputs(std::span<const OutputOption> outputs, std::span<const std::string> words);
 
 }  // namespace palpable::cli

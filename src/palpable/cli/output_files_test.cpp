@@ -65,6 +65,17 @@ TEST_F(OutputFiles, HaveAFolderAndASuffixOfTheirFormat) {
   EXPECT_FALSE(asked("a.svg", {}, {".png", ".svg"}));
 }
 
+TEST_F(OutputFiles, AreNotStandardOutput) {
+  for (const std::string& name : {std::string("-"), std::string("./-")}) {
+    const OutputOption option{nullptr, nullptr, &name, {}};
+    const auto checked = check_outputs(std::span(&option, 1), {});
+    EXPECT_EQ(static_cast<bool>(checked), name == "./-");
+    if (!checked) {
+      EXPECT_NE(checked.error().message.find("standard output"), std::string::npos);
+    }
+  }
+}
+
 TEST_F(OutputFiles, AreNotTwoOfOneName) {
   const std::string a = path("a.png"), b = path("./a.png");
   const std::vector<OutputOption> options{{nullptr, nullptr, &a, {}}, {nullptr, nullptr, &b, {}}};

@@ -71,17 +71,48 @@ Result<void> write_body(const models::Relief& relief, const models::Scene& scene
   return write_file_atomically(output, *bytes);
 }
 
+/// Writes what a picture's values mean beside it.
+Result<void> write_sidecar(const Json& content, const std::filesystem::path& output) {
+  std::filesystem::path sidecar = output;
+  sidecar += ".json";
+  const std::string text = content.dump(2) + "\n";
+  return write_file_atomically(sidecar, std::as_bytes(std::span(text)));
+}
+
 /// Writes a sidecar with the settings that `make` needs to read the heights.
 Result<void> write_height_sidecar(const models::Relief& relief, const std::filesystem::path& output,
                                   double metres_per_step) {
-  std::filesystem::path sidecar = output;
-  sidecar += ".json";
-  const Json content{{"meaning", "nearness"},
-                     {"metres_per_step", metres_per_step},
-                     {"pixel_m", relief.pixel_m()},
-                     {"size_m", {relief.size_x_m(), relief.size_y_m(), relief.highest_m()}}};
-  const std::string text = content.dump(2) + "\n";
-  return write_file_atomically(sidecar, std::as_bytes(std::span(text)));
+  return write_sidecar({{"meaning", "nearness"},
+                        {"metres_per_step", metres_per_step},
+                        {"pixel_m", relief.pixel_m()},
+                        {"size_m", {relief.size_x_m(), relief.size_y_m(), relief.highest_m()}}},
+                       output);
+}
+
+/// Writes the strength of the lines as 16-bit grey (65535 = 1), and beside it what that means and how large
+/// it is.
+Result<Answer> export_line_picture(const models::BoundaryMap& boundaries, const Raster<float>& lines,
+                                   const std::string& output) {
+  constexpr double kMost = 65535.0;
+  Raster<std::uint16_t> grey(lines.width(), lines.height());
+  std::transform(lines.values().begin(), lines.values().end(), grey.values().begin(), [](float s) {
+    return static_cast<std::uint16_t>(std::lround(kMost * static_cast<double>(s)));
+  });
+  if (const auto written = formats::write_png(output, grey); !written) return written.error();
+  const Json content{{"values", "line strength"},
+                     {"strength_per_step", 1.0 / kMost},
+                     {"pixel_m", boundaries.pixel_m()},
+                     {"size_m", {boundaries.size_x_m(), boundaries.size_y_m()}}};
+  if (const auto written = write_sidecar(content, output); !written) return written.error();
+  Answer answer;
+  answer.json = {{"output", output},
+                 {"strength_per_step", 1.0 / kMost},
+                 {"pixel_m", boundaries.pixel_m()},
+                 {"sidecar", output + ".json"}};
+  answer.text = fmt::format(
+      "{0}: strength of the lines as 16-bit grey, 65535 = 1, {1:.4g} mm a pixel, as {0}.json states\n",
+      output, 1000.0 * boundaries.pixel_m());
+  return answer;
 }
 
 Result<Answer> export_model(const models::Relief& relief, const models::Scene& scene,
@@ -254,13 +285,7 @@ Result<Answer> export_model(const models::Contours& contours, const models::Scen
     return Error{ErrorCode::usage, "contours are exported as .svg, .brf, .stl, .glb, .npz or .png",
                  arguments.output};
   const Raster<float> lines = sculpt::boundary_lines(contours.boundaries);
-  if (ending == ".png") {
-    Raster<std::uint16_t> grey(lines.width(), lines.height());
-    std::transform(lines.values().begin(), lines.values().end(), grey.values().begin(),
-                   [](float s) { return static_cast<std::uint16_t>(std::lround(65535.0F * s)); });
-    if (const auto written = formats::write_png(output, grey); !written) return written.error();
-    return answer;
-  }
+  if (ending == ".png") return export_line_picture(contours.boundaries, lines, arguments.output);
   const sculpt::TangentMap b = sculpt::tangents_of(contours.boundaries.averaged());
   const formats::Npz arrays{{"tangent_x", formats::npy_array(b.x)},
                             {"tangent_y", formats::npy_array(b.y)},
