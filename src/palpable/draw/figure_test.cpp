@@ -91,20 +91,6 @@ TEST(HeightFigure, IsPaleWhereItIsHigh) {
   EXPECT_GT(luma(colour_at(figure, top)), luma(colour_at(figure, flat)) + 100.0);
 }
 
-TEST(DepthFigure, HatchesUnknownPixelsInGreyAndColoursTheRest) {
-  Raster<float> depth(80, 60, 2.0F);
-  for (int y = 0; y < 60; ++y)
-    for (int x = 0; x < 40; ++x) depth(x, y) = std::numeric_limits<float>::quiet_NaN();
-  for (int x = 40; x < 80; ++x) depth(x, 30) = 1.0F;
-  const Figure figure = depth_figure(depth, "depth, m", Near::low, {});
-  const Sheet sheet = sheet_for(80.0 / 60.0);
-  const Rgb8 unknown = colour_at(figure, {sheet.plot.x + 100.0, sheet.plot.y + 100.0});
-  const Rgb8 known = colour_at(figure, {sheet.plot.right() - 100.0, sheet.plot.y + 100.0});
-  EXPECT_EQ(unknown.r, unknown.g);
-  EXPECT_EQ(unknown.g, unknown.b);
-  EXPECT_NE(known.r, known.b);
-}
-
 TEST(ForceFigure, DrawsAnArrowOnlyWhereThereIsAForce) {
   const auto relief = hill();
   const std::vector<ForceArrow> arrows{{-0.02, 0.0, 1.0, 0.0}, {0.02, 0.0, 0.0, 0.0}};

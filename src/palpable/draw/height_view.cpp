@@ -6,7 +6,6 @@
 #include "palpable/draw/colour_map.hpp"
 #include "palpable/draw/relief_shading.hpp"
 #include "palpable/draw/sheet.hpp"
-#include "palpable/draw/value_range.hpp"
 
 #include <algorithm>
 #include <array>
@@ -91,8 +90,6 @@ void draw_relief(Canvas& canvas, const models::Relief& relief, const Sheet& shee
                   "height above\nthe base, mm", colour);
 }
 
-Rgb8 reversed_depth_colour(double t) { return depth_colour(1.0 - t); }
-
 }  // namespace
 
 Figure relief_figure(models::Relief relief, const FigureTitle& title, Raster<Rgb8> picture) {
@@ -132,40 +129,6 @@ Figure height_figure(models::Relief relief, const FigureTitle& title) {
             draw_title_and_caption(
                 canvas, sheet, title,
                 "Pale is high and near, dark is low and far. The colour scale is linear in the height.");
-          }};
-}
-
-Figure depth_figure(Raster<float> values, const std::string& value_name, Near near,
-                    const FigureTitle& title) {
-  const Sheet sheet = sheet_for(static_cast<double>(values.width()) / values.height());
-  return {sheet.width_px, sheet.height_px,
-          [values = std::move(values), value_name, near, title, sheet](Canvas& canvas) {
-            const auto [low, high] = display_range(values);
-            const auto colour = near == Near::high ? depth_colour : reversed_depth_colour;
-            Raster<Rgb8> pixels(values.width(), values.height());
-            Raster<std::uint8_t> unknown(values.width(), values.height());
-            std::size_t unknown_count = 0;
-            for (std::size_t i = 0; i < values.count(); ++i) {
-              const float v = values.values()[i];
-              unknown.values()[i] = std::isfinite(v) ? 0 : 1;
-              unknown_count += unknown.values()[i];
-              if (std::isfinite(v)) pixels.values()[i] = colour(position(v, low, high));
-            }
-            canvas.picture(pixels, sheet.plot);
-            canvas.hatch(unknown, sheet.plot);
-            const Plot plot{sheet.plot, 0.0, static_cast<double>(values.width()),
-                            static_cast<double>(values.height()), 0.0};
-            draw_axes(canvas, plot, "columns, pixels", "rows, pixels");
-            draw_colour_bar(canvas, sheet.bar, low, high, value_name, colour);
-            const Rect key{sheet.bar.x, sheet.bar.bottom() + 24.0, 26.0, 20.0};
-            canvas.hatch(key);
-            canvas.frame(key, {{70, 70, 70}, 1.2});
-            const double share =
-                100.0 * static_cast<double>(unknown_count) / static_cast<double>(values.count());
-            canvas.text(fmt::format("unknown, {:.1f} %", share), {key.right() + 8.0, key.y + 1.0},
-                        {.size_px = 13.0});
-            draw_title_and_caption(canvas, sheet, title,
-                                   "Pale is near, dark is far. The colour scale is linear in the value.");
           }};
 }
 

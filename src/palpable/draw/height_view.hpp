@@ -17,10 +17,4 @@ Figure relief_figure(models::Relief relief, const FigureTitle& title, Raster<Rgb
 /// The heights of a relief in a linear colour scale without shading, so that values can be read off.
 Figure height_figure(models::Relief relief, const FigureTitle& title);
 
-/// A depth or disparity map in a linear colour scale, axes in pixels; values that are not finite are hatched.
-/// `value_name` is the legend's name with its unit. Near is pale: Near::high for disparity, Near::low for
-/// depth.
-enum class Near { low, high };
-Figure depth_figure(Raster<float> values, const std::string& value_name, Near near, const FigureTitle& title);
-
 }  // namespace palpable::draw
