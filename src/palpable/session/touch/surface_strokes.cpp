@@ -10,6 +10,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -29,6 +30,8 @@ struct SeenFromAbove {
   double cell_m = 0.0;
   Vec3 first_m;
   Raster<double> height_m;
+  /// Slope of the surface there, m/m.
+  Raster<double> slope;
 
   Point<SceneFrame> at(int column, int row) const {
     return {{first_m.x + column * cell_m, first_m.y + row * cell_m, height_m(column, row)}};
@@ -44,35 +47,43 @@ SeenFromAbove seen_from_above(const models::Scene& scene, int lines) {
     return std::max(1, static_cast<int>(std::lround(extent / seen.cell_m)));
   };
   seen.height_m = Raster<double>(cells(size.x), cells(size.y));
+  seen.slope = Raster<double>(seen.height_m.width(), seen.height_m.height());
   const Vec3 half{0.5 * (seen.height_m.width() - 1) * seen.cell_m,
                   0.5 * (seen.height_m.height() - 1) * seen.cell_m, 0.0};
   seen.first_m = models::centre_m(scene) - half;
   for (int row = 0; row < seen.height_m.height(); ++row)
     for (int column = 0; column < seen.height_m.width(); ++column) {
       const Vec3 place = seen.at(column, row).v;
-      seen.height_m(column, row) = relief.sample(place.x, place.y).z_m;
+      const models::HeightSample sample = relief.sample(place.x, place.y);
+      seen.height_m(column, row) = sample.z_m;
+      seen.slope(column, row) = std::hypot(sample.dzdx, sample.dzdy);
     }
   return seen;
 }
 
-/// Appends the strokes of a line of `count` places, without the places at both their ends, where the surface
-/// may fall off.
-void append_strokes(int count, const std::function<Point<SceneFrame>(int)>& at, double least_m,
-                    double greatest_step_m, std::vector<Stroke>& strokes) {
+/// Whether a place and those around it belong to the solid, and the surface is not too steep there: a hand
+/// that presses on a steep place slides off it.
+bool can_be_stroked(const SeenFromAbove& seen, int column, int row, double least_m, double steepest) {
+  if (seen.slope(column, row) > steepest) return false;
+  for (int v = row - 1; v <= row + 1; ++v)
+    for (int u = column - 1; u <= column + 1; ++u)
+      if (!seen.height_m.contains(u, v) || seen.height_m(u, v) < least_m) return false;
+  return true;
+}
+
+/// Appends the strokes of a line of `count` places.
+void append_strokes(int count, const std::function<std::optional<Point<SceneFrame>>(int)>& at,
+                    std::vector<Stroke>& strokes) {
   Stroke run;
-  const auto end_run = [&] {
-    if (run.size() >= 4) strokes.emplace_back(run.begin() + 1, run.end() - 1);
+  for (int k = 0; k <= count; ++k) {
+    const auto place = k < count ? at(k) : std::nullopt;
+    if (place) {
+      run.push_back(*place);
+      continue;
+    }
+    if (run.size() >= 2) strokes.push_back(run);
     run.clear();
-  };
-  for (int k = 0; k < count; ++k) {
-    const auto place = at(k);
-    if (!run.empty() && std::abs(place.v.z - run.back().v.z) > greatest_step_m) end_run();
-    if (place.v.z >= least_m)
-      run.push_back(place);
-    else
-      end_run();
   }
-  end_run();
 }
 
 Stroke stroke_at_the_highest(const SeenFromAbove& seen) {
@@ -83,15 +94,27 @@ Stroke stroke_at_the_highest(const SeenFromAbove& seen) {
   return {highest, highest + Vector<SceneFrame>{{0.5 * seen.cell_m, 0.0, 0.0}}};
 }
 
-std::vector<Stroke> strokes_of(const SeenFromAbove& seen, double least_m, const StrokeOptions& options) {
-  const double greatest_step_m = options.steepest * seen.cell_m;
+std::vector<Stroke> strokes_where(const SeenFromAbove& seen, double least_m, double steepest) {
+  const auto at = [&](int column, int row) {
+    return can_be_stroked(seen, column, row, least_m, steepest) ? std::optional(seen.at(column, row))
+                                                                : std::nullopt;
+  };
+  const int width = seen.height_m.width(), height = seen.height_m.height();
   std::vector<Stroke> strokes;
-  for (int row = 0; row < seen.height_m.height(); ++row)
+  for (int row = 0; row < height; ++row)
     append_strokes(
-        seen.height_m.width(), [&](int k) { return seen.at(k, row); }, least_m, greatest_step_m, strokes);
-  for (int column = 0; column < seen.height_m.width(); ++column)
+        width, [&](int k) { return at(k, row); }, strokes);
+  for (int column = 0; column < width; ++column)
     append_strokes(
-        seen.height_m.height(), [&](int k) { return seen.at(column, k); }, least_m, greatest_step_m, strokes);
+        height, [&](int k) { return at(column, k); }, strokes);
+  return strokes;
+}
+
+std::vector<Stroke> strokes_of(const SeenFromAbove& seen, double least_m, const StrokeOptions& options) {
+  std::vector<Stroke> strokes = strokes_where(seen, least_m, options.steepest);
+  // A solid that is steep everywhere is stroked all the same.
+  for (double factor = 2.0; strokes.empty() && factor <= 8.0; factor *= 2.0)
+    strokes = strokes_where(seen, least_m, factor * options.steepest);
   if (strokes.empty()) strokes.push_back(stroke_at_the_highest(seen));
   std::stable_sort(strokes.begin(), strokes.end(),
                    [](const Stroke& a, const Stroke& b) { return a.size() > b.size(); });

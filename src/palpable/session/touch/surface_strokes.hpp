@@ -16,8 +16,9 @@ struct StrokeOptions {
   /// Places that rise at least this part of the scene's depth above its lowest point belong to the solid, 0
   /// ... 1.
   double raised = 0.05;
-  /// A stroke ends where the surface is steeper, m/m, above 0.
-  double steepest = 2.0;
+  /// A stroke ends where the surface is steeper in any direction, m/m, above 0. If it is so everywhere, up to
+  /// eight times as much is allowed.
+  double steepest = 0.7;
   /// A stroke has at least this part of the longest stroke's number of points, 0 ... 1.
   double shortest = 0.5;
 };
