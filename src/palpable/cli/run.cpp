@@ -39,7 +39,7 @@ void add_common(Options& options, CommonOptions& common) {
   options.flag("--json", common.json, "One JSON object on standard output");
   options.flag("--quiet", common.quiet, "No notes and no progress");
   options.integer("--threads", common.threads, {0.0, 256.0}, "Number of threads; 0 = one per processor");
-  options.count("--seed", common.seed, 
+  options.count("--seed", common.seed,
                 "Seed of the random numbers: the same seed gives the same result, except in a live touch, "
                 "which also follows the clock");
   options.under("Options");

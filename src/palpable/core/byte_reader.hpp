@@ -22,7 +22,6 @@ class ByteReader {
 
   bool ok() const { return ok_; }
   std::endian order() const { return order_; }
-  void set_order(std::endian order) { order_ = order; }
   std::size_t position() const { return position_; }
   std::size_t left() const { return bytes_.size() - position_; }
   /// Sets the position, counted from the start.

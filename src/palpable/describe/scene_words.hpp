@@ -16,8 +16,8 @@ std::string name_of(const models::Scene& scene);
 std::string opening_words(const models::Scene& scene);
 
 /// The description of a scene in parts, from short to long; the user requests them one after another.
-///   - Name, size, and the number and places of the objects above the ground (peaks.hpp), of the lines
-///   (contour_words.hpp), or of a solid's parts and openings, with its outline (solid_words.hpp).
+///   - Name and size. Then the number and places of the objects above the ground (peaks.hpp) or of the lines
+///   (contour_words.hpp); of a solid its parts, openings and outline (solid_words.hpp).
 ///   - The maker's description, if there is one.
 ///   - Each object or line with place and size, and the offset from `probe` to the highest point or nearest
 ///   line.

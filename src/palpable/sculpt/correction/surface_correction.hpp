@@ -69,16 +69,15 @@ struct CorrectedSurface {
 /// A surface without a correction. Errors: invalid_input for a mesh that is not closed.
 Result<CorrectedSurface> predicted_surface(Mesh mesh);
 
-/// Force-field correction of Moustakas et al. 2007, on the surface that the field is then made of: samples
-/// whose normal meets the measured surface, outside or inside, move onto it (W); samples within the
-/// transition's geodesic distance of W follow by eq. 2 with its weights corrected,
+/// Force-field correction of Moustakas et al. 2007, on the surface that the field is then made of. Samples
+/// whose normal meets the measured surface, outside or inside, move onto it; they are the set W. Samples
+/// within the transition's geodesic distance delta of W follow by eq. 2 with its weights corrected:
 ///   t(y) = phi(min GD / delta) sum w_i t_i / sum w_i,  w_i = ((delta - GD_i)+ / (delta GD_i))^2,
-///   phi(s) = 1 - 10 s^3 + 15 s^4 - 6 s^5,
-/// so that the surface has neither step nor crease through the transition, nor a jump of its curvature, which
-/// would show between samples. Correcting again with more data
-/// keeps what was measured before (a later measurement of the same sample replaces it) and recomputes
-/// translations only within the transition of the samples that changed. Errors: usage for options out of
-/// range, invalid_input for a measured mesh that refers to missing vertices or contains NaN, interrupted.
+///   phi(s) = 1 - 10 s^3 + 15 s^4 - 6 s^5.
+/// So the transition has no step, no crease and no jump of curvature. Correcting again with more data keeps
+/// what was measured before (a later measurement of the same sample replaces it) and recomputes translations
+/// only within the transition of the samples that changed. Errors: usage for options out of range,
+/// invalid_input for a measured mesh that refers to missing vertices or contains NaN, interrupted.
 Result<CorrectedSurface> correct_surface(CorrectedSurface surface, const Mesh& measured,
                                          const CorrectionOptions& options, const Work& work);
 

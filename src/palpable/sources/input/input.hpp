@@ -46,7 +46,7 @@ struct Input {
 
 /// Recognises one file by its first bytes, never by its name. Pictures that read_picture() supports are
 /// `picture` (a camera's stereo file, MPO or JPS, is `stereo`); PFM, NumPy and OpenEXR contain numbers and
-/// are `depth`; MP4, Matroska, AVI, MPEG and Ogg are `video`; OpenStreetMap extracts are `map`; GLB, OBJ,
+/// are `depth`. MP4, Matroska, AVI, MPEG and Ogg are `video`; OpenStreetMap extracts are `map`; GLB, OBJ,
 /// STL, CityJSON and PLY with faces are `mesh`; PLY without faces is `points`; JSON with "primitives" is
 /// `shapes`; OpenVDB is `level_set`; this program's scene files are `scene`.
 /// Errors: invalid_input, naming the file, for unreadable and unknown files.

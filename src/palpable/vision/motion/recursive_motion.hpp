@@ -44,10 +44,10 @@ struct FilterMotionOptions {
 std::vector<Parameter> parameters_of(FilterMotionOptions& options);
 
 /// Poses of all frames and positions of the tracked points by an extended Kalman filter, frame by frame
-/// (Azarbayejani & Pentland 1995): the state is the camera's rotation (the filter estimates small turns of a
-/// quaternion) and translation, the inverse focal length where it is not known, and for each followed point
-/// one number, the inverse of its depth along its first line of sight (inverse, since a place depends on it
-/// almost linearly: Civera et al. 2008). The mean inverse depth of the first points is fixed, which is the
+/// (Azarbayejani & Pentland 1995). The state is the camera's rotation (the filter estimates small turns of a
+/// quaternion) and translation, and the inverse focal length where it is not known. For each followed point
+/// it has one number: the inverse of its depth along its first line of sight. A place depends on the inverse
+/// almost linearly (Civera et al. 2008). The mean inverse depth of the first points is fixed, which is the
 /// scale. New tracks enter, the longest first; lost ones leave, and so do those whose places do not fit. The
 /// filter begins with the relative pose of two frames, as motion_from_tracks(), whose refinement of
 /// everything together is more accurate. Points that never were in the state are triangulated with the poses.

@@ -31,8 +31,8 @@ struct BackgroundMaskOptions {
   GroundMaskOptions mask;
   /// If no plane is the background: complexity of the colour regions (merge_regions, 1 … 1024); the least
   /// range of disparities (0 … 100 px); share of a region nearer than the threshold that makes it an object
-  /// (0 … 1); and, in a region that is background, share of the range beyond the threshold from which a pixel
-  /// is not (0 … 1).
+  /// (0 … 1). In a region that is background, share of the range beyond the threshold from which a pixel is
+  /// not (0 … 1).
   double region_complexity = 32.0;
   double least_range_px = 2.0;
   double object_share = 0.5;

@@ -69,8 +69,8 @@ struct FrameSegments {
 };
 
 /// Divides the frames of a video into segments by k-means with connectivity constraints (Kompatsiaris &
-/// Strintzis 2000): cells join the centre that is nearest in colour, motion and height, and in position
-/// relative to the segment's size; segments that fall apart are separated, small fragments join the neighbour
+/// Strintzis 2000). Cells join the centre that is nearest in colour, motion and height, and in position
+/// relative to the segment's size. Segments that fall apart are separated, small fragments join the neighbour
 /// that they resemble, similar neighbours become one, and the number of segments follows from that. The first
 /// frame's centres are found by the max-min distance; each further frame begins with those of the frame
 /// before, which keeps their identities. Deterministic. One thread at a time.
