@@ -105,15 +105,14 @@ std::vector<std::uint32_t> between(const std::vector<std::uint32_t>& line, std::
   return found;
 }
 
-/// Divides one triangle. `lines`: for each of its three sides all vertices on it, with its ends.
+/// Divides one triangle. `lines`: for each of its three sides all vertices on it, with its ends. No vertex is
+/// strictly inside two of them and no corner is strictly inside one, so that every piece has fewer inside.
 void divide(const Indices& t, std::span<const std::vector<std::uint32_t>> lines,
             std::vector<Indices>& pieces) {
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
     for (const auto& line : lines) {
-      auto inner = between(line, a, b);
-      // The third vertex of a triangle that is nearly a line may lie on its longest side.
-      std::erase(inner, c);
+      const auto inner = between(line, a, b);
       if (inner.empty()) continue;
       const std::uint32_t middle = inner[inner.size() / 2];
       divide({a, middle, c}, lines, pieces);
@@ -122,6 +121,24 @@ void divide(const Indices& t, std::span<const std::vector<std::uint32_t>> lines,
     }
   }
   pieces.push_back(t);
+}
+
+/// The divided sides of a triangle, each from its lower vertex to its higher one. Where a triangle is so
+/// narrow that a vertex touches two of its sides, or a corner the side opposite, only the first side has it.
+std::vector<std::vector<std::uint32_t>> divided_sides(const Indices& t, const Divisions& divisions) {
+  std::vector<std::vector<std::uint32_t>> lines;
+  std::set<std::uint32_t> used(t.begin(), t.end());
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+    const auto at = divisions.find(edge_key(a, b));
+    if (at == divisions.end()) continue;
+    std::vector<std::uint32_t> line{std::min(a, b)};
+    for (const std::uint32_t v : at->second)
+      if (used.insert(v).second) line.push_back(v);
+    line.push_back(std::max(a, b));
+    if (line.size() > 2) lines.push_back(std::move(line));
+  }
+  return lines;
 }
 
 }  // namespace
@@ -133,17 +150,7 @@ std::optional<DividedMesh> divide_touching_edges(const Mesh& mesh, double touchi
   divided.mesh.vertices_m = mesh.vertices_m;
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     const Indices t = mesh.triangles[i];
-    std::vector<std::vector<std::uint32_t>> lines;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
-      const auto at = divisions.find(edge_key(a, b));
-      if (at == divisions.end()) continue;
-      std::vector<std::uint32_t> line{std::min(a, b)};
-      line.insert(line.end(), at->second.begin(), at->second.end());
-      line.push_back(std::max(a, b));
-      lines.push_back(std::move(line));
-    }
-    divide(t, lines, divided.mesh.triangles);
+    divide(t, divided_sides(t, divisions), divided.mesh.triangles);
     divided.part_of.resize(divided.mesh.triangles.size(), i);
   }
   return divided;
