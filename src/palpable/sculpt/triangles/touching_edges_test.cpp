@@ -61,7 +61,9 @@ TEST(TouchingEdges, OfFacesWhoseCornersNearlyCoincideAreDividedWithoutEnd) {
 }
 
 TEST(TouchingEdges, OfABoxAgainstAWallAreSharedAfterwards) {
-  Mesh mesh{{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {1, 0, 0}, {2, 0, 0}, {1.5, 0, 1}}, {{0, 1, 2}, {3, 4, 5}}};
+  Mesh mesh;
+  mesh.vertices_m = {{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {1, 0, 0}, {2, 0, 0}, {1.5, 0, 1}};
+  mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
   const auto divided = divide_touching_edges(mesh, 1e-9, TouchingEdges::all);
   ASSERT_TRUE(divided);
   EXPECT_EQ(divided->mesh.triangles.size(), 4U);
