@@ -7,6 +7,7 @@
 #include "palpable/sculpt/triangles/joined_sheets.hpp"
 #include "palpable/sculpt/triangles/mesh_edges.hpp"
 #include "palpable/sculpt/triangles/mesh_orientation.hpp"
+#include "palpable/sculpt/triangles/near_rims.hpp"
 #include "palpable/sculpt/triangles/touching_edges.hpp"
 #include "palpable/sculpt/triangles/triangle_tree.hpp"
 
@@ -311,6 +312,12 @@ RepairedMesh repaired(const Mesh& mesh, double touching_m, const OpenSheetOption
   Mesh clean = welded(mesh, repair.degenerate);
   repair.not_finite = without_place(mesh);
   repair.degenerate -= repair.not_finite;
+  // Files use single precision, and compute the corners of neighbouring faces one by one: places that coincide
+  // may be apart by the last digits.
+  constexpr double kNearShare = 1e-6;
+  constexpr double kTouchingShare = 2e-7;
+  const double size_m = norm(bounds_of(clean).size_m());
+  if (!clean.triangles.empty()) repair.degenerate += join_near_rims(clean, kNearShare * size_m);
   repair.triangles = clean.triangles.size();
   RepairedMesh result;
   if (clean.triangles.empty()) return result;
@@ -318,9 +325,7 @@ RepairedMesh repaired(const Mesh& mesh, double touching_m, const OpenSheetOption
   repair.repeated = coincident.repeated;
   repair.two_sided =
       static_cast<std::size_t>(std::count(coincident.is_two_sided.begin(), coincident.is_two_sided.end(), 1));
-  // Files use single precision: places that coincide may be apart by the last digit.
-  constexpr double kTouchingShare = 2e-7;
-  const double same_m = kTouchingShare * norm(bounds_of(clean).size_m());
+  const double same_m = kTouchingShare * size_m;
   Division division =
       Divider(std::move(clean), std::move(coincident.is_two_sided), repair).divided(same_m, options, seed);
   Mesh& whole = result.whole;
