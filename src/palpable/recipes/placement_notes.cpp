@@ -4,6 +4,9 @@
 
 #include "palpable/core/figure.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 
 #include <fmt/format.h>
@@ -24,6 +27,19 @@ std::string unit_text(double unit_mm) {
 }
 
 }  // namespace
+
+std::vector<Note> rounding_notes(const sculpt::Box& box) {
+  double farthest = 0.0;
+  for (const Vec3 corner : {box.least_m, box.most_m})
+    farthest = std::max({farthest, std::abs(corner.x), std::abs(corner.y), std::abs(corner.z)});
+  const double share = farthest * std::numeric_limits<float>::epsilon() / norm(box.size_m());
+  constexpr double kFelt = 1e-4;
+  if (!(share > kFelt)) return {};
+  return {
+      Note{fmt::format("The mesh is far from its origin: its corners were read in single precision, in steps "
+                       "of up to {} % of its size. Move it to its origin for its true shape.",
+                       figure(100.0 * share))}};
+}
 
 std::vector<Note> placement_notes(const sculpt::Placement& placement, const sculpt::Box& box,
                                   const sculpt::PlacementOptions& options) {

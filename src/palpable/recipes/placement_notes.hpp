@@ -14,4 +14,8 @@ namespace palpable::recipes {
 std::vector<Note> placement_notes(const sculpt::Placement& placement, const sculpt::Box& box,
                                   const sculpt::PlacementOptions& options);
 
+/// A note for the user if a mesh in `box` is so far from the origin of its coordinates, as projected map
+/// coordinates are, that single precision rounds its shape by more than 0.01 %. Else empty.
+std::vector<Note> rounding_notes(const sculpt::Box& box);
+
 }  // namespace palpable::recipes

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/recipes/placement_notes.hpp"
 
+#include <string>
+
 #include <gtest/gtest.h>
 
 namespace palpable::recipes {
@@ -27,6 +29,15 @@ TEST(PlacementNotes, SayTheSizeOfAnyUnit) {
             "The input states no unit: it was scaled to fit a hand, 20000 units being one mm.");
   EXPECT_EQ(note_on_cube(1e13),
             "The input states no unit: it was scaled to fit a hand, 200000000000 units being one mm.");
+}
+
+TEST(PlacementNotes, SayThatAMeshIsRoundedFarFromItsOrigin) {
+  const auto notes_at = [](double x) { return rounding_notes({{x, 0, 0}, {x + 10, 10, 10}}); };
+  EXPECT_TRUE(notes_at(0.0).empty());
+  EXPECT_TRUE(notes_at(1e4).empty());
+  // A house in projected map coordinates: steps of half a metre.
+  ASSERT_EQ(notes_at(5.4e6).size(), 1U);
+  EXPECT_NE(notes_at(5.4e6).front().sentence.find("3.7 %"), std::string::npos);
 }
 
 }  // namespace

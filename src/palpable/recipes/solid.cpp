@@ -53,7 +53,9 @@ Result<Placed> place_mesh(Mesh& mesh, const sculpt::PlacementOptions& options) {
   const SceneFromInput& transform = placement->scene_from_input;
   if (placement->fitted)
     for (Vec3& v : mesh.vertices_m) v = (transform * Point<models::InputFrame>{v}).v;
-  return Placed{transform, pose_of(*placement), placement_notes(*placement, *box, options)};
+  auto notes = placement_notes(*placement, *box, options);
+  for (Note& note : rounding_notes(*box)) notes.push_back(std::move(note));
+  return Placed{transform, pose_of(*placement), std::move(notes)};
 }
 
 /// Refuses a field that is too large by its extent alone, before any other work.
