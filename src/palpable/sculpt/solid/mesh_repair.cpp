@@ -309,17 +309,18 @@ class Divider {
 
 RepairedMesh repaired(const Mesh& mesh, double touching_m, const OpenSheetOptions& options,
                       std::uint64_t seed, MeshRepair& repair) {
+  RepairedMesh result;
   Mesh clean = welded(mesh, repair.degenerate);
   repair.not_finite = without_place(mesh);
   repair.degenerate -= repair.not_finite;
+  if (clean.triangles.empty()) return result;
   // Files use single precision, and compute the corners of neighbouring faces one by one: places that coincide
   // may be apart by the last digits.
   constexpr double kNearShare = 1e-6;
   constexpr double kTouchingShare = 2e-7;
   const double size_m = norm(bounds_of(clean).size_m());
-  if (!clean.triangles.empty()) repair.degenerate += join_near_rims(clean, kNearShare * size_m);
+  repair.degenerate += join_near_rims(clean, kNearShare * size_m);
   repair.triangles = clean.triangles.size();
-  RepairedMesh result;
   if (clean.triangles.empty()) return result;
   CoincidentTriangles coincident = merge_coincident(clean);
   repair.repeated = coincident.repeated;
