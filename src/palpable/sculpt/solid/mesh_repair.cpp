@@ -314,8 +314,8 @@ RepairedMesh repaired(const Mesh& mesh, double touching_m, const OpenSheetOption
   repair.not_finite = without_place(mesh);
   repair.degenerate -= repair.not_finite;
   if (clean.triangles.empty()) return result;
-  // Files use single precision, and compute the corners of neighbouring faces one by one: places that coincide
-  // may be apart by the last digits.
+  // Files use single precision, and compute the corners of neighbouring faces one by one: places that
+  // coincide may be apart by the last digits.
   constexpr double kNearShare = 1e-6;
   constexpr double kTouchingShare = 2e-7;
   const double size_m = norm(bounds_of(clean).size_m());
