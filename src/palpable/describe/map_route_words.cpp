@@ -11,7 +11,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -90,57 +92,143 @@ std::string small_letters(std::string text) {
   return text.substr(std::min(text.find_first_not_of(' '), text.size()));
 }
 
-/// The number of the name that is meant: the same, the only one that begins so, or the one spelled most like
-/// it.
-std::optional<std::size_t> meant(const std::string& asked, const std::vector<std::string>& names) {
+/// Which of the names a text means: one that is the same, begins so, or is spelled nearly so. Equal names are
+/// one. With several, all of them; with none, nothing.
+struct Meant {
+  std::vector<std::size_t> names;
+  /// Whether it is the whole name.
+  bool is_whole = false;
+};
+
+void add_once(std::vector<std::size_t>& found, std::size_t i, const std::vector<std::string>& names) {
+  for (const std::size_t known : found)
+    if (small_letters(names[known]) == small_letters(names[i])) return;
+  found.push_back(i);
+}
+
+Meant meant(const std::string& asked, const std::vector<std::string>& names) {
   const std::string wanted = small_letters(asked);
-  if (wanted.empty()) return std::nullopt;
-  std::vector<std::size_t> begin_so;
+  Meant found;
+  if (wanted.empty()) return found;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string name = small_letters(names[i]);
-    if (name == wanted) return i;
-    if (name.starts_with(wanted)) begin_so.push_back(i);
+    if (name == wanted) return {{i}, true};
+    if (name.starts_with(wanted)) add_once(found.names, i, names);
   }
-  if (begin_so.size() == 1) return begin_so.front();
+  if (!found.names.empty()) return found;
   // One letter in five may differ.
-  std::optional<std::size_t> best;
-  std::size_t least = wanted.size() / 5 + 1;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (const std::size_t d = edit_distance(wanted, small_letters(names[i])); d < least) {
-      least = d;
-      best = i;
-    }
-  return best;
+  std::size_t least = wanted.size() / 5;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::size_t d = edit_distance(wanted, small_letters(names[i]));
+    if (d > least) continue;
+    if (d < least) found.names.clear();
+    least = d;
+    add_once(found.names, i, names);
+  }
+  return found;
 }
 
-std::vector<std::string> street_names(const MapGuide& guide) {
+/// What can be asked for: the streets, the places, then the streets that are not felt.
+struct Askable {
   std::vector<std::string> names;
-  for (const auto& street : guide.streets()) names.push_back(street.name);
-  return names;
+  std::vector<LabelPlace> places;
+  std::size_t streets = 0;
+};
+
+Askable askable(const MapGuide& guide) {
+  Askable all{{}, label_places(guide.map()), guide.streets().size()};
+  for (const auto& street : guide.streets()) all.names.push_back(street.name);
+  for (const LabelPlace& place : all.places) all.names.push_back(place.name);
+  all.names.insert(all.names.end(), guide.missing_names().begin(), guide.missing_names().end());
+  return all;
 }
 
-Error not_found(const MapGuide& guide, const std::string& name) {
-  auto names = street_names(guide);
-  constexpr std::size_t kMostNamed = 8;
-  if (names.size() > kMostNamed) names.resize(kMostNamed);
+constexpr std::size_t kMostNamed = 8;
+
+std::string some_of(const std::vector<std::size_t>& which, const std::vector<std::string>& names) {
+  std::vector<std::string> some;
+  for (const std::size_t i : which) {
+    if (some.size() == kMostNamed) {
+      some.push_back(fmt::format("{} more", which.size() - kMostNamed));
+      break;
+    }
+    some.push_back(names[i]);
+  }
+  return listed(some);
+}
+
+/// Names of which at most half of the letters differ, the most similar first.
+std::vector<std::size_t> similar(const std::string& asked, const std::vector<std::string>& names) {
+  const std::string wanted = small_letters(asked);
+  std::vector<std::pair<std::size_t, std::size_t>> near;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string name = small_letters(names[i]);
+    const std::size_t d = edit_distance(wanted, name);
+    if (2 * d <= std::max(wanted.size(), name.size())) near.emplace_back(d, i);
+  }
+  std::sort(near.begin(), near.end());
+  std::vector<std::size_t> found;
+  for (const auto& [d, i] : near) add_once(found, i, names);
+  return found;
+}
+
+Error not_found(const std::string& name, const Askable& all) {
+  const auto near = similar(name, all.names);
+  std::vector<std::size_t> longest(std::min(kMostNamed, all.streets));
+  std::iota(longest.begin(), longest.end(), std::size_t{0});
   return {ErrorCode::usage,
-          fmt::format("nothing on the map is called '{}'; its longest streets are {}", name, listed(names)),
+          fmt::format("nothing on the map is called '{}'; {} {}", name,
+                      near.empty() ? "its longest streets are" : "similar names are",
+                      some_of(near.empty() ? longest : near, all.names)),
           {}};
 }
 
-Result<StreetPosition> find_junction(const MapGuide& guide, const std::string& text, std::size_t sign) {
-  const auto names = street_names(guide);
-  const auto first = meant(text.substr(0, sign), names), second = meant(text.substr(sign + 1), names);
-  if (!first || !second) return not_found(guide, text.substr(0, first ? std::string::npos : sign));
+/// The one name that is meant, as its number in Askable::names.
+Result<std::size_t> one_name(const std::string& name, const Askable& all) {
+  const Meant found = meant(name, all.names);
+  if (found.names.empty()) return not_found(name, all);
+  if (found.names.size() > 1)
+    return Error{
+        ErrorCode::usage, fmt::format("'{}' could be {}", name, some_of(found.names, all.names)), {}};
+  const std::size_t one = found.names.front();
+  if (one >= all.streets + all.places.size())
+    return Error{ErrorCode::usage,
+                 fmt::format("{} is on the map, but cannot be felt: a smaller part of the map, or a larger "
+                             "--size, shows it",
+                             all.names[one]),
+                 {}};
+  return one;
+}
+
+/// The junction of two names that a sign at `sign` divides.
+Result<StreetPosition> find_junction(const MapGuide& guide, const Askable& all, const std::string& text,
+                                     std::size_t sign) {
+  const auto first = one_name(text.substr(0, sign), all);
+  if (!first) return first.error();
+  const auto second = one_name(text.substr(sign + 1), all);
+  if (!second) return second.error();
+  const std::string &a = all.names[*first], &b = all.names[*second];
+  if (a == b)
+    return Error{ErrorCode::usage, fmt::format("a junction is of two streets; '{}' names one", text), {}};
   const auto& nodes = guide.network().nodes();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto here = guide.names_at(i);
-    if (std::count(here.begin(), here.end(), names[*first]) > 0 &&
-        std::count(here.begin(), here.end(), names[*second]) > 0)
+    if (std::count(here.begin(), here.end(), a) > 0 && std::count(here.begin(), here.end(), b) > 0)
       return *guide.network().nearest(nodes[i].at, 1.0);
   }
-  return Error{
-      ErrorCode::usage, fmt::format("{} and {} do not meet on the map", names[*first], names[*second]), {}};
+  return Error{ErrorCode::usage, fmt::format("{} and {} do not meet on the map", a, b), {}};
+}
+
+/// Where " to " begins in a text, in any case.
+std::vector<std::size_t> dividers(const std::string& text) {
+  std::vector<std::size_t> at;
+  const auto is_letter = [&text](std::size_t k, char c) {
+    return std::tolower(static_cast<unsigned char>(text[k])) == c;
+  };
+  for (std::size_t k = 0; k + 3 < text.size(); ++k)
+    if (text[k] == ' ' && is_letter(k + 1, 't') && is_letter(k + 2, 'o') && text[k + 3] == ' ')
+      at.push_back(k);
+  return at;
 }
 
 }  // namespace
@@ -207,32 +295,66 @@ std::vector<std::string> map_parts(const models::Scene& scene, Place probe) {
 }
 
 Result<StreetPosition> find_on_map(const MapGuide& guide, const std::string& name) {
-  if (const std::size_t sign = name.find('&'); sign != std::string::npos)
-    return find_junction(guide, name, sign);
-  const auto places = label_places(guide.map());
-  std::vector<std::string> names = street_names(guide);
-  const std::size_t streets = names.size();
-  for (const LabelPlace& place : places) names.push_back(place.name);
-  const auto found = meant(name, names);
-  if (!found) return not_found(guide, name);
-  const MapPoint at = *found < streets
+  const Askable all = askable(guide);
+  // A whole name may hold the sign.
+  if (!meant(name, all.names).is_whole) {
+    std::optional<Error> first_error;
+    for (std::size_t sign = name.find('&'); sign != std::string::npos; sign = name.find('&', sign + 1)) {
+      auto junction = find_junction(guide, all, name, sign);
+      if (junction) return junction;
+      if (!first_error) first_error = junction.error();
+    }
+    if (first_error) return *first_error;
+  }
+  const auto found = one_name(name, all);
+  if (!found) return found.error();
+  const MapPoint at = *found < all.streets
                           ? models::place_along(guide.streets()[*found].runs.front().line,
                                                 0.5 * guide.streets()[*found].runs.front().length_px)
-                          : places[*found - streets].at;
+                          : all.places[*found - all.streets].at;
   const auto on = guide.network().nearest(at, std::numeric_limits<double>::infinity());
-  return on ? Result<StreetPosition>(*on) : Result<StreetPosition>(not_found(guide, name));
+  return on ? Result<StreetPosition>(*on) : Result<StreetPosition>(not_found(name, all));
 }
 
 Result<RouteEnds> route_ends(const MapGuide& guide, const std::string& text) {
-  constexpr std::string_view kTo = " to ";
-  const std::size_t at = text.find(kTo);
-  if (at == std::string::npos)
-    return Error{ErrorCode::usage, "a route is 'A to B': two streets, places, or junctions as 'A & B'", {}};
-  const auto from = find_on_map(guide, text.substr(0, at));
-  if (!from) return from.error();
-  const auto to = find_on_map(guide, text.substr(at + kTo.size()));
-  if (!to) return to.error();
-  return RouteEnds{*from, *to};
+  constexpr std::size_t kDivider = 4;  // " to "
+  std::optional<RouteEnds> ends;
+  std::optional<Error> first_error;
+  const auto names = askable(guide).names;
+  for (const std::size_t at : dividers(text)) {
+    const std::string a = text.substr(0, at), b = text.substr(at + kDivider);
+    const auto from = find_on_map(guide, a);
+    const auto to = find_on_map(guide, b);
+    if (from && to) {
+      const bool whole = meant(a, names).is_whole && meant(b, names).is_whole;
+      if (!ends || whole) ends = RouteEnds{*from, *to};
+      if (whole) break;
+    } else if (!first_error) {
+      first_error = from ? to.error() : from.error();
+    }
+  }
+  constexpr double kSame_px = 1e-6;
+  if (ends && distance_px(ends->from.at, ends->to.at) <= kSame_px)
+    return Error{ErrorCode::usage, "start and end are the same", {}};
+  if (ends) return *ends;
+  if (first_error) return *first_error;
+  return Error{ErrorCode::usage, "a route is 'A to B': two streets, places, or junctions as 'A & B'", {}};
+}
+
+std::string detour_words(const MapGuide& all, const models::StreetRoute& route, const RouteEnds& ends,
+                         const DetourOptions& options) {
+  const double reach = std::numeric_limits<double>::infinity();
+  const auto from = all.network().nearest(ends.from.at, reach), to = all.network().nearest(ends.to.at, reach);
+  if (!from || !to) return {};
+  const auto shortest = all.network().route(*from, *to);
+  if (!shortest) return {};
+  const double least_px = all.map().metres_per_px > 0.0 ? options.least_more_m / all.map().metres_per_px
+                                                        : all.pixels_of(options.least_more_on_device_m);
+  if (route.length_px < options.least_ratio * shortest->length_px ||
+      route.length_px < shortest->length_px + least_px)
+    return {};
+  return fmt::format("The shortest way, {}, leads over streets that cannot be felt.",
+                     all.distance_words(shortest->length_px));
 }
 
 std::vector<std::string> route_words(const MapGuide& guide, const models::StreetRoute& route) {
@@ -249,8 +371,11 @@ std::vector<std::string> route_words(const MapGuide& guide, const models::Street
              : std::abs(turn) > kSharp ? fmt::format("turn sharply {} into {}", side, step)
                                        : fmt::format("turn {} into {}", side, step);
     }
+    // The next turn is counted from the last direction, which must have been said.
+    const std::string first = guide.direction_words(leg.first_bearing);
+    const std::string last = guide.direction_words(leg.last_bearing);
     words.push_back(fmt::format("{}, go {} for {}.", capitalised(step),
-                                guide.direction_words(leg.first_bearing),
+                                first == last ? first : fmt::format("{}, in the end {},", first, last),
                                 guide.distance_words(leg.length_px)));
   }
   words.emplace_back("There is the end.");

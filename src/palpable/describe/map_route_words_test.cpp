@@ -69,6 +69,80 @@ TEST(MapRoute, IsSpokenLegByLeg) {
   EXPECT_EQ(route_ends(guide, "Mill Lane").error().code, ErrorCode::usage);
 }
 
+TEST(MapPlaces, SayWhichNamesABeginningOrASpellingCouldBe) {
+  StreetMap map = town_map();
+  map.streets.push_back({"Church Lane", 12.0, {{750, 900}, {500, 900}}});
+  const MapGuide guide(map_scene(map));
+  EXPECT_EQ(find_on_map(guide, "chur").error().message, "'chur' could be Church Road and Church Lane");
+  EXPECT_EQ(find_on_map(guide, "Mall Inne").error().message,
+            "nothing on the map is called 'Mall Inne'; similar names are Mill Lane");
+  EXPECT_EQ(find_on_map(guide, "High Street & high street").error().code, ErrorCode::usage);
+  EXPECT_THAT(find_on_map(guide, "High Street & high street").error().message, HasSubstr("two streets"));
+}
+
+TEST(MapPlaces, TryWholeNamesBeforeTheirSigns) {
+  StreetMap map = town_map();
+  map.streets.push_back({"Road to Hell", 12.0, {{0, 800}, {400, 800}, {500, 500}}});
+  map.streets.push_back({"High Street & Mill Lane", 12.0, {{0, 900}, {0, 800}}});
+  const MapGuide guide(map_scene(map));
+  const auto on = find_on_map(guide, "high street & mill lane");
+  ASSERT_TRUE(on);
+  EXPECT_NEAR(on->at.y, 850.0, 1e-9);
+  const auto ends = route_ends(guide, "Road to Hell TO Mill Lane");
+  ASSERT_TRUE(ends) << ends.error().message;
+  EXPECT_EQ(guide.map().streets[ends->from.piece].name, "Road to Hell");
+  EXPECT_EQ(guide.map().streets[ends->to.piece].name, "Mill Lane");
+  EXPECT_EQ(route_ends(guide, "Mill Lane to mill").error().message, "start and end are the same");
+}
+
+TEST(MapPlaces, SayThatAStreetIsThereButCannotBeFelt) {
+  StreetMap map = town_map();
+  map.streets[3].felt = false;
+  const MapGuide guide(map_scene(map), MapStreets::felt);
+  EXPECT_EQ(
+      find_on_map(guide, "mill").error().message,
+      "Mill Lane is on the map, but cannot be felt: a smaller part of the map, or a larger --size, shows "
+      "it");
+}
+
+TEST(MapRoute, SaysThatTheShortestWayCannotBeFelt) {
+  // From (0, 0) to (100, 0) directly, or around by (0, 200) and (100, 200).
+  StreetMap map;
+  map.width_px = map.height_px = 300;
+  map.metres_per_px = 1.0;
+  map.streets = {{"First", 6.0, {{10, 0}, {10, 200}}},
+                 {"Second", 6.0, {{10, 200}, {110, 200}}},
+                 {"Third", 6.0, {{110, 200}, {110, 0}}},
+                 {"Direct", 6.0, {{10, 0}, {110, 0}}, false}};
+  const models::Scene scene = map_scene(map);
+  const MapGuide felt(scene, MapStreets::felt), all(scene);
+  const auto words = [&](MapPoint a, MapPoint b) {
+    const RouteEnds ends{*felt.network().nearest(a, 1.0), *felt.network().nearest(b, 1.0)};
+    return detour_words(all, *felt.network().route(ends.from, ends.to), ends);
+  };
+  EXPECT_EQ(words({10, 0}, {110, 0}),
+            "The shortest way, 100 metres, leads over streets that cannot be felt.");
+  // 300 by the felt streets, 300 by the other one.
+  EXPECT_EQ(words({10, 100}, {110, 100}), "");
+}
+
+TEST(MapRoute, SaysTheDirectionThatATurnIsCountedFrom) {
+  // South, then bent to the west; from there to the south-west is a turn to the left.
+  StreetMap map;
+  map.width_px = map.height_px = 500;
+  map.metres_per_px = 1.0;
+  map.streets = {{"Bent Road", 6.0, {{400, 0}, {400, 200}, {202, 200}}},
+                 {"Bent Road", 6.0, {{202, 200}, {197, 200}}},
+                 {"Slope", 6.0, {{197, 200}, {97, 300}}}};
+  const MapGuide guide(map_scene(map));
+  const auto route = guide.network().route(*guide.network().nearest({400, 0}, 1.0),
+                                           *guide.network().nearest({97, 300}, 1.0));
+  ASSERT_TRUE(route);
+  EXPECT_THAT(route_words(guide, *route),
+              ElementsAre("Bent Road, go south, in the end west, for 400 metres.",
+                          "Turn left into Slope, go south-west for 140 metres.", "There is the end."));
+}
+
 /// A scene whose left half is one street, and whose right half another one.
 models::Scene two_streets() {
   models::Scene scene = map_scene(town_map());

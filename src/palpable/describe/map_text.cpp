@@ -130,14 +130,27 @@ std::string run_words(const MapGuide& guide, const std::string& name, const Stre
   return words;
 }
 
+/// Those that are felt, then the others under a heading of their own.
 void add_streets(std::string& text, const MapGuide& guide, const std::vector<KeyedStreet>& keyed) {
   if (keyed.empty()) {
     text += "\nNo street has a name that was found.\n";
     return;
   }
-  text += "\nStreets, the longest first, each after its key on the tactile drawing.\n";
-  for (std::size_t i = 0; i < keyed.size(); ++i)
-    text += fmt::format("Key {}: {}\n", keyed[i].key, street_words(guide, guide.streets()[i]));
+  const auto unfelt = models::unfelt_names(guide.map());
+  std::string felt_lines, unfelt_lines;
+  for (std::size_t i = 0; i < keyed.size(); ++i) {
+    const bool is_felt = !std::binary_search(unfelt.begin(), unfelt.end(), keyed[i].name);
+    (is_felt ? felt_lines : unfelt_lines) +=
+        fmt::format("{}{}\n", keyed[i].key.empty() ? "" : fmt::format("Key {}: ", keyed[i].key),
+                    street_words(guide, guide.streets()[i]));
+  }
+  if (!felt_lines.empty())
+    text += "\nStreets, the longest first, each after its key on the tactile drawing.\n" + felt_lines;
+  if (!unfelt_lines.empty())
+    text +=
+        "\nStreets that cannot be felt on this model: a smaller part of the map, or a larger --size, shows "
+        "them.\n" +
+        unfelt_lines;
 }
 
 /// The nodes where streets of two names meet, from the top; of several close together with the same names

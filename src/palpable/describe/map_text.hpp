@@ -17,7 +17,8 @@ struct MapTextOptions {
 };
 
 /// A street map in words to read or to hear, UTF-8, one sentence or item a line: its title and scale; each
-/// street with its key (street_keys.hpp), length, direction and what it meets, in order along it; junctions
+/// street with its key (street_keys.hpp), length, direction and what it meets, in order along it, those that
+/// cannot be felt last under a heading; junctions
 /// with the bearings of their streets; places, water and buildings. The scene must have a map.
 std::string map_text(const models::Scene& scene, const MapTextOptions& options = {});
 

@@ -34,6 +34,18 @@ TEST(MapText, DescribesStreetsInTheOrderInWhichTheyMeet) {
   EXPECT_LT(text.find("\nKey hs"), text.find("\nKey ml"));
 }
 
+TEST(MapText, ListsStreetsThatCannotBeFeltLast) {
+  StreetMap map = town_map();
+  for (MapStreet& street : map.streets) street.felt = street.name != "High Street";
+  const std::string text = map_text(map_scene(map));
+  const auto heading = text.find("\nStreets that cannot be felt on this model: a smaller part of the map");
+  ASSERT_NE(heading, std::string::npos);
+  EXPECT_LT(text.find("\nKey cr: Church Road"), heading);
+  EXPECT_LT(text.find("\nKey ml: Mill Lane"), heading);
+  EXPECT_GT(text.find("\nKey hs: High Street"), heading);
+  EXPECT_EQ(map_text(map_scene(town_map())).find("cannot be felt"), std::string::npos);
+}
+
 TEST(MapText, GivesTheBearingsAtJunctions) {
   const std::string text = map_text(map_scene(town_map()));
   EXPECT_THAT(

@@ -29,7 +29,9 @@ double beside_px(const StreetMap& map) {
 MapGuide::MapGuide(const models::Scene& scene, MapStreets streets)
     : network_(streets == MapStreets::all ? scene.map : models::felt_part(*scene.map)),
       scene_m_per_px_(models::size_m(scene).x / std::max(1, scene.map->width_px)),
-      streets_(network_.named_streets(beside_px(*scene.map))) {}
+      streets_(network_.named_streets(beside_px(*scene.map))),
+      missing_names_(streets == MapStreets::all ? std::vector<std::string>()
+                                                : models::unfelt_names(*scene.map)) {}
 
 MapPoint MapGuide::pixel_of(Place place) const {
   return {place.x_m / scene_m_per_px_ + 0.5 * map().width_px - 0.5,

@@ -42,6 +42,9 @@ class MapGuide {
 
   /// Every street with a name, the longest first.
   const std::vector<models::NamedStreet>& streets() const noexcept { return streets_; }
+  /// Names of the map's streets that are not among streets(): no piece of them is felt. Empty with
+  /// MapStreets::all.
+  const std::vector<std::string>& missing_names() const noexcept { return missing_names_; }
   /// The names of the streets at a node, each once, in alphabetical order; without unnamed ones.
   std::vector<std::string> names_at(std::size_t node) const;
 
@@ -49,6 +52,7 @@ class MapGuide {
   models::StreetNetwork network_;
   double scene_m_per_px_ = 0.0;
   std::vector<models::NamedStreet> streets_;
+  std::vector<std::string> missing_names_;
 };
 
 /// How a street without a name is called.

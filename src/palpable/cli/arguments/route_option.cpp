@@ -43,6 +43,8 @@ Result<std::vector<std::string>> apply_route(const std::string& route, const Rou
   set_frictions(names, friction, scene);
   std::vector<std::string> words{
       fmt::format("The route from {}, {}.", route, guide.distance_words(found->length_px))};
+  if (std::string detour = describe::detour_words(describe::MapGuide(scene), *found, *ends); !detour.empty())
+    words.push_back(std::move(detour));
   for (std::string& sentence : describe::route_words(guide, *found)) words.push_back(std::move(sentence));
   for (const std::string& sentence : words) {
     const std::size_t needed = scene.description.size() + sentence.size() + 1;

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 #include <queue>
+#include <set>
 #include <utility>
 
 namespace palpable::models {
@@ -54,14 +55,25 @@ void add_leg(StreetRoute& route, const std::string& name, const std::vector<MapP
   const double length = length_px_of(part);
   if (length <= 0.0) return;
   if (route.legs.empty() || route.legs.back().name != name)
-    route.legs.push_back(
-        {name, 0.0, first_bearing(part), 0.0, route.line.empty() ? 0 : route.line.size() - 1});
+    route.legs.push_back({name, 0.0, 0.0, 0.0, route.line.empty() ? 0 : route.line.size() - 1});
   route.legs.back().length_px += length;
-  const double back = first_bearing(reversed(part));
-  route.legs.back().last_bearing =
-      back < std::numbers::pi ? back + std::numbers::pi : back - std::numbers::pi;
   route.line.insert(route.line.end(), part.begin() + (route.line.empty() ? 0 : 1), part.end());
   route.length_px += length;
+}
+
+/// The bearings of the legs of a finished route: over the whole leg, so that a short piece at its end does
+/// not count.
+void set_bearings(StreetRoute& route) {
+  for (std::size_t k = 0; k < route.legs.size(); ++k) {
+    const std::size_t last =
+        k + 1 < route.legs.size() ? route.legs[k + 1].first_point : route.line.size() - 1;
+    const auto begin = route.line.begin();
+    const std::vector<MapPoint> line(begin + static_cast<std::ptrdiff_t>(route.legs[k].first_point),
+                                     begin + static_cast<std::ptrdiff_t>(last) + 1);
+    const double back = first_bearing(reversed(line));
+    route.legs[k].first_bearing = first_bearing(line);
+    route.legs[k].last_bearing = back < std::numbers::pi ? back + std::numbers::pi : back - std::numbers::pi;
+  }
 }
 
 bool is_near(const std::vector<MapPoint>& line, MapPoint p, double reach_px) {
@@ -85,6 +97,15 @@ std::shared_ptr<const StreetMap> felt_part(const StreetMap& map) {
   StreetMap part = map;
   std::erase_if(part.streets, [](const MapStreet& street) { return !street.felt; });
   return std::make_shared<const StreetMap>(std::move(part));
+}
+
+std::vector<std::string> unfelt_names(const StreetMap& map) {
+  std::set<std::string> names;
+  for (const MapStreet& street : map.streets)
+    if (!street.felt && !street.name.empty()) names.insert(street.name);
+  for (const MapStreet& street : map.streets)
+    if (street.felt) names.erase(street.name);
+  return {names.begin(), names.end()};
 }
 
 double bearing_of(MapPoint from, MapPoint to) {
@@ -212,6 +233,7 @@ std::optional<StreetRoute> StreetNetwork::route(const StreetPosition& from, cons
     if (!std::isfinite(direct)) return std::nullopt;
     add_leg(route, map_->streets[to.piece].name, part_of(last_line, from.along_px, to.along_px));
     if (route.line.empty()) route.line = {from.at, to.at};
+    set_bearings(route);
     return route;
   }
   std::size_t node = by_first <= by_last ? ends_[to.piece].first : ends_[to.piece].second;
@@ -233,6 +255,7 @@ std::optional<StreetRoute> StreetNetwork::route(const StreetPosition& from, cons
   add_leg(route, map_->streets[to.piece].name,
           part_of(last_line, by_first <= by_last ? 0.0 : lengths_px_[to.piece], to.along_px));
   if (route.line.empty()) route.line = {from.at, to.at};
+  set_bearings(route);
   return route;
 }
 

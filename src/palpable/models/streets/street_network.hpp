@@ -110,6 +110,9 @@ class StreetNetwork {
 /// The map with the streets that are felt alone.
 std::shared_ptr<const StreetMap> felt_part(const StreetMap& map);
 
+/// The names of streets of which no piece is felt, each once, in alphabetical order.
+std::vector<std::string> unfelt_names(const StreetMap& map);
+
 /// Bearing from a point to another one, radians clockwise from up, 0 ... 2 pi; 0 for the same point.
 double bearing_of(MapPoint from, MapPoint to);
 
