@@ -56,6 +56,19 @@ std::string with_plain_lines(std::string_view text) {
   return plain;
 }
 
+std::string plain_name(std::string_view text) {
+  std::string name;
+  for (std::size_t k = 0; k < text.size();) {
+    const std::size_t control = control_at(text.substr(k));
+    const bool is_blank = text[k] == ' ' || text[k] == '\n' || text[k] == '\t';
+    if (is_blank && !name.empty() && name.back() != ' ') name += ' ';
+    if (!is_blank && control == 0) name += text[k];
+    k += control > 0 ? control : 1;
+  }
+  if (!name.empty() && name.back() == ' ') name.pop_back();
+  return name;
+}
+
 std::string without_control_characters(std::string_view text) {
   std::string plain;
   plain.reserve(text.size());

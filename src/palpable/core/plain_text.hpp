@@ -14,6 +14,10 @@ bool has_control_characters(std::string_view text);
 /// Replaces each of those characters by a question mark.
 std::string without_control_characters(std::string_view text);
 
+/// A name as it is shown and spoken: without those characters, newlines and tabs as blanks, no blanks at its
+/// ends and no two in a row. Empty for a text of blanks.
+std::string plain_name(std::string_view text);
+
 /// Whether a text is UTF-8: no byte that is out of place, no overlong form, no surrogate.
 bool is_utf8(std::string_view text);
 

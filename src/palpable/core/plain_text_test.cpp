@@ -22,6 +22,12 @@ TEST(PlainText, ReplacesControlCharactersAndDirectionOverrides) {
   EXPECT_EQ(without_control_characters(std::string("a\0b", 3)), "a?b");
 }
 
+TEST(PlainText, MakesNamesWithoutControlsAndSpareBlanks) {
+  EXPECT_EQ(plain_name("  a\nb\t \x1b c\xE2\x80\xAE\xE2\x81\xA6 "), "a b c");
+  EXPECT_EQ(plain_name(" \t\n\xE2\x80\xAE "), "");
+  EXPECT_EQ(plain_name("Rue de l'\xC3\x89t\xC3\xA9"), "Rue de l'\xC3\x89t\xC3\xA9");
+}
+
 TEST(PlainText, RecognisesUtf8) {
   for (const std::string valid :
        {"", "a", "\xC3\xA9", "\xED\x95\x9C", "\xF0\x9F\x98\x80", "\xF4\x8F\xBF\xBF"})

@@ -46,8 +46,15 @@ std::string some_of(const std::vector<std::string>& names) {
 }
 
 /// What was joined or left out because a finger could not tell it apart.
-std::vector<Note> notes_on(const sculpt::StreetRelief& made, std::size_t pieces) {
+std::vector<Note> notes_on(const sculpt::StreetRelief& made, const sculpt::TactileRules& rules,
+                           std::size_t pieces) {
   std::vector<Note> notes;
+  if (const double hollow = sculpt::hollow_part(made.parts, made.relief.pixel_m(), rules);
+      hollow > rules.most_hollow)
+    notes.emplace_back(
+        fmt::format("{:.0f} % of the plate is hollow where streets ran together: no street is felt there. A "
+                    "smaller part of the map (--width of an extract), or a larger --size, keeps them apart.",
+                    100.0 * hollow));
   const sculpt::StreetSelection& streets = made.streets;
   if (streets.left_out > 0) {
     std::string words = fmt::format(
@@ -83,7 +90,7 @@ Result<MadeScene> scene_of(StreetMap map, const MapRecipe& recipe, const char* m
   scene.materials = std::move(made->materials);
   scene.source.method = method;
   for (std::size_t i = 0; i < map.streets.size(); ++i) map.streets[i].felt = made->streets.felt[i];
-  auto notes = notes_on(*made, map.streets.size());
+  auto notes = notes_on(*made, recipe.relief.rules, map.streets.size());
   scene.map = std::make_shared<const StreetMap>(std::move(map));
   MadeScene out{std::move(scene), std::move(notes)};
   if (made->left_out_names > 0)

@@ -3,6 +3,7 @@
 #include "palpable/formats/scene/map_codec.hpp"
 
 #include "palpable/core/byte_reader.hpp"
+#include "palpable/core/plain_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -73,7 +74,7 @@ Result<StreetMap> map_from(const nlohmann::json& j) {
   map.height_px = j.at("height_px").get<int>();
   map.metres_per_px = j.value("metres_per_px", 0.0);
   for (const nlohmann::json& s : j.at("streets"))
-    map.streets.push_back({s.value("name", std::string()), s.at("width_px").get<double>(),
+    map.streets.push_back({plain_name(s.value("name", std::string())), s.at("width_px").get<double>(),
                            points_from(s.at("points_px")), s.value("felt", true)});
   for (const nlohmann::json& c : j.at("crossings"))
     map.junctions.push_back({{c.at("x_px").get<double>(), c.at("y_px").get<double>()},
@@ -82,9 +83,10 @@ Result<StreetMap> map_from(const nlohmann::json& j) {
   for (const auto& [kind, key] : kAreaLists)
     for (const nlohmann::json& a : j.at(key)) map.areas.push_back({kind, points_from(a.at("outline_px"))});
   for (const nlohmann::json& l : j.at("labels"))
-    map.labels.push_back({l.at("text").get<std::string>(), l.at("confidence").get<double>(),
+    map.labels.push_back({plain_name(l.at("text").get<std::string>()), l.at("confidence").get<double>(),
                           l.at("angle_deg").get<double>(), points_from(l.at("box_px")),
                           l.at("names_street").get<bool>()});
+  std::erase_if(map.labels, [](const MapLabel& label) { return label.text.empty(); });
   if (!is_valid(map)) return invalid_input("has a map.json with numbers out of range");
   return map;
 }

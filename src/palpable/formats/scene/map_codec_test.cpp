@@ -40,6 +40,17 @@ TEST(MapCodec, ReadsWhatItWrote) {
   EXPECT_EQ(encode_street_map(*read), encode_street_map(map));
 }
 
+TEST(MapCodec, ReadsNamesAsTheyAreShown) {
+  StreetMap map = example_map();
+  map.streets[0].name = "\xE2\x80\xAEOld\nRoad\x1b ";
+  map.labels.push_back(map.labels[0]);
+  map.labels.back().text = " \t ";
+  const auto read = decode_street_map(encode_street_map(map));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->streets[0].name, "Old Road");
+  EXPECT_EQ(read->labels.size(), 1U);
+}
+
 TEST(MapCodec, RefusesDamagedMaps) {
   const Bytes whole = encode_street_map(example_map());
   EXPECT_FALSE(decode_street_map(std::span(whole).first(whole.size() / 2)));

@@ -243,6 +243,8 @@ std::vector<Parameter> parameters_of(StreetReliefOptions& o) {
       {"water_depth_m", &o.water_depth_m, {0.0, 0.01}, "m", "depth of water below the land"},
       {"least_gap_m", &o.rules.least_gap_m, {0.0001, 0.02}, "m", "least distance of two grooves or areas"},
       {"least_part_m", &o.rules.least_part_m, {0.0001, 0.02}, "m", "least width of a building or water"},
+      {"hollow_m", &o.rules.hollow_m, {0.001, 0.05}, "m", "least width of a groove that is a hollow"},
+      {"most_hollow", &o.rules.most_hollow, {0.0, 1.0}, "", "part of the plate in hollows that is said"},
       {"junction_part", &o.junction_part, {0.1, 3.0}, "", "size of a junction's texture, in street widths"},
       {"samples", &o.samples, {64, 4096}, "", "samples along the longer side"}};
 }

@@ -16,6 +16,13 @@ namespace {
 
 using Rule = TactileViolation::Rule;
 
+cv::Mat mask_of(const Raster<MapPart>& parts, MapPart part) {
+  cv::Mat mask(parts.height(), parts.width(), CV_8U);
+  for (int y = 0; y < parts.height(); ++y)
+    for (int x = 0; x < parts.width(); ++x) mask.at<std::uint8_t>(y, x) = parts(x, y) == part ? 255 : 0;
+  return mask;
+}
+
 /// A relief as it is checked: masks of its parts, and heights over its land.
 class CheckedRelief {
  public:
@@ -58,12 +65,7 @@ class CheckedRelief {
     found_.push_back({rule, part, x, y, measured_m});
   }
 
-  cv::Mat mask_of(MapPart part) const {
-    cv::Mat mask(parts_.height(), parts_.width(), CV_8U);
-    for (int y = 0; y < parts_.height(); ++y)
-      for (int x = 0; x < parts_.width(); ++x) mask.at<std::uint8_t>(y, x) = parts_(x, y) == part ? 255 : 0;
-    return mask;
-  }
+  cv::Mat mask_of(MapPart part) const { return sculpt::mask_of(parts_, part); }
 
   double samples_of(double length_m) const { return length_m / sample_m_; }
   double tolerance() const { return 1.5; }
@@ -169,6 +171,15 @@ std::string_view words_of(TactileViolation::Rule rule) {
 std::vector<TactileViolation> check_tactile_rules(const models::Relief& relief, const Raster<MapPart>& parts,
                                                   const TactileRules& rules) {
   return CheckedRelief(relief, parts, rules).take();
+}
+
+double hollow_part(const Raster<MapPart>& parts, double sample_m, const TactileRules& rules) {
+  if (parts.width() == 0 || parts.height() == 0) return 0.0;
+  // Beyond the plate is no groove.
+  cv::Mat ringed;
+  cv::copyMakeBorder(mask_of(parts, MapPart::street), ringed, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
+  const cv::Mat hollow = opened(ringed, 0.5 * rules.hollow_m / sample_m);
+  return cv::countNonZero(hollow) / (static_cast<double>(parts.width()) * parts.height());
 }
 
 }  // namespace palpable::sculpt

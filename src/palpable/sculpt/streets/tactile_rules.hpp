@@ -25,6 +25,11 @@ struct TactileRules {
   double least_groove_m = 0.003;
   /// Least width of a building or water.
   double least_part_m = 0.003;
+  /// A groove at least this wide is a hollow in which no street is felt: more than the crossing of two widest
+  /// grooves of 6 mm with its rounded corners, 9.7 mm.
+  double hollow_m = 0.01;
+  /// The part of the plate, 0 ... 1, above which hollows are worth a warning.
+  double most_hollow = 0.02;
 };
 
 /// A place where a relief breaks a rule.
@@ -47,5 +52,9 @@ std::string_view words_of(TactileViolation::Rule rule);
 /// measure: it does not know how the relief was made.
 std::vector<TactileViolation> check_tactile_rules(const models::Relief& relief, const Raster<MapPart>& parts,
                                                   const TactileRules& rules);
+
+/// The part of a plate, 0 ... 1, that circles of the diameter `rules.hollow_m` inside of its grooves cover:
+/// where streets ran together. `sample_m`: distance of samples, metres.
+double hollow_part(const Raster<MapPart>& parts, double sample_m, const TactileRules& rules);
 
 }  // namespace palpable::sculpt

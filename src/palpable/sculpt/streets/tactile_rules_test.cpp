@@ -109,6 +109,25 @@ TEST(TactileRules, FindNarrowGroovesAndCrumbs) {
   EXPECT_EQ(found.size(), 3U);
 }
 
+TEST(TactileRules, MeasureThePartOfThePlateInHollows) {
+  Raster<MapPart> parts(400, 400, MapPart::land);
+  const auto box = [&parts](int left, int top, int wide, int high) {
+    for (int y = top; y < top + high; ++y)
+      for (int x = left; x < left + wide; ++x) parts(x, y) = MapPart::street;
+  };
+  // A crossing of two grooves of 6 mm is none.
+  box(0, 50, 400, 60);
+  box(50, 0, 60, 400);
+  EXPECT_DOUBLE_EQ(hollow_part(parts, 0.0001, {}), 0.0);
+  // A hollow of 15 x 20 mm on a plate of 40 x 40 mm, without its corners of a radius of 5 mm.
+  box(200, 150, 150, 200);
+  const double corners = (4.0 - 3.14159265) * 25.0;
+  EXPECT_NEAR(hollow_part(parts, 0.0001, {}), (300.0 - corners) / 1600.0, 0.005);
+  TactileRules wide;
+  wide.hollow_m = 0.016;
+  EXPECT_DOUBLE_EQ(hollow_part(parts, 0.0001, wide), 0.0);
+}
+
 TEST(TactileRules, ACornerOfLandIsNoNarrowGap) {
   Plate plate;
   plate.box(MapPart::street, 0, 18, 40, 3, -1.5);

@@ -4,6 +4,7 @@
 
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/core/number_text.hpp"
+#include "palpable/core/plain_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -98,7 +99,7 @@ class Collector : public osmium::handler::Handler {
     if (!kind || !way.visible() || value_of(tags, "area") == "yes") return;
     ExtractWay out;
     out.kind = *std::move(kind);
-    out.name = std::string(value_of(tags, "name"));
+    out.name = plain_name(value_of(tags, "name"));
     out.width_m = metres_of(value_of(tags, "width"));
     out.tunnel = !value_of(tags, "tunnel").empty() && value_of(tags, "tunnel") != "no";
     const std::string_view junction = value_of(tags, "junction");
