@@ -96,6 +96,12 @@ TEST_F(MapCommands, MakeAMapOfAnExtract) {
     EXPECT_TRUE(std::filesystem::exists(path(file))) << file;
   }
   EXPECT_TRUE(std::filesystem::exists(path("map-key.svg")));
+  // A sheet of an earlier key goes, a file of another kind stays.
+  write_text(path("map-key-5.svg"), read_text(path("map-key.svg")));
+  write_text(path("map-key-6.svg"), "<svg><title>Mine</title></svg>");
+  EXPECT_EQ(palpable({"export", path("map.palp"), "-o", path("map.svg")}).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(path("map-key-5.svg")));
+  EXPECT_TRUE(std::filesystem::exists(path("map-key-6.svg")));
   EXPECT_THAT(read_text(path("map.txt")), HasSubstr("300 by 300 metres; north is up"));
   EXPECT_THAT(read_text(path("map.txt")), HasSubstr("Key li: Lindenweg"));
   const auto routed = palpable(

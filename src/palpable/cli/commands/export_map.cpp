@@ -11,9 +11,11 @@
 #include "palpable/sculpt/streets/street_selection.hpp"
 
 #include <algorithm>
+#include <fstream>
 #include <memory>
 #include <span>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -58,11 +60,25 @@ models::Scene on_paper(models::Scene scene, double width_m, double line_m, doubl
   return scene;
 }
 
-/// The streets' lines with their keys, and the lines of the key in print.
+/// The streets' lines with their keys, and the key in print: what stands above it, and a line for each of the
+/// first streets.
 struct Drawing {
   formats::MapSheet sheet;
-  std::vector<std::string> key_lines;
+  std::vector<std::string> heading;
+  std::vector<std::string> lines;
+  /// Streets with names that are not drawn.
+  std::size_t not_drawn = 0;
 };
+
+/// A name of at most sixty characters, so that a key has a bounded number of pages.
+std::string shortened(const std::string& name) {
+  constexpr std::size_t kMost = 60;
+  std::size_t characters = 0;
+  for (std::size_t k = 0; k < name.size(); ++k)
+    if ((static_cast<unsigned char>(name[k]) & 0xC0U) != 0x80U && ++characters > kMost)
+      return name.substr(0, k) + "...";
+  return name;
+}
 
 Drawing drawing_of(const models::Scene& scene) {
   const describe::MapGuide guide(scene, describe::MapStreets::felt);
@@ -70,19 +86,22 @@ Drawing drawing_of(const models::Scene& scene) {
   const StreetMap& map = guide.map();
   drawing.sheet.width_m = guide.metres_on_device(map.width_px);
   drawing.sheet.height_m = guide.metres_on_device(map.height_px);
-  drawing.key_lines.push_back(describe::name_of(scene));
+  drawing.heading.push_back(shortened(describe::name_of(scene)));
   if (map.metres_per_px > 0.0)
-    drawing.key_lines.push_back(fmt::format("{:.0f} by {:.0f} metres, north is up",
-                                            map.width_px * map.metres_per_px,
-                                            map.height_px * map.metres_per_px));
+    drawing.heading.push_back(fmt::format("{:.0f} by {:.0f} metres, north is up",
+                                          map.width_px * map.metres_per_px,
+                                          map.height_px * map.metres_per_px));
   for (const describe::KeyedStreet& keyed : describe::keyed_streets(scene)) {
     const auto drawn = std::find_if(guide.streets().begin(), guide.streets().end(),
                                     [&](const auto& street) { return street.name == keyed.name; });
-    if (drawn == guide.streets().end()) continue;
+    if (drawn == guide.streets().end()) {
+      ++drawing.not_drawn;
+      continue;
+    }
     formats::SheetStreet street{{}, formats::plain_braille(keyed.key)};
     for (const auto& run : drawn->runs) street.lines.push_back(line_in_scene(guide, run.line, false));
     drawing.sheet.streets.push_back(std::move(street));
-    drawing.key_lines.push_back(keyed.key + " " + keyed.name);
+    drawing.lines.push_back(keyed.key + " " + shortened(keyed.name));
   }
   for (const MapStreet& street : map.streets)
     if (street.name.empty())
@@ -111,19 +130,62 @@ formats::MapSheetOptions sheet_options(const TactileArguments& arguments) {
   return sheet;
 }
 
+/// The key in print, without the names that the table cannot write, which are said: first the streets whose
+/// keys stand on the drawing.
+std::vector<std::string> key_lines(const Drawing& drawing, const std::vector<std::size_t>& without_room,
+                                   const std::string& table, Console& console) {
+  const auto writable = formats::writable_in_braille(drawing.lines, table);
+  std::vector<std::string> lines = drawing.heading, without_key;
+  std::size_t unwritable = 0;
+  for (std::size_t i = 0; i < drawing.lines.size(); ++i) {
+    const bool has_key = std::find(without_room.begin(), without_room.end(), i) == without_room.end();
+    if (writable && !(*writable)[i])
+      ++unwritable;
+    else
+      (has_key ? lines : without_key).push_back(drawing.lines[i]);
+  }
+  if (!without_key.empty()) lines.emplace_back("Streets whose keys are not on the drawing");
+  lines.insert(lines.end(), without_key.begin(), without_key.end());
+  if (drawing.not_drawn > 0)
+    lines.push_back(fmt::format("Streets that are not on the drawing: {}", drawing.not_drawn));
+  if (unwritable > 0)
+    console.note(fmt::format("{} of {} names cannot be written with {} (--braille-table).", unwritable,
+                             drawing.lines.size(), table));
+  return lines;
+}
+
+/// Sheets of this map's key from an earlier export, beyond those that are written, go.
+void remove_older_sheets(const std::filesystem::path& output, std::size_t written, AtomicFiles& files) {
+  constexpr std::size_t kMostSheets = 1000, kBegin = 400;
+  for (std::size_t page = written; page < kMostSheets; ++page) {
+    const auto path = key_path(output, page);
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) continue;
+    std::string begin(kBegin, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    begin.resize(static_cast<std::size_t>(file.gcount()));
+    if (formats::is_key_sheet(begin)) files.remove_after(path);
+  }
+}
+
 /// Adds the drawing and, for an SVG, its key; their paths.
 Result<std::vector<std::string>> add_drawing(const Drawing& drawing, const TactileArguments& arguments,
                                              const std::filesystem::path& output, Console& console,
                                              AtomicFiles& files) {
-  const auto lines = braille_of(drawing.key_lines, arguments.braille_table, console);
-  if (!lines) return lines.error();
-  std::vector<std::string> paths{output.string()};
   const formats::MapSheetOptions sheet = sheet_options(arguments);
+  const formats::BrailleOptions dots = braille_options(arguments);
   const bool is_svg = output.extension() == ".svg";
-  const auto encoded = is_svg
-                           ? formats::encode_map_sheet(drawing.sheet, sheet)
-                           : formats::encode_map_braille(drawing.sheet, *lines, braille_options(arguments));
+  // Which keys have room decides the order of the key's lines.
+  auto encoded = is_svg ? formats::encode_map_sheet(drawing.sheet, sheet)
+                        : formats::encode_map_braille(drawing.sheet, {}, dots);
   if (!encoded) return encoded.error();
+  const auto lines = braille_of(key_lines(drawing, encoded->without_room, arguments.braille_table, console),
+                                arguments.braille_table, console);
+  if (!lines) return lines.error();
+  if (!is_svg) encoded = formats::encode_map_braille(drawing.sheet, *lines, dots);
+  if (!encoded) return encoded.error();
+  std::vector<std::string> paths{output.string()};
   if (const auto added = add_text(files, output, encoded->text); !added) return added.error();
   if (is_svg) {
     const auto pages = formats::encode_key_sheets(*lines, sheet);
@@ -131,6 +193,7 @@ Result<std::vector<std::string>> add_drawing(const Drawing& drawing, const Tacti
       paths.push_back(key_path(output, page).string());
       if (const auto added = add_text(files, paths.back(), pages[page]); !added) return added.error();
     }
+    remove_older_sheets(output, pages.size(), files);
   }
   if (!encoded->without_room.empty())
     console.note(fmt::format("{} of {} streets' keys found no room on the drawing; {}.",

@@ -9,6 +9,7 @@
 #include <cctype>
 #include <csignal>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include <poll.h>
@@ -94,6 +95,25 @@ std::optional<int> wait_for(pid_t child) {
   return in_time && WIFEXITED(status) ? std::optional<int>(WEXITSTATUS(status)) : std::nullopt;
 }
 
+/// The characters of a text beyond ASCII, each as its bytes.
+std::vector<std::string> beyond_ascii(std::string_view text) {
+  std::vector<std::string> characters;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0xC0U) characters.emplace_back();
+    if (byte >= 0x80U && !characters.empty()) characters.back() += c;
+  }
+  return characters;
+}
+
+/// Whether a character is written by its number, as another one is: the same cells around the digits.
+bool is_by_number(const BrailleLine& cells, const BrailleLine& by_number) {
+  constexpr std::size_t kBegin = 3;  // quotation mark, backslash, x
+  if (cells.size() <= kBegin || by_number.size() <= kBegin) return cells == by_number;
+  return std::equal(cells.begin(), cells.begin() + kBegin, by_number.begin()) &&
+         cells.back() == by_number.back();
+}
+
 }  // namespace
 
 char braille_ascii(BrailleCell cell) { return kBrailleAscii[cell & 63U]; }
@@ -153,6 +173,26 @@ Result<std::vector<BrailleLine>> translated_braille(std::span<const std::string>
   if (code != 0 || translated.size() != lines.size())
     return Error{ErrorCode::failed, "lou_translate failed with the table " + table, {}};
   return translated;
+}
+
+Result<std::vector<bool>> writable_in_braille(std::span<const std::string> lines, const std::string& table) {
+  std::vector<bool> writable(lines.size(), true);
+  std::set<std::string> distinct;
+  for (const std::string& line : lines)
+    for (std::string& c : beyond_ascii(line)) distinct.insert(std::move(c));
+  if (distinct.empty()) return writable;
+  // U+E000 is for private use: no table knows it.
+  std::vector<std::string> asked{"\xEE\x80\x80"};
+  asked.insert(asked.end(), distinct.begin(), distinct.end());
+  const auto cells = translated_braille(asked, table);
+  if (!cells) return cells.error();
+  std::set<std::string> unknown;
+  for (std::size_t k = 1; k < asked.size(); ++k)
+    if (is_by_number((*cells)[k], cells->front())) unknown.insert(asked[k]);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    for (const std::string& c : beyond_ascii(lines[i]))
+      if (unknown.contains(c)) writable[i] = false;
+  return writable;
 }
 
 }  // namespace palpable::formats

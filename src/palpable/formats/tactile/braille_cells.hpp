@@ -31,4 +31,8 @@ BrailleLine plain_braille(std::string_view text);
 Result<std::vector<BrailleLine>> translated_braille(std::span<const std::string> lines,
                                                     const std::string& table);
 
+/// Which of the lines hold only characters that a table of liblouis knows; it writes others by their number
+/// in hexadecimal. Errors: as translated_braille().
+Result<std::vector<bool>> writable_in_braille(std::span<const std::string> lines, const std::string& table);
+
 }  // namespace palpable::formats

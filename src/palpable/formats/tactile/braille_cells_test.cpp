@@ -35,6 +35,14 @@ TEST(Braille, OfLiblouisIsThatOfItsTable) {
   EXPECT_EQ(braille_ascii((*braille)[2]), ",RUE ,^/EMILE ,ZOLA");
 }
 
+TEST(Braille, SaysWhichLinesATableCannotWrite) {
+  const std::vector<std::string> lines{"High Street", "Rue Émile Zola", "\xED\x9B\x84 Street", "\xD7\x90"};
+  const auto writable = writable_in_braille(lines, "en-ueb-g1.ctb");
+  if (!writable) GTEST_SKIP() << "lou_translate is not installed";
+  EXPECT_EQ(*writable, (std::vector<bool>{true, true, false, false}));
+  EXPECT_EQ(*writable_in_braille(std::vector<std::string>{"a"}, "any"), std::vector<bool>{true});
+}
+
 TEST(Braille, RefusesNamesThatAreNoTables) {
   const std::vector<std::string> lines{"a"};
   EXPECT_EQ(translated_braille(lines, "--help").error().code, ErrorCode::usage);

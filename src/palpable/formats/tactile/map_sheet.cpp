@@ -15,6 +15,9 @@
 namespace palpable::formats {
 namespace {
 
+/// The title of the sheets of keys.
+constexpr const char* kKeyTitle = "Key of a street map";
+
 constexpr double kInMm = 1000.0;
 
 std::string svg_begin(double width_mm, double height_mm, const std::string& title) {
@@ -217,7 +220,7 @@ std::vector<std::string> encode_key_sheets(const std::vector<BrailleLine>& lines
   const auto all = wrapped(lines, columns);
   std::vector<std::string> pages;
   for (std::size_t begin = 0; begin < all.size(); begin += rows) {
-    std::string svg = svg_begin(kInMm * kWidth_m, kInMm * kHeight_m, "Key of a street map");
+    std::string svg = svg_begin(kInMm * kWidth_m, kInMm * kHeight_m, kKeyTitle);
     svg += "<g fill=\"black\">\n";
     for (std::size_t k = begin; k < std::min(all.size(), begin + rows); ++k)
       add_dots(svg, all[k], kInMm * kMargin_m,
@@ -225,6 +228,10 @@ std::vector<std::string> encode_key_sheets(const std::vector<BrailleLine>& lines
     pages.push_back(svg + "</g>\n</svg>\n");
   }
   return pages;
+}
+
+bool is_key_sheet(std::string_view svg) {
+  return svg.starts_with("<svg ") && svg.find(fmt::format("<title>{}</title>", kKeyTitle)) != svg.npos;
 }
 
 Result<SheetDrawing> encode_map_braille(const MapSheet& sheet, const std::vector<BrailleLine>& lines,

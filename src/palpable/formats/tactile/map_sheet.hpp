@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace palpable::formats {
@@ -57,6 +58,9 @@ Result<SheetDrawing> encode_map_sheet(const MapSheet& sheet, const MapSheetOptio
 /// Lines of braille as pages of A4 for swell paper, one SVG each.
 std::vector<std::string> encode_key_sheets(const std::vector<BrailleLine>& lines,
                                            const MapSheetOptions& options);
+
+/// Whether a file is such a page, by its first bytes.
+bool is_key_sheet(std::string_view svg);
 
 /// The map as one page of braille dots with the keys where they have room, and the lines of its key on the
 /// following pages. Errors: as encode_braille().
