@@ -245,7 +245,7 @@ TEST(CheckRecording, FindsEnergyThatARecordingShows) {
     auto& ticks = recording.ticks;
     for (std::size_t n = 1; n < ticks.size(); ++n) {
       const double up_m = ticks[n].device_position.v.z - ticks[n - 1].device_position.v.z;
-      ticks[n - 1].written_force_N.v *= up_m > 0.0 ? 2.0 : 0.5;
+      ticks[n - 1].written_force_N.v *= up_m > 0.0 ? 4.0 : 0.25;
     }
   });
   const auto report = checked(file, {});
