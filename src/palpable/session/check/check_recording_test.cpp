@@ -239,16 +239,28 @@ TEST(CheckRecording, RefusesAHeaderWithAnInvalidRate) {
   }
 }
 
+/// A touch in which the hand is pushed out with more force than it pressed with.
+CheckReport report_on_a_kick(const std::string& name) {
+  const auto options = recorded_touch_of(1.0, name);
+  EXPECT_TRUE(touch_headless(makes({waves(0.010)}), options, {}));
+  return checked(altered(options.recording, "altered-" + name,
+                         [](device::Recording& recording) {
+                           auto& ticks = recording.ticks;
+                           for (std::size_t n = 1; n < ticks.size(); ++n) {
+                             const double up_m =
+                                 ticks[n].device_position.v.z - ticks[n - 1].device_position.v.z;
+                             ticks[n - 1].written_force_N.v *= up_m > 0.0 ? 2.0 : 0.5;
+                           }
+                         }),
+                 {});
+}
+
 TEST(CheckRecording, FindsEnergyThatARecordingShows) {
-  // A hand that is pushed out with more force than it pressed with.
-  const auto file = altered(one_touch(), "energy.rec", [](device::Recording& recording) {
-    auto& ticks = recording.ticks;
-    for (std::size_t n = 1; n < ticks.size(); ++n) {
-      const double up_m = ticks[n].device_position.v.z - ticks[n - 1].device_position.v.z;
-      ticks[n - 1].written_force_N.v *= up_m > 0.0 ? 4.0 : 0.25;
-    }
-  });
-  const auto report = checked(file, {});
+  // On a busy machine so many ticks may be missed that a touch has no whole contact: then another is made.
+  constexpr int kTouches = 6;
+  CheckReport report;
+  for (int touch = 0; touch < kTouches && !found(report, FindingKind::energy_made); ++touch)
+    report = report_on_a_kick("kick-" + std::to_string(touch) + ".rec");
   EXPECT_TRUE(found(report, FindingKind::energy_made)) << said(report);
   EXPECT_GT(report.made_max_J, 1e-4);
 }
