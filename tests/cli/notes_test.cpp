@@ -54,7 +54,8 @@ TEST_F(Notes, SayWhichScenesALawIsForWhereItWasAskedFor) {
       HasSubstr(
           "The law tracing is for contours, not for reliefs: this scene is touched with the law proxy."));
   EXPECT_THAT(touched({path("lines.palp"), "--law", "penalty"}), HasSubstr("not for contours"));
-  EXPECT_EQ(touched({path("lines.palp")}), "");
+  // On a busy machine it may say that deadlines were missed.
+  EXPECT_THAT(touched({path("lines.palp")}), Not(HasSubstr("law")));
 }
 
 TEST_F(Notes, NameTheFileWithItsFolderInTheCommandThatTheyPropose) {
