@@ -111,8 +111,8 @@ measure::TrueStreetMap truth_of(const DrawnMap& drawn) {
   return truth;
 }
 
-/// What becomes of the names that are written on a map: how many there are, found as one line of lettering,
-/// read exactly.
+/// Counts of the names that are written on a map: all of them, those found as one line of lettering,
+/// and those read exactly.
 struct NameChain {
   int written = 0;
   int lines = 0;
