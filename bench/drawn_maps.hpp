@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/image.hpp"
-#include "palpable/core/raster.hpp"
-#include "palpable/core/street_map.hpp"
+#include "palpable/core/geometry/street_map.hpp"
+#include "palpable/core/picture/image.hpp"
+#include "palpable/core/picture/raster.hpp"
 #include "palpable/sources/map/map_extract.hpp"
 
 #include <cstdint>

@@ -4,7 +4,7 @@
 // 3 mm inside to 1 mm outside. Objects of an OBJ file whose name ends with "_table" are left out. Queries are
 // timed with warm caches along a path, and with cold caches (x86 only). With --dense as the first argument,
 // also for both kinds of dense field: size, build time and query time.
-#include "palpable/core/read_file.hpp"
+#include "palpable/core/files/read_file.hpp"
 #include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/models/scene/scene.hpp"
 #include "palpable/sculpt/field/dense_field_from_source.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rendered_video.hpp"
 
-#include "palpable/vision/motion/printed_marker.hpp"
+#include "palpable/vision/motion/tracks/printed_marker.hpp"
 
 #include <algorithm>
 #include <array>

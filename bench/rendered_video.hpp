@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/camera.hpp"
 #include "palpable/core/frame.hpp"
-#include "palpable/core/image.hpp"
-#include "palpable/core/raster.hpp"
+#include "palpable/core/picture/camera.hpp"
+#include "palpable/core/picture/image.hpp"
+#include "palpable/core/picture/raster.hpp"
 #include "palpable/core/work.hpp"
 
 #include <cstdint>

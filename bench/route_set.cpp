@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How often a simulated hand, which senses heights and hears names only, reaches the end of random routes on
 // maps of extracts or of generated towns: palpable_route_set [--routes N] [--width M] [EXTRACT…]
-#include "palpable/core/number_text.hpp"
+#include "palpable/core/text/number_text.hpp"
 #include "palpable/recipes/map_recipe.hpp"
 #include "palpable/sculpt/streets/tactile_rules.hpp"
 #include "palpable/sources/map/extract_window.hpp"

@@ -5,7 +5,7 @@
 // generated meshes on which the parameters were chosen, at a reduced size (50 mm, 256 cells, 20 000
 // triangles). With OBJ files: these, of 100 mm at 512 cells. --noise TURN RISE comes first and sets how
 // closely a field follows a scan's noise.
-#include "palpable/core/read_file.hpp"
+#include "palpable/core/files/read_file.hpp"
 #include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/models/scene/scene.hpp"
 #include "palpable/sculpt/field/field_from_source.hpp"

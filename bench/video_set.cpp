@@ -1,12 +1,12 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/core/quantile.hpp"
+#include "palpable/core/numbers/quantile.hpp"
 #include "palpable/formats/picture/picture.hpp"
 #include "palpable/measure/camera_path_score.hpp"
 #include "palpable/models/field/superquadric.hpp"
 #include "palpable/vision/image/luma.hpp"
-#include "palpable/vision/motion/marker_scale.hpp"
-#include "palpable/vision/motion/video_depth.hpp"
+#include "palpable/vision/motion/depth/marker_scale.hpp"
+#include "palpable/vision/motion/depth/video_depth.hpp"
 
 #include <charconv>
 #include <cmath>

@@ -23,6 +23,8 @@ set(PALPABLE_MAY_USE_cli core models formats sources vision sculpt recipes measu
 
 # Rooms, bottom-up. Files directly in a module's folder are its interface: every room may use them, and they use no room.
 # Tests in a room may use every room of their module.
+set(PALPABLE_ROOMS_core picture geometry numbers text files system)
+
 set(PALPABLE_ROOMS_models relief material field grid contours streets scene)
 set(PALPABLE_MAY_USE_models/material relief)
 set(PALPABLE_MAY_USE_models/field relief)
@@ -45,7 +47,7 @@ set(PALPABLE_MAY_USE_sources/map isolated)
 set(PALPABLE_MAY_USE_sources/input picture stereo solid depth)
 set(PALPABLE_MAY_USE_sources/decoder isolated picture solid calibration video map)
 
-set(PALPABLE_ROOMS_vision image segmentation stereo/problem stereo/cost stereo/range stereo/occlusion stereo/planes stereo/methods rectification stereo/result contours motion text streets)
+set(PALPABLE_ROOMS_vision image segmentation stereo/problem stereo/cost stereo/range stereo/occlusion stereo/planes stereo/methods rectification stereo/result contours motion/tracks motion/structure motion/depth text streets)
 set(PALPABLE_MAY_USE_vision/stereo/cost image stereo/problem)
 set(PALPABLE_MAY_USE_vision/stereo/range image stereo/cost)
 set(PALPABLE_MAY_USE_vision/stereo/occlusion image)
@@ -54,7 +56,9 @@ set(PALPABLE_MAY_USE_vision/stereo/methods image segmentation stereo/problem ste
 set(PALPABLE_MAY_USE_vision/stereo/result image rectification stereo/problem stereo/range stereo/occlusion stereo/methods)
 set(PALPABLE_MAY_USE_vision/rectification image stereo/problem stereo/methods)
 set(PALPABLE_MAY_USE_vision/contours image)
-set(PALPABLE_MAY_USE_vision/motion image stereo/cost)
+set(PALPABLE_MAY_USE_vision/motion/tracks image)
+set(PALPABLE_MAY_USE_vision/motion/structure motion/tracks)
+set(PALPABLE_MAY_USE_vision/motion/depth image stereo/cost motion/tracks motion/structure)
 set(PALPABLE_MAY_USE_vision/streets text)
 
 set(PALPABLE_ROOMS_sculpt relief contours triangles solid field correction points superquadric streets)
@@ -64,13 +68,23 @@ set(PALPABLE_MAY_USE_sculpt/correction triangles solid field)
 set(PALPABLE_MAY_USE_sculpt/points relief triangles)
 set(PALPABLE_MAY_USE_sculpt/superquadric triangles points)
 
+set(PALPABLE_ROOMS_recipes relief solid video)
+set(PALPABLE_MAY_USE_recipes/solid relief)
+set(PALPABLE_MAY_USE_recipes/video solid)
+
+set(PALPABLE_ROOMS_draw canvas view)
+set(PALPABLE_MAY_USE_draw/view canvas)
+
 set(PALPABLE_ROOMS_device transport simulated pointer recording two_diy virtual drivers)
 set(PALPABLE_MAY_USE_device/two_diy transport)
 set(PALPABLE_MAY_USE_device/virtual two_diy)
 set(PALPABLE_MAY_USE_device/drivers simulated pointer recording two_diy)
 
-set(PALPABLE_ROOMS_haptics safety law servo guardian)
-set(PALPABLE_MAY_USE_haptics/servo safety law)
+set(PALPABLE_ROOMS_haptics safety effect proxy law tick servo guardian)
+set(PALPABLE_MAY_USE_haptics/proxy effect)
+set(PALPABLE_MAY_USE_haptics/law effect proxy)
+set(PALPABLE_MAY_USE_haptics/tick safety effect law)
+set(PALPABLE_MAY_USE_haptics/servo safety effect law tick)
 
 set(PALPABLE_ROOMS_session make touch check)
 set(PALPABLE_MAY_USE_describe core models)
@@ -79,8 +93,11 @@ set(PALPABLE_MAY_USE_session/check touch)
 
 set(PALPABLE_ROOMS_study simulated)
 
-set(PALPABLE_ROOMS_cli arguments keys video commands)
-set(PALPABLE_MAY_USE_cli/commands arguments keys video)
+set(PALPABLE_ROOMS_cli arguments keys video commands/score commands/touch commands/export commands)
+set(PALPABLE_MAY_USE_cli/commands/score arguments)
+set(PALPABLE_MAY_USE_cli/commands/touch arguments keys)
+set(PALPABLE_MAY_USE_cli/commands/export arguments)
+set(PALPABLE_MAY_USE_cli/commands arguments video)
 
 # Regular expressions of headers that a module must never include: the modules of the servo need no vision library.
 set(PALPABLE_FREE_OF_VISION core models haptics device)

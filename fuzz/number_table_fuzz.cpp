@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/core/number_table.hpp"
+#include "palpable/core/text/number_table.hpp"
 
 #include <cmath>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/core/byte_writer.hpp"
-#include "palpable/core/crc32.hpp"
+#include "palpable/core/files/byte_writer.hpp"
+#include "palpable/core/files/crc32.hpp"
 #include "palpable/device/recording/recording.hpp"
 #include "palpable/device/recording/recording_format.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sculpture.hpp"
 
-#include "palpable/core/read_file.hpp"
+#include "palpable/core/files/read_file.hpp"
 #include "palpable/formats/picture/png.hpp"
 #include "palpable/sources/calibration/calibration.hpp"
 #include "palpable/sources/depth/depth_file.hpp"

@@ -10,9 +10,9 @@
 
 // What a program needs to touch a scene: core, models, device and haptics, which need no vision library.
 #include "palpable/core/frame.hpp"
-#include "palpable/core/mesh.hpp"
+#include "palpable/core/geometry/mesh.hpp"
+#include "palpable/core/geometry/point_cloud.hpp"
 #include "palpable/core/note.hpp"
-#include "palpable/core/point_cloud.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/device/callback_device.hpp"
@@ -25,12 +25,12 @@
 #include "palpable/models/scene/scene.hpp"
 
 // Making scenes from values, where that is installed.
-#if __has_include("palpable/recipes/relief_recipe.hpp")
+#if __has_include("palpable/recipes/relief/relief_recipe.hpp")
 #include "palpable/recipes/contours_recipe.hpp"
-#include "palpable/recipes/field_recipe.hpp"
-#include "palpable/recipes/fused_depth_recipe.hpp"
-#include "palpable/recipes/grid_recipe.hpp"
-#include "palpable/recipes/relief_recipe.hpp"
+#include "palpable/recipes/relief/relief_recipe.hpp"
+#include "palpable/recipes/solid/field_recipe.hpp"
+#include "palpable/recipes/solid/fused_depth_recipe.hpp"
+#include "palpable/recipes/solid/grid_recipe.hpp"
 #include "palpable/vision/rectification/stereo_rectification.hpp"
 #endif
 

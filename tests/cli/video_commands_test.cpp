@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/core/raster.hpp"
+#include "palpable/core/picture/raster.hpp"
 #include "palpable/core/vec3.hpp"
 #include "palpable/formats/picture/picture.hpp"
 

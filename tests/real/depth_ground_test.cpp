@@ -1,8 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/core/byte_reader.hpp"
-#include "palpable/core/number_table.hpp"
-#include "palpable/core/read_file.hpp"
+#include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/files/read_file.hpp"
+#include "palpable/core/text/number_table.hpp"
 #include "palpable/session/make/make_scene.hpp"
 #include "palpable/sources/depth/depth_file.hpp"
 #include "palpable/vision/segmentation/ground_plane.hpp"

@@ -3,7 +3,7 @@
 #include "palpable/cli/console.hpp"
 
 #include "palpable/cli/hints.hpp"
-#include "palpable/core/plain_text.hpp"
+#include "palpable/core/text/plain_text.hpp"
 #include "palpable/haptics/safety/zero_force.hpp"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include "palpable/cli/output_files.hpp"
 #include "palpable/cli/suggest.hpp"
-#include "palpable/core/number_text.hpp"
+#include "palpable/core/text/number_text.hpp"
 
 #include <limits>
 #include <type_traits>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/output_files.hpp"
 
-#include "palpable/core/atomic_file.hpp"
+#include "palpable/core/files/atomic_file.hpp"
 
 #include <algorithm>
 #include <cerrno>

@@ -7,7 +7,7 @@
 #include "palpable/cli/hints.hpp"
 #include "palpable/cli/output_files.hpp"
 #include "palpable/cli/suggest.hpp"
-#include "palpable/core/plain_text.hpp"
+#include "palpable/core/text/plain_text.hpp"
 
 #include <algorithm>
 #include <exception>

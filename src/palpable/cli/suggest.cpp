@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/suggest.hpp"
 
-#include "palpable/core/edit_distance.hpp"
+#include "palpable/core/text/edit_distance.hpp"
 
 #include <algorithm>
 

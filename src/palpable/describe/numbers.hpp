@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/figure.hpp"
+#include "palpable/core/text/figure.hpp"
 
 #include <cstddef>
 #include <span>

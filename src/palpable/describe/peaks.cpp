@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/describe/peaks.hpp"
 
-#include "palpable/core/raster.hpp"
+#include "palpable/core/picture/raster.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/describe/solid_words.hpp"
 
-#include "palpable/core/figure.hpp"
+#include "palpable/core/text/figure.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/describe/place_words.hpp"
 #include "palpable/describe/solid_shape.hpp"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "palpable/core/frame.hpp"
-#include "palpable/core/hand_off.hpp"
+#include "palpable/core/system/hand_off.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -30,7 +30,7 @@ struct TouchSample {
   double energy_J = 0.0;
   std::uint32_t flags = 0;
   std::uint32_t buttons = 0;
-  /// Id of the rendered haptic scene (haptics/servo/servo_types.hpp).
+  /// Id of the rendered haptic scene (haptics/tick/servo_types.hpp).
   std::uint32_t scene_id = 0;
   std::uint16_t label = 0;
   Status status = Status::ok;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/device/url.hpp"
 
-#include "palpable/core/number_text.hpp"
+#include "palpable/core/text/number_text.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/raster.hpp"
+#include "palpable/core/picture/raster.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/measure/structure_score.hpp"
 
-#include "palpable/core/quantile.hpp"
+#include "palpable/core/numbers/quantile.hpp"
 #include "palpable/sculpt/triangles/triangle_tree.hpp"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/image.hpp"
-#include "palpable/core/raster.hpp"
+#include "palpable/core/picture/image.hpp"
+#include "palpable/core/picture/raster.hpp"
 #include "palpable/page/protocol.gen.hpp"
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/arguments/known_length.hpp"
 
-#include "palpable/core/number_text.hpp"
+#include "palpable/core/text/number_text.hpp"
 
 #include <array>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "palpable/core/result.hpp"
-#include "palpable/recipes/video_scale.hpp"
+#include "palpable/recipes/video/video_scale.hpp"
 
 #include <string>
 

@@ -7,7 +7,7 @@
 #include "palpable/cli/arguments/unused_options.hpp"
 #include "palpable/cli/arguments/unused_parameters.hpp"
 #include "palpable/cli/suggest.hpp"
-#include "palpable/core/number_text.hpp"
+#include "palpable/core/text/number_text.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 
 #include "palpable/cli/arguments/map_options.hpp"
 #include "palpable/cli/arguments/stereo_options.hpp"
-#include "palpable/recipes/shapes_recipe.hpp"
+#include "palpable/recipes/solid/shapes_recipe.hpp"
 #include "palpable/session/make/make_scene.hpp"
 
 #include <filesystem>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/arguments/map_options.hpp"
 
-#include "palpable/core/byte_reader.hpp"
-#include "palpable/core/number_text.hpp"
-#include "palpable/core/read_file.hpp"
+#include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/files/read_file.hpp"
+#include "palpable/core/text/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>

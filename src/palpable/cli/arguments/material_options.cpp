@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/arguments/material_options.hpp"
 
-#include "palpable/core/number_text.hpp"
-#include "palpable/core/plain_text.hpp"
+#include "palpable/core/text/number_text.hpp"
+#include "palpable/core/text/plain_text.hpp"
 #include "palpable/sculpt/relief/texture_tile.hpp"
 #include "palpable/sources/picture/picture.hpp"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "palpable/cli/options.hpp"
-#include "palpable/core/image.hpp"
+#include "palpable/core/picture/image.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/models/scene/scene.hpp"
 

@@ -3,7 +3,7 @@
 #include "palpable/cli/arguments/parameter_groups.hpp"
 
 #include "palpable/cli/suggest.hpp"
-#include "palpable/core/number_text.hpp"
+#include "palpable/core/text/number_text.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 
 #include "palpable/core/parameters.hpp"
 #include "palpable/core/result.hpp"
-#include "palpable/recipes/shapes_recipe.hpp"
+#include "palpable/recipes/solid/shapes_recipe.hpp"
 #include "palpable/session/make/make_scene.hpp"
 #include "palpable/vision/stereo/result/fit_to_touch.hpp"
 

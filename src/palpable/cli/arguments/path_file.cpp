@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/arguments/path_file.hpp"
 
-#include "palpable/core/read_file.hpp"
+#include "palpable/core/files/read_file.hpp"
 
 #include <array>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/number_table.hpp"
+#include "palpable/core/text/number_table.hpp"
 #include "palpable/haptics/servo/probe_path.hpp"
 
 #include <filesystem>

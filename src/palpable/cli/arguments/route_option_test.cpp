@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/arguments/route_option.hpp"
 
-#include "palpable/core/street_map.hpp"
+#include "palpable/core/geometry/street_map.hpp"
 
 #include <memory>
 #include <string>

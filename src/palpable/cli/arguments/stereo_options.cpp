@@ -4,7 +4,7 @@
 
 #include "palpable/cli/arguments/parameter_groups.hpp"
 #include "palpable/cli/suggest.hpp"
-#include "palpable/recipes/relief_recipe.hpp"
+#include "palpable/recipes/relief/relief_recipe.hpp"
 #include "palpable/sources/input/input.hpp"
 #include "palpable/vision/stereo/methods/match.hpp"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/arguments/title_options.hpp"
 
-#include "palpable/core/plain_text.hpp"
-#include "palpable/core/read_file.hpp"
+#include "palpable/core/files/read_file.hpp"
+#include "palpable/core/text/plain_text.hpp"
 
 #include <utility>
 

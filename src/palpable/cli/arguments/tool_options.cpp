@@ -3,7 +3,7 @@
 #include "palpable/cli/arguments/tool_options.hpp"
 
 #include "palpable/cli/arguments/path_file.hpp"
-#include "palpable/core/read_file.hpp"
+#include "palpable/core/files/read_file.hpp"
 #include "palpable/models/field/superquadric.hpp"
 
 #include <array>

@@ -4,7 +4,7 @@
 
 #include "palpable/cli/arguments/parameter_groups.hpp"
 #include "palpable/describe/numbers.hpp"
-#include "palpable/recipes/regions.hpp"
+#include "palpable/recipes/relief/regions.hpp"
 #include "palpable/vision/stereo/methods/match.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
-#include "palpable/core/atomic_file.hpp"
-#include "palpable/core/number_text.hpp"
+#include "palpable/core/files/atomic_file.hpp"
+#include "palpable/core/text/number_text.hpp"
 #include "palpable/sources/calibration/calibration.hpp"
 #include "palpable/sources/input/input.hpp"
 #include "palpable/sources/picture/picture.hpp"

@@ -5,7 +5,7 @@
 #include "palpable/cli/hints.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/formats/scene/scene_file.hpp"
-#include "palpable/recipes/correct_scene.hpp"
+#include "palpable/recipes/solid/correct_scene.hpp"
 #include "palpable/sources/solid/mesh_file.hpp"
 
 #include <chrono>

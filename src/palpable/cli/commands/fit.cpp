@@ -5,7 +5,7 @@
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/commands/say_aloud.hpp"
 #include "palpable/cli/hints.hpp"
-#include "palpable/draw/marks_view.hpp"
+#include "palpable/draw/view/marks_view.hpp"
 #include "palpable/vision/stereo/methods/match.hpp"
 #include "palpable/vision/stereo/result/fit_to_touch.hpp"
 

@@ -4,8 +4,8 @@
 
 #include "palpable/cli/arguments/make_options.hpp"
 #include "palpable/cli/command.hpp"
-#include "palpable/core/atomic_file.hpp"
-#include "palpable/core/byte_reader.hpp"
+#include "palpable/core/files/atomic_file.hpp"
+#include "palpable/core/files/byte_reader.hpp"
 #include "palpable/formats/scene/superquadric_json.hpp"
 
 #include <fmt/format.h>

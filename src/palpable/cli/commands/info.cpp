@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/arguments/scene_argument.hpp"
 #include "palpable/cli/command.hpp"
-#include "palpable/core/street_map.hpp"
+#include "palpable/core/geometry/street_map.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/formats/scene/map_codec.hpp"
 #include "palpable/formats/scene/superquadric_json.hpp"

@@ -8,7 +8,7 @@
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/hints.hpp"
 #include "palpable/cli/video/video_outputs.hpp"
-#include "palpable/draw/comparison_view.hpp"
+#include "palpable/draw/view/comparison_view.hpp"
 #include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/session/make/compare_details.hpp"
 

@@ -1,8 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
-#include "palpable/draw/marker_sheet.hpp"
-#include "palpable/vision/motion/printed_marker.hpp"
+#include "palpable/draw/view/marker_sheet.hpp"
+#include "palpable/vision/motion/tracks/printed_marker.hpp"
 
 #include <algorithm>
 #include <string>

@@ -6,8 +6,8 @@
 #include "palpable/cli/arguments/tool_options.hpp"
 #include "palpable/cli/arguments/view_options.hpp"
 #include "palpable/cli/command.hpp"
-#include "palpable/core/atomic_file.hpp"
-#include "palpable/core/number_table.hpp"
+#include "palpable/core/files/atomic_file.hpp"
+#include "palpable/core/text/number_table.hpp"
 #include "palpable/describe/numbers.hpp"
 
 #include <algorithm>

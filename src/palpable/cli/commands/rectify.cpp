@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
-#include "palpable/core/number_text.hpp"
+#include "palpable/core/text/number_text.hpp"
 #include "palpable/formats/picture/picture.hpp"
 #include "palpable/sources/picture/picture.hpp"
 #include "palpable/vision/rectification/plane_rectification.hpp"

@@ -3,8 +3,8 @@
 #include "palpable/cli/arguments/path_file.hpp"
 #include "palpable/cli/arguments/scene_argument.hpp"
 #include "palpable/cli/command.hpp"
-#include "palpable/core/atomic_file.hpp"
-#include "palpable/core/number_table.hpp"
+#include "palpable/core/files/atomic_file.hpp"
+#include "palpable/core/text/number_table.hpp"
 #include "palpable/models/relief/relief_distance.hpp"
 
 #include <algorithm>

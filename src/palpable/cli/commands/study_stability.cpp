@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
-#include "palpable/draw/traces_view.hpp"
+#include "palpable/draw/view/traces_view.hpp"
 #include "palpable/study/simulated/groove_study.hpp"
 
 #include <utility>

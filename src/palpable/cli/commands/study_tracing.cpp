@@ -1,8 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
-#include "palpable/core/atomic_file.hpp"
-#include "palpable/core/number_table.hpp"
+#include "palpable/core/files/atomic_file.hpp"
+#include "palpable/core/text/number_table.hpp"
 #include "palpable/formats/picture/picture.hpp"
 #include "palpable/study/simulated/tracing_study.hpp"
 

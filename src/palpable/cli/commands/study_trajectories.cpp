@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
-#include "palpable/core/atomic_file.hpp"
+#include "palpable/core/files/atomic_file.hpp"
 #include "palpable/study/simulated/trajectory_study.hpp"
 
 #include <chrono>

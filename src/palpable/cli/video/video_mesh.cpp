@@ -3,7 +3,7 @@
 #include "palpable/cli/video/video_mesh.hpp"
 
 #include "palpable/formats/mesh/glb.hpp"
-#include "palpable/recipes/video_colours.hpp"
+#include "palpable/recipes/video/video_colours.hpp"
 #include "palpable/sculpt/field/field_surface.hpp"
 
 #include <variant>

@@ -5,7 +5,7 @@
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/models/scene/scene.hpp"
-#include "palpable/recipes/video_recipe.hpp"
+#include "palpable/recipes/video/video_recipe.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -4,7 +4,7 @@
 
 #include "palpable/cli/video/video_mesh.hpp"
 #include "palpable/cli/video/video_report.hpp"
-#include "palpable/core/atomic_file.hpp"
+#include "palpable/core/files/atomic_file.hpp"
 #include "palpable/formats/mesh/ply.hpp"
 #include "palpable/formats/picture/png.hpp"
 #include "palpable/models/field/superquadric.hpp"

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "palpable/cli/options.hpp"
-#include "palpable/core/atomic_files.hpp"
+#include "palpable/core/files/atomic_files.hpp"
 #include "palpable/core/result.hpp"
-#include "palpable/recipes/video_recipe.hpp"
+#include "palpable/recipes/video/video_recipe.hpp"
 
 #include <string>
 #include <vector>

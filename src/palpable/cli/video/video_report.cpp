@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/video/video_report.hpp"
 
-#include "palpable/core/quantile.hpp"
-#include "palpable/draw/camera_path_view.hpp"
-#include "palpable/draw/colour_map.hpp"
-#include "palpable/draw/height_view.hpp"
-#include "palpable/draw/report_page.hpp"
-#include "palpable/draw/solid_view.hpp"
+#include "palpable/core/numbers/quantile.hpp"
+#include "palpable/draw/canvas/colour_map.hpp"
+#include "palpable/draw/view/camera_path_view.hpp"
+#include "palpable/draw/view/height_view.hpp"
+#include "palpable/draw/view/report_page.hpp"
+#include "palpable/draw/view/solid_view.hpp"
 #include "palpable/formats/picture/png.hpp"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "palpable/core/note.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/models/scene/scene.hpp"
-#include "palpable/recipes/video_recipe.hpp"
+#include "palpable/recipes/video/video_recipe.hpp"
 
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 #include "palpable/cli/video/video_report.hpp"
 
 #include "palpable/models/field/superquadric.hpp"
-#include "palpable/recipes/field_recipe.hpp"
+#include "palpable/recipes/solid/field_recipe.hpp"
 
 #include <gmock/gmock.h>
 

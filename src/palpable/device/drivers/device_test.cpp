@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/core/allocations.hpp"
+#include "palpable/core/system/allocations.hpp"
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/device/pointer/pointer.hpp"
 #include "palpable/device/simulated/simulated_hand.hpp"

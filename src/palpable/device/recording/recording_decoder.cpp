@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/device/recording/recording_decoder.hpp"
 
-#include "palpable/core/byte_reader.hpp"
+#include "palpable/core/files/byte_reader.hpp"
 #include "palpable/device/recording/recording_format.hpp"
 
 #include <string>

@@ -1,8 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/core/byte_reader.hpp"
-#include "palpable/core/crc32.hpp"
-#include "palpable/core/memory.hpp"
+#include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/files/crc32.hpp"
+#include "palpable/core/system/memory.hpp"
 #include "palpable/device/recording/recording.hpp"
 #include "palpable/device/recording/recording_decoder.hpp"
 #include "palpable/device/recording/recording_format.hpp"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/device/recording/recording.hpp"
 
-#include "palpable/core/atomic_file.hpp"
-#include "palpable/core/read_file.hpp"
+#include "palpable/core/files/atomic_file.hpp"
+#include "palpable/core/files/read_file.hpp"
 #include "palpable/device/drivers/open.hpp"
 
 #include <cmath>

@@ -1,9 +1,9 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/core/atomic_file.hpp"
-#include "palpable/core/byte_reader.hpp"
-#include "palpable/core/byte_writer.hpp"
-#include "palpable/core/crc32.hpp"
+#include "palpable/core/files/atomic_file.hpp"
+#include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/files/byte_writer.hpp"
+#include "palpable/core/files/crc32.hpp"
 #include "palpable/device/recording/recording.hpp"
 #include "palpable/device/recording/recording_format.hpp"
 

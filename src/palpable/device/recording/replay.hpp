@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/hand_off.hpp"
+#include "palpable/core/system/hand_off.hpp"
 #include "palpable/device/device.hpp"
 #include "palpable/device/recording/recording.hpp"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/child_process.hpp"
 #include "palpable/core/result.hpp"
+#include "palpable/core/system/child_process.hpp"
 
 #include <atomic>
 #include <cstddef>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/device/two_diy/two_diy.hpp"
 
-#include "palpable/core/allocations.hpp"
+#include "palpable/core/system/allocations.hpp"
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/device/virtual/virtual_two_diy.hpp"
 

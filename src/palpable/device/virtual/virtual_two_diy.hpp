@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/child_process.hpp"
+#include "palpable/core/system/child_process.hpp"
 #include "palpable/device/two_diy/two_diy_variant.hpp"
 
 #include <array>

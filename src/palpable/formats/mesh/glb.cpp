@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/mesh/glb.hpp"
 
-#include "palpable/core/byte_writer.hpp"
+#include "palpable/core/files/byte_writer.hpp"
 #include "palpable/formats/picture/png.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/core/mesh.hpp"
+#include "palpable/core/geometry/mesh.hpp"
 #include "palpable/formats/mesh/glb.hpp"
 #include "palpable/formats/mesh/stl.hpp"
 #include "palpable/models/relief/relief_solid.hpp"

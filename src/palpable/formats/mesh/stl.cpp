@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/mesh/stl.hpp"
 
-#include "palpable/core/byte_writer.hpp"
+#include "palpable/core/files/byte_writer.hpp"
 
 #include <bit>
 #include <cstdint>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/packing/npz.hpp"
 
-#include "palpable/core/atomic_file.hpp"
-#include "palpable/core/byte_reader.hpp"
-#include "palpable/core/image.hpp"
-#include "palpable/core/read_file.hpp"
+#include "palpable/core/files/atomic_file.hpp"
+#include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/files/read_file.hpp"
+#include "palpable/core/picture/image.hpp"
 #include "palpable/formats/packing/zip.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/picture/picture.hpp"
 
-#include "palpable/core/atomic_file.hpp"
+#include "palpable/core/files/atomic_file.hpp"
 #include "palpable/formats/picture/pfm.hpp"
 #include "palpable/formats/picture/png.hpp"
 

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/core/image.hpp"
+#include "palpable/core/picture/image.hpp"
 #include "palpable/formats/packing/float_block.hpp"
 #include "palpable/formats/scene/model_codec.hpp"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/scene/map_codec.hpp"
 
-#include "palpable/core/byte_reader.hpp"
-#include "palpable/core/plain_text.hpp"
+#include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/text/plain_text.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/scene/scene_file.hpp"
 
-#include "palpable/core/atomic_file.hpp"
-#include "palpable/core/byte_reader.hpp"
-#include "palpable/core/read_file.hpp"
-#include "palpable/core/street_map.hpp"
+#include "palpable/core/files/atomic_file.hpp"
+#include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/files/read_file.hpp"
+#include "palpable/core/geometry/street_map.hpp"
 #include "palpable/formats/picture/jpeg.hpp"
 #include "palpable/formats/picture/png.hpp"
 #include "palpable/formats/scene/map_codec.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/tactile/braille_cells.hpp"
 
-#include "palpable/core/child_process.hpp"
+#include "palpable/core/system/child_process.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/tactile/height_lines.hpp"
 
-#include "palpable/core/level_lines.hpp"
+#include "palpable/core/picture/level_lines.hpp"
 
 #include <algorithm>
 #include <cmath>

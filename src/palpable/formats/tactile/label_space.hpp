@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/polyline.hpp"
-#include "palpable/core/raster.hpp"
+#include "palpable/core/geometry/polyline.hpp"
+#include "palpable/core/picture/raster.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/polyline.hpp"
+#include "palpable/core/geometry/polyline.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/formats/tactile/braille_cells.hpp"
 #include "palpable/formats/tactile/tactile_drawing.hpp"

@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/core/byte_reader.hpp"
-#include "palpable/core/read_file.hpp"
+#include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/files/read_file.hpp"
 #include "palpable/formats/vdb/vdb.hpp"
 #include "palpable/formats/vdb/vdb_tree.hpp"
 

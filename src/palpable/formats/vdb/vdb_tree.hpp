@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/byte_reader.hpp"
-#include "palpable/core/level_set.hpp"
+#include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/geometry/level_set.hpp"
 #include "palpable/core/result.hpp"
 
 #include <cstdint>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/haptics/effect/material_map.hpp"
 #include "palpable/haptics/law/law.hpp"
-#include "palpable/haptics/law/material_map.hpp"
 #include "palpable/haptics/law/touchable.hpp"
 
 #include <algorithm>

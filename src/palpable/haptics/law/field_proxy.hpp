@@ -3,9 +3,9 @@
 #pragma once
 
 #include "palpable/haptics/law/contact_law.hpp"
-#include "palpable/haptics/law/hand_over.hpp"
-#include "palpable/haptics/law/proxy_force.hpp"
-#include "palpable/haptics/law/surface_proxy.hpp"
+#include "palpable/haptics/proxy/hand_over.hpp"
+#include "palpable/haptics/proxy/proxy_force.hpp"
+#include "palpable/haptics/proxy/surface_proxy.hpp"
 #include "palpable/models/field/distance_surface.hpp"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/haptics/effect/material_map.hpp"
 #include "palpable/haptics/law/laws.hpp"
-#include "palpable/haptics/law/material_map.hpp"
 #include "palpable/models/field/dense_field.hpp"
 #include "palpable/models/field/distance_field.hpp"
 #include "palpable/models/field/relief_depth.hpp"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/haptics/effect/tool_touch.hpp"
 #include "palpable/haptics/law/contact_law.hpp"
-#include "palpable/haptics/law/tool_touch.hpp"
 #include "palpable/models/field/distance_surface.hpp"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/haptics/law/hand_over.hpp"
-#include "palpable/haptics/law/law_output.hpp"
+#include "palpable/haptics/effect/law_output.hpp"
+#include "palpable/haptics/proxy/hand_over.hpp"
 
 #include <array>
 #include <cstddef>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/law/tracing.hpp"
 
-#include "palpable/core/allocations.hpp"
+#include "palpable/core/system/allocations.hpp"
 #include "palpable/haptics/law/laws.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/safety/guardian.hpp"
 
-#include "palpable/core/read_file.hpp"
+#include "palpable/core/files/read_file.hpp"
 #include "palpable/device/simulated/motor_file.hpp"
 
 #include <algorithm>

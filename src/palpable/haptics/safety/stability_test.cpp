@@ -4,7 +4,7 @@
 
 #include "palpable/haptics/safety/test_hands.hpp"
 #include "palpable/haptics/servo/test_touch.hpp"
-#include "palpable/haptics/servo/tick.hpp"
+#include "palpable/haptics/tick/tick.hpp"
 
 #include <algorithm>
 #include <memory>

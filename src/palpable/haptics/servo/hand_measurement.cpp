@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/servo/hand_measurement.hpp"
 
-#include "palpable/core/quantile.hpp"
+#include "palpable/core/numbers/quantile.hpp"
 #include "palpable/haptics/servo/servo_loop.hpp"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "palpable/core/result.hpp"
 #include "palpable/device/device.hpp"
 #include "palpable/haptics/law/touchable.hpp"
-#include "palpable/haptics/servo/servo_types.hpp"
+#include "palpable/haptics/tick/servo_types.hpp"
 
 #include <memory>
 #include <optional>

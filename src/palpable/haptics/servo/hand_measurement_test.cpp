@@ -3,7 +3,7 @@
 #include "palpable/haptics/servo/hand_measurement.hpp"
 
 #include "palpable/device/simulated/simulated_hand.hpp"
-#include "palpable/haptics/servo/tick.hpp"
+#include "palpable/haptics/tick/tick.hpp"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/haptics/servo/servo_types.hpp"
+#include "palpable/haptics/tick/servo_types.hpp"
 
 #include <cstdint>
 

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/servo/servo_loop.hpp"
 
-#include "palpable/core/allocations.hpp"
-#include "palpable/core/hand_off.hpp"
+#include "palpable/core/system/allocations.hpp"
+#include "palpable/core/system/hand_off.hpp"
 #include "palpable/haptics/safety/guardian.hpp"
 #include "palpable/haptics/safety/zero_force.hpp"
 #include "palpable/haptics/servo/latency_recorder.hpp"
 #include "palpable/haptics/servo/pacing.hpp"
-#include "palpable/haptics/servo/rest.hpp"
 #include "palpable/haptics/servo/watchdog.hpp"
+#include "palpable/haptics/tick/rest.hpp"
 
 #include <algorithm>
 #include <atomic>

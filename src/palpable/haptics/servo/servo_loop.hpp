@@ -5,8 +5,8 @@
 #include "palpable/core/result.hpp"
 #include "palpable/device/device.hpp"
 #include "palpable/haptics/servo/real_time.hpp"
-#include "palpable/haptics/servo/servo_types.hpp"
-#include "palpable/haptics/servo/tick.hpp"
+#include "palpable/haptics/tick/servo_types.hpp"
+#include "palpable/haptics/tick/tick.hpp"
 
 #include <cstddef>
 #include <memory>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "palpable/core/result.hpp"
-#include "palpable/haptics/law/tool_touch.hpp"
+#include "palpable/haptics/effect/tool_touch.hpp"
 #include "palpable/haptics/law/touchable.hpp"
 
 #include <cstddef>

@@ -1,11 +1,11 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/core/allocations.hpp"
+#include "palpable/core/system/allocations.hpp"
 #include "palpable/device/simulated/simulated_hand.hpp"
 #include "palpable/haptics/law/law_making.hpp"
 #include "palpable/haptics/law/tool.hpp"
-#include "palpable/haptics/servo/rotation.hpp"
-#include "palpable/haptics/servo/tick.hpp"
+#include "palpable/haptics/tick/rotation.hpp"
+#include "palpable/haptics/tick/tick.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "palpable/core/frame.hpp"
-#include "palpable/core/raster.hpp"
+#include "palpable/core/picture/raster.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
 

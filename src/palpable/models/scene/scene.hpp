@@ -3,7 +3,7 @@
 #pragma once
 
 #include "palpable/core/frame.hpp"
-#include "palpable/core/image.hpp"
+#include "palpable/core/picture/image.hpp"
 #include "palpable/models/contours/contours.hpp"
 #include "palpable/models/field/field.hpp"
 #include "palpable/models/grid/grid.hpp"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/geometry/polyline.hpp"
 #include "palpable/core/parameters.hpp"
-#include "palpable/core/polyline.hpp"
-#include "palpable/core/raster.hpp"
+#include "palpable/core/picture/raster.hpp"
 
 #include <vector>
 

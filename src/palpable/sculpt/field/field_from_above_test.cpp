@@ -3,7 +3,7 @@
 
 // models::field_of() on fields of meshes of many sizes: the heights seen from above equal those of the solid.
 
-#include "palpable/core/mesh.hpp"
+#include "palpable/core/geometry/mesh.hpp"
 #include "palpable/models/field/field.hpp"
 #include "palpable/sculpt/field/dense_field_from_source.hpp"
 #include "palpable/sculpt/field/field_from_source.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/level_set.hpp"
+#include "palpable/core/geometry/level_set.hpp"
 #include "palpable/core/parameters.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"

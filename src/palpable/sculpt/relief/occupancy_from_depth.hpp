@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/camera.hpp"
 #include "palpable/core/frame.hpp"
+#include "palpable/core/picture/camera.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/models/grid/occupancy_grid.hpp"

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/core/figure.hpp"
+#include "palpable/core/text/figure.hpp"
 #include "palpable/sculpt/solid/mesh_repair.hpp"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 // What the tests of solids share: a ball that knows its distance, and a box as a mesh.
 
-#include "palpable/core/mesh.hpp"
+#include "palpable/core/geometry/mesh.hpp"
 #include "palpable/sculpt/solid/distance_source.hpp"
 
 #include <algorithm>

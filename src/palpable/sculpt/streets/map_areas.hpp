@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/street_map.hpp"
+#include "palpable/core/geometry/street_map.hpp"
 #include "palpable/sculpt/streets/map_grid.hpp"
 #include "palpable/sculpt/streets/tactile_rules.hpp"
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/geometry/street_map.hpp"
 #include "palpable/core/parameters.hpp"
-#include "palpable/core/raster.hpp"
+#include "palpable/core/picture/raster.hpp"
 #include "palpable/core/result.hpp"
-#include "palpable/core/street_map.hpp"
 #include "palpable/models/material/material.hpp"
 #include "palpable/models/relief/relief.hpp"
 #include "palpable/sculpt/streets/street_selection.hpp"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/camera.hpp"
 #include "palpable/core/frame.hpp"
-#include "palpable/core/raster.hpp"
+#include "palpable/core/picture/camera.hpp"
+#include "palpable/core/picture/raster.hpp"
 #include "palpable/sculpt/superquadric/superquadric_residuals.hpp"
 
 #include <cstdint>

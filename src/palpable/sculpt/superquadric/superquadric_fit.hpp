@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/camera.hpp"
-#include "palpable/core/raster.hpp"
+#include "palpable/core/picture/camera.hpp"
+#include "palpable/core/picture/raster.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/models/field/superquadric.hpp"
 #include "palpable/sculpt/superquadric/superquadric_options.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/superquadric/superquadric_kernel.hpp"
 
-#include "palpable/core/vectorize.hpp"
+#include "palpable/core/numbers/vectorize.hpp"
 
 #include <bit>
 #include <cmath>

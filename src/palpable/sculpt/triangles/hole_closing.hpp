@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/mesh.hpp"
+#include "palpable/core/geometry/mesh.hpp"
 
 #include <array>
 #include <cstddef>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/axis_direction.hpp"
-#include "palpable/core/coordinate_convention.hpp"
-#include "palpable/core/mesh.hpp"
+#include "palpable/core/geometry/axis_direction.hpp"
+#include "palpable/core/geometry/coordinate_convention.hpp"
+#include "palpable/core/geometry/mesh.hpp"
 #include "palpable/core/parameters.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/models/scene/scene.hpp"

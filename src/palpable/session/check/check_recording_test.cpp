@@ -3,7 +3,7 @@
 #include "palpable/session/check/check_recording.hpp"
 
 #include "palpable/device/recording/recording.hpp"
-#include "palpable/recipes/field_recipe.hpp"
+#include "palpable/recipes/solid/field_recipe.hpp"
 #include "palpable/session/touch/test_session.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "palpable/session/check/recorded_forces.hpp"
 
 #include "palpable/haptics/safety/limits.hpp"
-#include "palpable/haptics/servo/rotation.hpp"
+#include "palpable/haptics/tick/rotation.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "palpable/haptics/safety/passivity.hpp"
 #include "palpable/haptics/servo/latency_recorder.hpp"
-#include "palpable/haptics/servo/velocity.hpp"
+#include "palpable/haptics/tick/velocity.hpp"
 #include "palpable/session/check/findings.hpp"
 #include "palpable/session/check/recorded_scenes.hpp"
 #include "palpable/session/touch/recording_header.hpp"

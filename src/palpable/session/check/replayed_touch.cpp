@@ -4,7 +4,7 @@
 
 #include "palpable/device/recording/replay.hpp"
 #include "palpable/haptics/servo/real_time.hpp"
-#include "palpable/haptics/servo/rotation.hpp"
+#include "palpable/haptics/tick/rotation.hpp"
 
 #include <utility>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/hand_off.hpp"
-#include "palpable/haptics/servo/tick.hpp"
+#include "palpable/core/system/hand_off.hpp"
+#include "palpable/haptics/tick/tick.hpp"
 #include "palpable/session/check/recorded_scenes.hpp"
 #include "palpable/session/touch/recording_header.hpp"
 

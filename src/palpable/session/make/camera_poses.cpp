@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/make/camera_poses.hpp"
 
-#include "palpable/core/number_table.hpp"
-#include "palpable/core/read_file.hpp"
+#include "palpable/core/files/read_file.hpp"
+#include "palpable/core/text/number_table.hpp"
 #include "palpable/models/field/superquadric.hpp"
 
 #include <array>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/mesh.hpp"
-#include "palpable/recipes/field_recipe.hpp"
+#include "palpable/core/geometry/mesh.hpp"
+#include "palpable/recipes/solid/field_recipe.hpp"
 
 #include <optional>
 

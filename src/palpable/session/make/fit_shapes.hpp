@@ -5,8 +5,8 @@
 #include "palpable/core/note.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
-#include "palpable/recipes/relief_recipe.hpp"
-#include "palpable/recipes/shapes_recipe.hpp"
+#include "palpable/recipes/relief/relief_recipe.hpp"
+#include "palpable/recipes/solid/shapes_recipe.hpp"
 #include "palpable/sculpt/superquadric/superquadric_set.hpp"
 #include "palpable/session/make/read_input.hpp"
 

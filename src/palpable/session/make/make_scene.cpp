@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/make/make_scene.hpp"
 
-#include "palpable/recipes/regions.hpp"
+#include "palpable/recipes/relief/regions.hpp"
 #include "palpable/session/make/places.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/recipes/video_recipe.hpp"
+#include "palpable/recipes/video/video_recipe.hpp"
 #include "palpable/session/make/read_input.hpp"
 
 namespace palpable::session {

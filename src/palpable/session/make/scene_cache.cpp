@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/make/scene_cache.hpp"
 
-#include "palpable/core/atomic_file.hpp"
-#include "palpable/core/crc32.hpp"
-#include "palpable/core/fnv1a.hpp"
+#include "palpable/core/files/atomic_file.hpp"
+#include "palpable/core/files/crc32.hpp"
+#include "palpable/core/files/fnv1a.hpp"
 #include "palpable/formats/scene/scene_file.hpp"
 
 #include <algorithm>

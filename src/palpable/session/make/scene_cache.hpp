@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/mesh.hpp"
-#include "palpable/recipes/field_recipe.hpp"
+#include "palpable/core/geometry/mesh.hpp"
 #include "palpable/recipes/made_scene.hpp"
+#include "palpable/recipes/solid/field_recipe.hpp"
 
 #include <cstdint>
 #include <filesystem>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/make/scene_cache.hpp"
 
-#include "palpable/core/atomic_file.hpp"
+#include "palpable/core/files/atomic_file.hpp"
 #include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/session/make/make_scene.hpp"
 

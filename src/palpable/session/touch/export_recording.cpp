@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/touch/export_recording.hpp"
 
-#include "palpable/core/atomic_file.hpp"
-#include "palpable/core/byte_reader.hpp"
-#include "palpable/core/number_table.hpp"
+#include "palpable/core/files/atomic_file.hpp"
+#include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/text/number_table.hpp"
 #include "palpable/device/recording/recording.hpp"
 #include "palpable/formats/packing/npz.hpp"
 

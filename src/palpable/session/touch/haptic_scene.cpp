@@ -3,10 +3,10 @@
 #include "palpable/session/touch/haptic_scene.hpp"
 
 #include "palpable/describe/numbers.hpp"
-#include "palpable/haptics/law/texture.hpp"
+#include "palpable/haptics/effect/texture.hpp"
 #include "palpable/haptics/law/tool.hpp"
 #include "palpable/haptics/safety/stability.hpp"
-#include "palpable/haptics/servo/transient_player.hpp"
+#include "palpable/haptics/tick/transient_player.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "palpable/core/result.hpp"
 #include "palpable/device/device.hpp"
 #include "palpable/haptics/law/laws.hpp"
-#include "palpable/haptics/servo/servo_types.hpp"
+#include "palpable/haptics/tick/servo_types.hpp"
 #include "palpable/models/scene/scene.hpp"
 #include "palpable/session/touch/touch_settings.hpp"
 

@@ -6,7 +6,7 @@
 #include "palpable/device/recording/recording.hpp"
 #include "palpable/device/virtual/virtual_two_diy.hpp"
 #include "palpable/haptics/servo/start_touch.hpp"
-#include "palpable/haptics/servo/tick.hpp"
+#include "palpable/haptics/tick/tick.hpp"
 #include "palpable/session/touch/haptic_scene.hpp"
 #include "palpable/session/touch/recorder.hpp"
 #include "palpable/session/touch/test_session.hpp"

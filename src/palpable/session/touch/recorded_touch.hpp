@@ -5,7 +5,7 @@
 #include "palpable/core/frame.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/haptics/law/laws.hpp"
-#include "palpable/haptics/servo/servo_types.hpp"
+#include "palpable/haptics/tick/servo_types.hpp"
 #include "palpable/models/scene/scene.hpp"
 #include "palpable/session/touch/scene_hash.hpp"
 #include "palpable/session/touch/touch_settings.hpp"

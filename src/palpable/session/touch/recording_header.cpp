@@ -4,7 +4,7 @@
 
 #include "palpable/device/recording/traits_json.hpp"
 #include "palpable/haptics/safety/passivity.hpp"
-#include "palpable/haptics/servo/velocity.hpp"
+#include "palpable/haptics/tick/velocity.hpp"
 
 #include <cmath>
 #include <limits>

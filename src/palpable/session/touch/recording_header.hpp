@@ -4,7 +4,7 @@
 
 #include "palpable/core/result.hpp"
 #include "palpable/device/device.hpp"
-#include "palpable/haptics/servo/tick.hpp"
+#include "palpable/haptics/tick/tick.hpp"
 
 #include <cstdint>
 #include <optional>

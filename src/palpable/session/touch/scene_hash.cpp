@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/touch/scene_hash.hpp"
 
-#include "palpable/core/fnv1a.hpp"
+#include "palpable/core/files/fnv1a.hpp"
 
 #include <bit>
 #include <cmath>

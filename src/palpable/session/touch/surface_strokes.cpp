@@ -3,7 +3,7 @@
 #include "palpable/session/touch/surface_strokes.hpp"
 
 #include "palpable/core/check.hpp"
-#include "palpable/core/raster.hpp"
+#include "palpable/core/picture/raster.hpp"
 
 #include <algorithm>
 #include <cmath>

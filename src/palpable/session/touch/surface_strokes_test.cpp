@@ -4,8 +4,8 @@
 
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/haptics/servo/start_touch.hpp"
-#include "palpable/haptics/servo/tick.hpp"
-#include "palpable/recipes/field_recipe.hpp"
+#include "palpable/haptics/tick/tick.hpp"
+#include "palpable/recipes/solid/field_recipe.hpp"
 #include "palpable/session/touch/haptic_scene.hpp"
 #include "palpable/session/touch/test_session.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "palpable/haptics/law/laws.hpp"
 #include "palpable/haptics/safety/stability.hpp"
-#include "palpable/haptics/servo/contact_transient.hpp"
+#include "palpable/haptics/tick/contact_transient.hpp"
 
 namespace palpable::session {
 
@@ -38,7 +38,7 @@ struct TouchSettings {
   /// Factor of a relief's height, -4 ... 4; negative engraves, 0 is flat.
   double height_factor = 1.0;
   Limits limits = Limits::of_device;
-  /// Vibration of the surface after an impact (haptics/servo/transient_player.hpp).
+  /// Vibration of the surface after an impact (haptics/tick/transient_player.hpp).
   haptics::TransientKind transient = haptics::TransientKind::none;
   /// Least damping that the hand adds to the device; the stiffness limit depends on it
   /// (haptics/safety/stability.hpp). 0.1 ... 40 N·s/m.

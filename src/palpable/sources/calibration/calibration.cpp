@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/calibration/calibration.hpp"
 
-#include "palpable/core/byte_reader.hpp"
-#include "palpable/core/image.hpp"
-#include "palpable/core/read_file.hpp"
+#include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/files/read_file.hpp"
+#include "palpable/core/picture/image.hpp"
 #include "palpable/sources/calibration/calibration_formats.hpp"
 #include "palpable/sources/calibration/calibration_reply.hpp"
 #include "palpable/sources/calibration/json_camera.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/camera.hpp"
+#include "palpable/core/picture/camera.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/vec3.hpp"
 

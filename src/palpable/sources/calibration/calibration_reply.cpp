@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/calibration/calibration_reply.hpp"
 
-#include "palpable/core/byte_reader.hpp"
+#include "palpable/core/files/byte_reader.hpp"
 #include "palpable/sources/isolated/flat.hpp"
 #include "palpable/sources/isolated/isolated.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/calibration/json_camera.hpp"
 
-#include "palpable/core/image.hpp"
+#include "palpable/core/picture/image.hpp"
 
 #include <algorithm>
 #include <cmath>

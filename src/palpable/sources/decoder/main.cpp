@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/core/number_text.hpp"
+#include "palpable/core/text/number_text.hpp"
 #include "palpable/sources/decoder/confine.hpp"
 #include "palpable/sources/decoder/jobs.hpp"
 #include "palpable/sources/isolated/protocol.hpp"

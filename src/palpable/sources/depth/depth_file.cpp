@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/depth/depth_file.hpp"
 
-#include "palpable/core/byte_reader.hpp"
-#include "palpable/core/read_file.hpp"
+#include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/files/read_file.hpp"
 #include "palpable/formats/packing/npz.hpp"
 #include "palpable/sources/picture/file_marks.hpp"
 #include "palpable/sources/picture/picture.hpp"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/camera.hpp"
-#include "palpable/core/image.hpp"
 #include "palpable/core/note.hpp"
+#include "palpable/core/picture/camera.hpp"
+#include "palpable/core/picture/image.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/sources/depth/colour_registration.hpp"
 #include "palpable/sources/depth/zbuffer.hpp"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/depth/depth_picture.hpp"
 
-#include "palpable/core/atomic_file.hpp"
-#include "palpable/core/byte_reader.hpp"
-#include "palpable/core/read_file.hpp"
+#include "palpable/core/files/atomic_file.hpp"
+#include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/files/read_file.hpp"
 #include "palpable/formats/picture/picture.hpp"
 #include "palpable/formats/picture/png.hpp"
 #include "palpable/sources/picture/made_files.hpp"

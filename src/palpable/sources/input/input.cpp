@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/input/input.hpp"
 
-#include "palpable/core/byte_reader.hpp"
-#include "palpable/core/read_file.hpp"
+#include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/files/read_file.hpp"
 #include "palpable/formats/packing/zip.hpp"
 #include "palpable/formats/vdb/vdb.hpp"
 #include "palpable/sources/city_json.hpp"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/input/input.hpp"
 
-#include "palpable/core/atomic_file.hpp"
-#include "palpable/core/byte_reader.hpp"
+#include "palpable/core/files/atomic_file.hpp"
+#include "palpable/core/files/byte_reader.hpp"
 #include "palpable/formats/packing/npz.hpp"
 #include "palpable/formats/packing/zip.hpp"
 #include "palpable/formats/picture/picture.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/isolated/flat.hpp"
 
-#include "palpable/core/plain_text.hpp"
+#include "palpable/core/text/plain_text.hpp"
 
 #include <algorithm>
 

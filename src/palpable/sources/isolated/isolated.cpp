@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/isolated/isolated.hpp"
 
-#include "palpable/core/child_process.hpp"
-#include "palpable/core/memory.hpp"
+#include "palpable/core/system/child_process.hpp"
+#include "palpable/core/system/memory.hpp"
 #include "palpable/sources/isolated/protocol.hpp"
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/map/extract_parser.hpp"
 
-#include "palpable/core/byte_reader.hpp"
-#include "palpable/core/number_text.hpp"
-#include "palpable/core/plain_text.hpp"
+#include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/text/number_text.hpp"
+#include "palpable/core/text/plain_text.hpp"
 
 #include <algorithm>
 #include <array>

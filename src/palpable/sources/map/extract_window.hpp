@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/geometry/street_map.hpp"
 #include "palpable/core/note.hpp"
 #include "palpable/core/result.hpp"
-#include "palpable/core/street_map.hpp"
 #include "palpable/sources/map/map_extract.hpp"
 
 #include <optional>

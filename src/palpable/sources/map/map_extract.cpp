@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/map/map_extract.hpp"
 
-#include "palpable/core/read_file.hpp"
+#include "palpable/core/files/read_file.hpp"
 #include "palpable/sources/isolated/isolated.hpp"
 #include "palpable/sources/map/extract_reply.hpp"
 

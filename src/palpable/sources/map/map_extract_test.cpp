@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/map/map_extract.hpp"
 
-#include "palpable/core/byte_reader.hpp"
+#include "palpable/core/files/byte_reader.hpp"
 #include "palpable/sources/isolated/isolated.hpp"
 #include "palpable/sources/map/extract_reply.hpp"
 #include "palpable/sources/map/extract_window.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/picture/exif.hpp"
 
-#include "palpable/core/byte_reader.hpp"
+#include "palpable/core/files/byte_reader.hpp"
 
 #include <algorithm>
 #include <utility>

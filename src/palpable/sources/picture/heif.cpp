@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/core/byte_reader.hpp"
-#include "palpable/core/image.hpp"
+#include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/picture/image.hpp"
 #include "palpable/sources/picture/photo_depth.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/core/atomic_file.hpp"
-#include "palpable/core/byte_reader.hpp"
+#include "palpable/core/files/atomic_file.hpp"
+#include "palpable/core/files/byte_reader.hpp"
 #include "palpable/sources/depth/depth_picture.hpp"
 #include "palpable/sources/input/input.hpp"
 #include "palpable/sources/picture/photo_depth.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/picture/photo_depth.hpp"
 
-#include "palpable/core/byte_reader.hpp"
+#include "palpable/core/files/byte_reader.hpp"
 #include "palpable/sources/picture/exif.hpp"
 #include "palpable/sources/picture/file_marks.hpp"
 #include "palpable/sources/picture/picture.hpp"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/picture/picture.hpp"
 
-#include "palpable/core/byte_reader.hpp"
-#include "palpable/core/read_file.hpp"
+#include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/files/read_file.hpp"
 #include "palpable/formats/picture/jpeg.hpp"
 #include "palpable/formats/picture/pfm.hpp"
 #include "palpable/formats/picture/png.hpp"

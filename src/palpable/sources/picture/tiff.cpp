@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/core/byte_reader.hpp"
+#include "palpable/core/files/byte_reader.hpp"
 #include "palpable/sources/picture/decoders.hpp"
 
 #include <algorithm>

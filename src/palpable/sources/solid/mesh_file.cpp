@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/solid/mesh_file.hpp"
 
-#include "palpable/core/byte_reader.hpp"
-#include "palpable/core/read_file.hpp"
+#include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/files/read_file.hpp"
 #include "palpable/sources/city_json.hpp"
 #include "palpable/sources/solid/mesh_check.hpp"
 #include "palpable/sources/solid/mesh_reply.hpp"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/coordinate_convention.hpp"
-#include "palpable/core/mesh.hpp"
+#include "palpable/core/geometry/coordinate_convention.hpp"
+#include "palpable/core/geometry/mesh.hpp"
 #include "palpable/core/result.hpp"
 
 #include <cstddef>

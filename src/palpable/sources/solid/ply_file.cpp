@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/solid/ply_file.hpp"
 
-#include "palpable/core/byte_reader.hpp"
+#include "palpable/core/files/byte_reader.hpp"
 #include "palpable/sources/solid/ply_header.hpp"
 #include "palpable/sources/solid/polygon.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/point_cloud.hpp"
+#include "palpable/core/geometry/point_cloud.hpp"
 #include "palpable/core/result.hpp"
 
 #include <cstddef>

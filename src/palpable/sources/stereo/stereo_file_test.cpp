@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/stereo/stereo_file.hpp"
 
-#include "palpable/core/atomic_file.hpp"
-#include "palpable/core/byte_reader.hpp"
+#include "palpable/core/files/atomic_file.hpp"
+#include "palpable/core/files/byte_reader.hpp"
 #include "palpable/formats/picture/picture.hpp"
 #include "palpable/sources/input/input.hpp"
 #include "palpable/sources/picture/made_files.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/video/read_video.hpp"
 
-#include "palpable/core/read_file.hpp"
+#include "palpable/core/files/read_file.hpp"
 #include "palpable/sources/picture/exif.hpp"
 #include "palpable/sources/picture/picture.hpp"
 #include "palpable/sources/video/video_reply.hpp"

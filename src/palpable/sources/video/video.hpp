@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/video_frame.hpp"
+#include "palpable/core/picture/video_frame.hpp"
 
 #include <optional>
 #include <vector>

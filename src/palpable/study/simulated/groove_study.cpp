@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/study/simulated/groove_study.hpp"
 
-#include "palpable/haptics/servo/tick.hpp"
+#include "palpable/haptics/tick/tick.hpp"
 
 #include <algorithm>
 #include <cmath>

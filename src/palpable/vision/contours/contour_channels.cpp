@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/contours/contour_channels.hpp"
 
-#include "palpable/core/quantile.hpp"
-#include "palpable/core/vectorize.hpp"
+#include "palpable/core/numbers/quantile.hpp"
+#include "palpable/core/numbers/vectorize.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/core/vectorize.hpp"
+#include "palpable/core/numbers/vectorize.hpp"
 #include "palpable/vision/contours/contour_channels.hpp"
 #include "palpable/vision/contours/contour_steps.hpp"
 #include "palpable/vision/contours/edge_response.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/image/gaussian_derivatives.hpp"
 
-#include "palpable/core/vectorize.hpp"
+#include "palpable/core/numbers/vectorize.hpp"
 
 #include <algorithm>
 #include <cmath>

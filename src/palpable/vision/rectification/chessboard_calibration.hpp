@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/image.hpp"
 #include "palpable/core/parameters.hpp"
+#include "palpable/core/picture/image.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/vision/rectification/lens_camera.hpp"
 #include "palpable/vision/stereo/problem/stereo.hpp"

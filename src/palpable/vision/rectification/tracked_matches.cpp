@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/rectification/tracked_matches.hpp"
 
-#include "palpable/core/quantile.hpp"
+#include "palpable/core/numbers/quantile.hpp"
 #include "palpable/vision/image/opencv_image.hpp"
 #include "palpable/vision/stereo/methods/match.hpp"
 

@@ -3,7 +3,7 @@
 #include "palpable/vision/segmentation/background.hpp"
 
 #include "palpable/core/check.hpp"
-#include "palpable/core/quantile.hpp"
+#include "palpable/core/numbers/quantile.hpp"
 #include "palpable/vision/segmentation/plane_mask.hpp"
 #include "palpable/vision/segmentation/regions.hpp"
 

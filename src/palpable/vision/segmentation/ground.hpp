@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/camera.hpp"
 #include "palpable/core/frame.hpp"
-#include "palpable/core/image.hpp"
+#include "palpable/core/picture/camera.hpp"
+#include "palpable/core/picture/image.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/vision/segmentation/disparity_plane.hpp"
 #include "palpable/vision/segmentation/ground_options.hpp"

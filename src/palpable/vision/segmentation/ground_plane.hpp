@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/raster.hpp"
+#include "palpable/core/picture/raster.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/vision/segmentation/disparity_plane.hpp"
 #include "palpable/vision/segmentation/ground_options.hpp"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/image.hpp"
 #include "palpable/core/parameters.hpp"
+#include "palpable/core/picture/image.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/vision/segmentation/segment_features.hpp"
 

@@ -13,8 +13,8 @@ namespace palpable::vision {
 /// outside Latin stay as they are (UTF-8).
 std::string compared_form(std::string_view name);
 
-/// One minus the edit distance (core/edit_distance.hpp) of two compared forms, as a part of the longer one's
-/// bytes; 0 ... 1, and 0 if both are empty.
+/// One minus the edit distance (core/text/edit_distance.hpp) of two compared forms, as a part of the longer
+/// one's bytes; 0 ... 1, and 0 if both are empty.
 double similarity_of(std::string_view a, std::string_view b);
 
 /// The name of a gazetteer that is most similar to what was read; nullopt if none is as similar as `least`.

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/image.hpp"
+#include "palpable/core/geometry/street_map.hpp"
 #include "palpable/core/note.hpp"
+#include "palpable/core/picture/image.hpp"
 #include "palpable/core/result.hpp"
-#include "palpable/core/street_map.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/vision/streets/map_colours.hpp"
 #include "palpable/vision/streets/street_colours.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/street_map.hpp"
+#include "palpable/core/geometry/street_map.hpp"
 #include "palpable/vision/text/read_text.hpp"
 #include "palpable/vision/text/text_lines.hpp"
 
@@ -30,7 +30,7 @@ struct StreetNameOptions {
   /// Names of the streets of the place, UTF-8; what is read becomes the most similar of them. Empty: none.
   std::vector<std::string> gazetteer;
   /// Least similarity of a name with that of the gazetteer, 0 ... 1: one minus their edit distance
-  /// (core/edit_distance.hpp) as a part of the longer one's letters.
+  /// (core/text/edit_distance.hpp) as a part of the longer one's letters.
   double least_similarity = 0.7;
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/image.hpp"
+#include "palpable/core/picture/image.hpp"
 #include "palpable/vision/text/text_lines.hpp"
 
 #include <vector>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/text/read_text.hpp"
 
-#include "palpable/core/child_process.hpp"
+#include "palpable/core/system/child_process.hpp"
 #include "palpable/vision/text/ink.hpp"
 
 #include <algorithm>

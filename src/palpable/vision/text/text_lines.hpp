@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/image.hpp"
-#include "palpable/core/street_map.hpp"
+#include "palpable/core/geometry/street_map.hpp"
+#include "palpable/core/picture/image.hpp"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 #include "palpable/vision/stereo/cost/cost_volume.hpp"
 
 #include "palpable/core/check.hpp"
-#include "palpable/core/vectorize.hpp"
+#include "palpable/core/numbers/vectorize.hpp"
 
 #include <array>
 #include <cmath>

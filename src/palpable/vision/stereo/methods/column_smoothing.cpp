@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/methods/column_smoothing.hpp"
 
-#include "palpable/core/vectorize.hpp"
+#include "palpable/core/numbers/vectorize.hpp"
 #include "palpable/vision/image/colour_planes.hpp"
 
 #include <algorithm>

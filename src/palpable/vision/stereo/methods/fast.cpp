@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/methods/fast.hpp"
 
-#include "palpable/core/vectorize.hpp"
+#include "palpable/core/numbers/vectorize.hpp"
 #include "palpable/vision/image/median.hpp"
 #include "palpable/vision/stereo/cost/least_cost.hpp"
 #include "palpable/vision/stereo/cost/path_costs.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/methods/match.hpp"
 
-#include "palpable/core/memory.hpp"
+#include "palpable/core/system/memory.hpp"
 #include "palpable/vision/stereo/methods/matching_memory.hpp"
 #include "palpable/vision/stereo/problem/match_input.hpp"
 #include "palpable/vision/stereo/problem/prepare_pictures.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/methods/matching_memory.hpp"
 
-#include "palpable/core/image.hpp"
+#include "palpable/core/picture/image.hpp"
 #include "palpable/vision/stereo/methods/match.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/methods/scanline_path.hpp"
 
-#include "palpable/core/vectorize.hpp"
+#include "palpable/core/numbers/vectorize.hpp"
 #include "palpable/vision/stereo/cost/cross_window.hpp"
 #include "palpable/vision/stereo/cost/least_cost.hpp"
 #include "palpable/vision/stereo/cost/sub_pixel.hpp"

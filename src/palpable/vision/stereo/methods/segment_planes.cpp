@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/methods/segment_planes.hpp"
 
-#include "palpable/core/median.hpp"
+#include "palpable/core/numbers/median.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/occlusion/left_right_check.hpp"
 
-#include "palpable/core/quantile.hpp"
+#include "palpable/core/numbers/quantile.hpp"
 
 #include <algorithm>
 #include <cmath>

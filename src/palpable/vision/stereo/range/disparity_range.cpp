@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/range/disparity_range.hpp"
 
-#include "palpable/core/vectorize.hpp"
+#include "palpable/core/numbers/vectorize.hpp"
 #include "palpable/vision/image/census.hpp"
 #include "palpable/vision/stereo/cost/least_cost.hpp"
 

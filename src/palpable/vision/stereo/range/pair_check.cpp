@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/range/pair_check.hpp"
 
-#include "palpable/core/quantile.hpp"
-#include "palpable/core/vectorize.hpp"
+#include "palpable/core/numbers/quantile.hpp"
+#include "palpable/core/numbers/vectorize.hpp"
 #include "palpable/vision/image/census.hpp"
 
 #include <algorithm>

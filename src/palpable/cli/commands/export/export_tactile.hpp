@@ -1,0 +1,48 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/geometry/polyline.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/formats/tactile/tactile_drawing.hpp"
+#include "palpable/models/contours/contours.hpp"
+#include "palpable/models/relief/relief.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace palpable::cli {
+
+/// Options of `export` for tactile drawings.
+struct TactileArguments {
+  double interval_mm = 2.0;
+  /// Printed width of outlines and maps; 0 = true size of outlines, 180 mm of maps.
+  double width_mm = 0.0;
+  int braille_columns = 40;
+  int braille_rows = 25;
+  /// A table of liblouis.
+  std::string braille_table = "en-ueb-g1.ctb";
+};
+
+formats::BrailleOptions braille_options(const TactileArguments& arguments);
+
+/// Writes lines of equal height above the relief's ground, first the outlines of the objects on it; without a
+/// ground, above its lowest point. Errors: as formats::encode_height_lines() and write_file_atomically().
+Result<void> write_height_lines(const models::Relief& relief, const TactileArguments& arguments,
+                                const std::filesystem::path& output, const Work& work);
+
+/// The outlines of a scene of contours.
+std::vector<Polyline> outlines_of(const models::Contours& contours);
+
+/// Writes outlines as .svg for swell paper, or as .brf for a braille embosser, by the output's suffix.
+/// Errors: usage for another suffix; as the encoders and write_file_atomically().
+Result<void> write_outlines(const models::Contours& contours, const TactileArguments& arguments,
+                            const std::filesystem::path& output);
+
+/// The plate of the contours' grooves, inverted: lines are raised, for printing and reading by finger.
+/// Errors: as Relief::from_samples().
+Result<models::Relief> raised_lines(const models::Contours& contours);
+
+}  // namespace palpable::cli

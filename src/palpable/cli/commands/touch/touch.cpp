@@ -1,0 +1,112 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/commands/touch/touch_headless.hpp"
+#include "palpable/cli/commands/touch/touch_page.hpp"
+#include "palpable/cli/commands/touch/touch_plan.hpp"
+#include "palpable/core/files/build_id.hpp"
+#include "palpable/device/drivers/open.hpp"
+#include "palpable/haptics/safety/zero_force.hpp"
+#include "palpable/haptics/servo/kept_rate.hpp"
+#include "palpable/haptics/servo/pacing.hpp"
+#include "palpable/haptics/servo/signal_thread.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace palpable::cli {
+namespace {
+
+Result<Answer> touch(TouchArguments arguments, Console& console) {
+  haptics::write_zero_force_on_crash();
+  if (!arguments.device.empty())
+    if (auto known = device::check_device_url(arguments.device); !known) return known.error();
+  const auto published = published_as(arguments.as_published);
+  if (!published) return published.error();
+  TouchPlan plan;
+  if (*published) {
+    apply_published(**published, arguments.scene.make);
+    plan.options.as_published = (*published)->name;
+    console.note(std::string((*published)->differs));
+  }
+  plan.begin_ns = haptics::monotonic_ns();
+  const auto walk = walk_from(arguments.view);
+  if (!walk) return walk.error();
+  plan.walk = *walk;
+  if (const auto possible = check_touch_options(arguments, plan.walk); !possible) return possible.error();
+  if (arguments.scene.make.inputs.empty()) {
+    auto with_input = with_sample(std::move(arguments.scene));
+    if (!with_input) return with_input.error();
+    arguments.scene = *std::move(with_input);
+  }
+  if (const auto filled = fill_plan(arguments, *published, plan); !filled) return filled.error();
+  plan.options.seed = console.options().seed;
+  plan.options.command = console.options().command;
+  plan.options.made_by = std::string("palpable ") + PALPABLE_VERSION + " (build " + build_id() + ")";
+  constexpr double kRate_Hz = 1000.0;
+  plan.options.servo.rate_hz =
+      arguments.rate_hz.value_or(*published ? (*published)->rate_hz.value_or(kRate_Hz) : kRate_Hz);
+  // The measurement takes a moment, so it is made only for rates above the default.
+  constexpr double kMeasure_s = 0.25;
+  const auto& servo = plan.options.servo;
+  if (servo.rate_hz > kRate_Hz)
+    if (auto kept =
+            haptics::check_kept(haptics::measure_rate(servo.rate_hz, kMeasure_s, servo.realtime_priority));
+        !kept)
+      return kept.error();
+  const auto run = arguments.keys       ? touch_with_keys
+                   : arguments.headless ? touch_without_page
+                                        : touch_with_page;
+  std::optional<Result<Answer>> answer;
+  haptics::run_beside_signals(servo.realtime_priority - 1,
+                              [&] { answer.emplace(run(arguments, plan, console)); });
+  return *std::move(answer);
+}
+
+}  // namespace
+
+void add_touch(Program& program) {
+  const auto arguments = std::make_shared<TouchArguments>();
+  Options options =
+      add_command(program, "touch",
+                  "Touch a scene with a device, in the browser or in the terminal; without INPUT the sample",
+                  "  palpable touch\n"
+                  "  palpable touch left.png right.png\n"
+                  "  palpable touch room.palp --law rolling\n"
+                  "  palpable touch left.png right.png --headless --seconds 10 --json",
+                  [arguments](Console& console) { return touch(*arguments, console); });
+  add_make_options(options, arguments->scene.make);
+  add_title_options(options, arguments->scene.title);
+  add_material_options(options, arguments->scene.material);
+  add_law_options(options, arguments->law);
+  options.under("The touch");
+  add_as_published(options, arguments->as_published);
+  options.flag("--unlimited", arguments->unlimited,
+               "With --as-published: no stiffness limit, rise limit and passivity controller; for simulated "
+               "devices and those of at most 4 N");
+  options.choice("--transients", arguments->transient, {"none", "rubber", "wood", "metal"},
+                 "Material whose vibration an impact starts; for devices with motors");
+  options.number("--hand-damping", arguments->hand_damping_Ns_per_m, {0.1, 40.0},
+                 "Least damping that the hand adds to the device, N·s/m; the stiffness limit depends on it "
+                 "(doctor --measure-hand measures it)");
+  options.text("--device", arguments->device,
+               "Device (palpable devices lists them); default: the page's pointer");
+  options.integer("--port", arguments->port, {0, 65535}, "Port of the page on 127.0.0.1; 0 = any free one");
+  options.flag("--no-browser", arguments->no_browser, "Do not open the browser");
+  options.flag("--headless", arguments->headless, "No page: a scripted hand explores");
+  options.flag("--keys", arguments->keys,
+               "With --headless: explore with the keys of this terminal; H lists them (braille, speech)");
+  options.text(
+      "--route", arguments->route,
+      "Street map: the way 'A to B' is spoken, its streets are smooth and all others rough; A and B are "
+      "streets, places, or junctions as 'A & B'");
+  add_view_options(options, arguments->view);
+  options.flag("--speak", arguments->speak, "Speak faults, names and answers in a headless touch");
+  options.number("--seconds", arguments->seconds, {0.01, 86400.0}, "How long a headless touch lasts");
+  options.number("--rate", arguments->rate_hz, {100.0, 4000.0},
+                 "Servo rate in Hz (1000 unless a paper states another)");
+  options.output("--record", arguments->recording, {}, "Record every tick into this file");
+}
+
+}  // namespace palpable::cli

@@ -1,0 +1,105 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/commands/touch/touch_page.hpp"
+
+#include "palpable/cli/commands/touch/open_browser.hpp"
+#include "palpable/page/server.hpp"
+#include "palpable/page/touch_host.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <mutex>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace palpable::cli {
+namespace {
+
+/// Keeps notes until a page can show them. Any thread.
+class NoteBox {
+ public:
+  void put(const Note& note) {
+    const std::lock_guard lock(mutex_);
+    if (receiver_) {
+      receiver_(note);
+    } else {
+      kept_.push_back(note);
+    }
+  }
+  /// Passes the kept notes and all later ones to `receiver`; an empty one keeps them again.
+  void open(Notes receiver) {
+    const std::lock_guard lock(mutex_);
+    receiver_ = std::move(receiver);
+    if (!receiver_) return;
+    for (const Note& note : std::exchange(kept_, {})) receiver_(note);
+  }
+
+ private:
+  std::mutex mutex_;
+  Notes receiver_;
+  std::vector<Note> kept_;
+};
+
+/// The file to which the page saves the scene: the scene's own file, else a new one in the current folder.
+std::filesystem::path save_path(const std::vector<std::filesystem::path>& inputs) {
+  std::filesystem::path first = inputs.empty() ? "scene" : inputs.front();
+  if (inputs.size() == 1 && first.extension() == ".palp") return first;
+  const std::string stem = first.has_stem() ? first.stem().string() : "scene";
+  std::filesystem::path free = stem + ".palp";
+  std::error_code ignored;
+  for (int k = 2; std::filesystem::exists(free, ignored); ++k) free = fmt::format("{}-{}.palp", stem, k);
+  return free;
+}
+
+/// Serves the page of a running touch until the user ends it.
+Result<void> serve_page(const TouchArguments& arguments, const TouchPlan& plan,
+                        session::TouchSession& session, session::MakerThread& maker, NoteBox& notes,
+                        Console& console) {
+  page::TouchHost host(session, {std::string("palpable ") + PALPABLE_VERSION,
+                                 {},
+                                 [&maker] { return maker.take(std::chrono::milliseconds(0)); },
+                                 save_path(plan.make.input.files),
+                                 !plan.walk.empty()});
+  notes.open([&host](const Note& note) { host.say("info", note.sentence); });
+  std::optional<OpenedBrowser> browser;
+  page::ServeOptions options;
+  options.port = static_cast<std::uint16_t>(arguments.port);
+  options.on_ready = [&](const std::string& address) {
+    console.say(fmt::format("Touch the scene at {}\nEnd with Ctrl-C.", address));
+    if (!arguments.no_browser) browser.emplace(address);
+  };
+  auto served = page::serve(host, options, interrupted());
+  notes.open({});
+  return served;
+}
+
+}  // namespace
+
+Result<Answer> touch_with_page(const TouchArguments& arguments, const TouchPlan& plan, Console& console) {
+  NoteBox notes;
+  session::MakerThread maker(maker_of(plan,
+                                      [&](const Note& note) {
+                                        console.note(note);
+                                        notes.put(note);
+                                      }),
+                             console.work());
+  auto scene = maker.first_scene(console.work());
+  if (!scene) return scene.error();
+  session::SessionOptions options = plan.options;
+  options.further_probes = haptics::kMaxLiveProbes - 1;
+  options.recording = arguments.recording;
+  auto opened = session::TouchSession::open(std::move(*scene), plan.settings,
+                                            arguments.device.empty() ? "pointer:" : arguments.device, options,
+                                            plan.begin_ns);
+  if (!opened) return opened.error();
+  session::TouchSession& session = **opened;
+  const auto served = serve_page(arguments, plan, session, maker, notes, console);
+  const auto recorded = session.stop_recording();
+  session.stop();
+  if (!served) return served.error();
+  if (!recorded) return recorded.error();
+  return answer_of(session.statistics());
+}
+
+}  // namespace palpable::cli

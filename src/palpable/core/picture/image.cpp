@@ -1,0 +1,51 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/core/picture/image.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpable {
+
+std::string size_text(int width, int height) {
+  return std::to_string(width) + " x " + std::to_string(height);
+}
+
+Result<void> check_picture_size(std::int64_t width, std::int64_t height) {
+  const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
+  if (width < 1 || height < 1) return invalid_input("states a size of " + size);
+  if (width > kMaxPixels || height > kMaxPixels || width * height > kMaxPixels)
+    return invalid_input(size + " are more than the " + std::to_string(kMaxPixels >> 20) +
+                         " million that can be read: make the picture smaller first");
+  return {};
+}
+
+Raster<float> grey(const Image& image) {
+  Raster<float> out(image.width, image.height);
+  const bool colour = image.channels >= 3;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const float* p = image.pixel(x, y);
+      out(x, y) = colour ? 0.299F * p[0] + 0.587F * p[1] + 0.114F * p[2] : p[0];
+    }
+  }
+  return out;
+}
+
+Raster<Rgb8> rgb8(const Image& image) {
+  const auto to8 = [](float v) {
+    return static_cast<std::uint8_t>(
+        std::lround(255.0F * std::clamp(std::isfinite(v) ? v : 0.0F, 0.0F, 1.0F)));
+  };
+  Raster<Rgb8> out(image.width, image.height);
+  const bool colour = image.channels >= 3;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const float* p = image.pixel(x, y);
+      out(x, y) = {to8(p[0]), to8(p[colour ? 1 : 0]), to8(p[colour ? 2 : 0])};
+    }
+  }
+  return out;
+}
+
+}  // namespace palpable

@@ -1,0 +1,81 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// The energy that `proxy` returns on solids with creases, by the hands' true movements and by the account.
+#include "palpable/haptics/law/field_proxy.hpp"
+#include "palpable/haptics/law/law_making.hpp"
+#include "palpable/haptics/law/random_solid.hpp"
+#include "palpable/haptics/safety/stability.hpp"
+#include "palpable/haptics/safety/test_hands.hpp"
+#include "palpable/haptics/tick/counted_hand.hpp"
+#include "palpable/haptics/tick/tick.hpp"
+
+#include <memory>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace palpable::haptics {
+
+/// It is not in an unnamed namespace, so that it is found.
+inline void read_pages(const RandomSolid&) noexcept {}
+
+namespace {
+
+struct Energy {
+  double received_J = 0.0;
+  double said_J = 0.0;
+  double contact_share = 0.0;
+};
+
+/// A hand that explores a random solid for ten seconds, without the controller.
+Energy energy_on_a_solid(const device::HandOptions& options, double friction, unsigned seed) {
+  using Law = FieldProxyLaw<RandomSolid>;
+  CountedHand hand(options);
+  const SafeContact safe = safe_contact(hand.traits(), options.rate_hz, 1.0, 1e5, 0.5);
+  HapticScene scene;
+  scene.touchable = std::make_shared<const LawTouchable<Law>>(
+      Law(std::make_shared<const RandomSolid>(seed),
+          MaterialMap({safe.stiffness_N_per_m, safe.damping_Ns_per_m, friction, friction * 5.0 / 6.0}), 0.0),
+      1);
+  TickOptions observed;
+  observed.passivity = Passivity::observe;
+  Ring<TouchEvent> events(1024);
+  TickPipeline tick(hand, scene, observed, events);
+  constexpr int kTicks = 10000;
+  for (int n = 0; n < kTicks; ++n) {
+    if (!tick.step(0.001 * n, 0.001).has(flag::kContact)) hand.in_free_air();
+    while (events.take()) {
+    }
+  }
+  return {hand.most_J(), tick.counts().made_max_J, static_cast<double>(tick.counts().contact_ticks) / kTicks};
+}
+
+class EnergyOnRandomSolids : public testing::TestWithParam<double> {};
+
+TEST_P(EnergyOnRandomSolids, IsNotMadeAndNotReportedTooLow) {
+  Hands hands(1);
+  double contact = 0.0;
+  constexpr int kHands = 16;
+  for (unsigned k = 1; k <= kHands; ++k) {
+    device::HandOptions options = hands.next();
+    options.resolution_m = hands.uniform(1e-6, 2e-5);
+    options.explorer.script = device::ExplorerOptions::Script::random;
+    options.explorer.workspace_m = {0.04, 0.03, 0.03};
+    options.explorer.seed = k;
+    options.explorer.speed_m_per_s = hands.uniform(0.03, 0.3);
+    options.explorer.press_N = hands.uniform(0.3, 3.0);
+    const Energy energy = energy_on_a_solid(options, GetParam(), k);
+    EXPECT_LE(energy.received_J, 1e-6) << "hand " << k;
+    EXPECT_LE(energy.received_J, energy.said_J + 1e-6) << "hand " << k;
+    contact += energy.contact_share / kHands;
+  }
+  EXPECT_GT(contact, 0.3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Friction, EnergyOnRandomSolids, testing::Values(0.0, 0.2, 0.5),
+                         [](const auto& friction) {
+                           return std::to_string(static_cast<int>(100.0 * friction.param)) + "_percent";
+                         });
+
+}  // namespace
+}  // namespace palpable::haptics

@@ -1,0 +1,347 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/haptics/tick/tick.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+namespace palpable::haptics {
+namespace {
+
+/// Smaller forces cannot be felt (about the detection threshold of a fingertip).
+constexpr double kFelt_N = 0.02;
+
+bool is_same(const Transform<SceneFrame, DeviceFrame>& a, const Transform<SceneFrame, DeviceFrame>& b) {
+  return a.rotation == b.rotation && a.translation_m == b.translation_m && a.scale == b.scale;
+}
+
+double known_or(double value, double otherwise) { return std::isfinite(value) ? value : otherwise; }
+
+}  // namespace
+
+TickPipeline::TickPipeline(device::Device& device, const HapticScene& scene, const TickOptions& options,
+                           Ring<TouchEvent>& events, std::uint8_t probe)
+    : device_(device),
+      events_(events),
+      options_(options),
+      max_force_N_(std::min(options.max_force_N, device.traits().max_force_N)),
+      planar_(device.traits().degrees_of_freedom < 3),
+      readings_(device.traits(), options),
+      velocity_(known_or(device.traits().position_resolution_m, 0.0)),
+      fine_(known_or(device.traits().position_resolution_m, 0.0)),
+      has_torque_(device.traits().has_torque),
+      ramp_(options.ramp_down_s, options.ramp_up_s),
+      delay_(static_cast<std::size_t>(std::clamp(device.traits().delay_samples, 0, kMaxDelay))) {
+  now_.begin(scene);
+  sample_.probe = probe;
+}
+
+TickPipeline::When TickPipeline::when_of(const device::Reading& reading, double t_s, double dt_s) noexcept {
+  const bool was_cut = std::exchange(force_was_cut_, false);
+  if (!reading.recorded) return {t_s, dt_s, was_cut || (dt_s > options_.stall_s && counts_.ticks > 0)};
+  // The recorded state applies, not that of this loop.
+  const device::RecordedTime& then = *reading.recorded;
+  paused_ = (then.flags & flag::kPaused) != 0;
+  return {then.t_s, then.dt_s, (then.flags & flag::kStalled) != 0};
+}
+
+const TouchSample& TickPipeline::step(double clock_t_s, double clock_dt_s) noexcept {
+  const TouchSample before = sample_;
+  flags_ = 0;
+  const device::Reading reading = device_.read();
+  const auto [t_s, dt_s, stalled] = when_of(reading, clock_t_s, clock_dt_s);
+  if (stalled) {
+    flags_ |= flag::kStalled;
+    ++counts_.stalls;
+    drop_force();
+  }
+  const ReadingUse use = accept(reading, dt_s);
+  count_received();
+  const bool good = use == ReadingUse::continues || use == ReadingUse::new_touch;
+  const bool is_glitch = use == ReadingUse::glitch;
+  if (fading()) fade(dt_s);
+  const bool valid = good && evaluate_laws(dt_s);
+  if (!is_glitch) account_spring(dt_s, valid && !paused_);
+  if (fading() && faded_ >= 1.0) end_fade();
+  observe(dt_s);
+  if (!is_glitch) make_force(dt_s);
+  send();
+  if (has_torque_) device_.write_torque(written_Nm_);
+  device_.write(written_N_);
+
+  sample_.t_s = t_s;
+  sample_.dt_s = dt_s;
+  describe(reading);
+  if (good && !valid) emit(TouchEvent::Kind::not_finite, 0);
+  if (!is_glitch)
+    report_status(valid, static_cast<std::uint32_t>(good ? device::Status::ok : reading.status));
+  report_changes(before);
+  count();
+  return sample_;
+}
+
+ReadingUse TickPipeline::accept(const device::Reading& reading, double dt_s) noexcept {
+  moved_ = {};
+  rotated_ = {};
+  const JudgedReading judged = readings_.judge(reading, dt_s);
+  if (judged.implausible) flags_ |= flag::kImplausible;
+  if (judged.use == ReadingUse::new_touch) {
+    // However the hand got there, the force rises from zero.
+    drop_force();
+    begin_touch();
+  }
+  if (judged.is_good()) take(reading, judged);
+  return judged.use;
+}
+
+void TickPipeline::take(const device::Reading& reading, const JudgedReading& judged) noexcept {
+  position_ = reading.position;
+  velocity_m_per_s_ = velocity_.update(position_, judged.passed_s);
+  const Point<DeviceFrame> before = fine_.place();
+  const Point<DeviceFrame> now = fine_.update(position_, velocity_m_per_s_, judged.passed_s);
+  if (!judged.first) moved_ = now - before;
+  if (!has_torque_) return;
+  if (judged.first) rotation_.begin();
+  rotation_.update(reading.rotation, judged.passed_s);
+  rotated_ = rotation_.rotated_rad();
+}
+
+void TickPipeline::drop_force() noexcept {
+  ramp_.reset();
+  rise_.drop();
+  uncontrolled_rise_.drop();
+  dropped_ = held();
+  dropped_velocity_m_per_s_ = velocity_m_per_s_;
+  written_N_ = {};
+  uncontrolled_N_ = {};
+  written_Nm_ = {};
+  uncontrolled_Nm_ = {};
+  sent_.fill({});
+  transient_.stop();
+  velocity_.begin();
+  shortened_ = true;
+  scene_changes_ = false;
+}
+
+bool TickPipeline::evaluate_law(Side& side, double dt_s) noexcept {
+  const auto& scene_from_device = side.scene->scene_from_device;
+  Hand hand{scene_from_device * position_, scene_from_device * velocity_m_per_s_, dt_s};
+  hand.acts_after_s = (static_cast<double>(delay_) + 0.5) * std::min(dt_s, options_.max_rise_time_s);
+  if (has_torque_) {
+    hand.rotation = rotation_in_scene(scene_from_device, rotation_.rotation());
+    hand.angular_velocity_rad_per_s = rotate_force(scene_from_device, rotation_.velocity_rad_per_s());
+  }
+  const LawOutput output = side.scene->touchable->evaluate(hand, side.state);
+  if (!is_finite(output.force_N) || !is_finite(output.torque_Nm)) return false;
+  side.output = output;
+  return true;
+}
+
+Vector<DeviceFrame> TickPipeline::device_force_N(const Side& side,
+                                                 Vector<SceneFrame> force_N) const noexcept {
+  Vector<DeviceFrame> turned = rotate_force(side.device_from_scene, force_N);
+  if (planar_) turned.v.z = 0.0;
+  return turned;
+}
+
+Vector<DeviceFrame> TickPipeline::device_torque_Nm(const Side& side,
+                                                   Vector<SceneFrame> torque_Nm) const noexcept {
+  // Angles are equal in the scene and at the device, while lengths at the device are 1 / scale as long. So
+  // energy, and torque, scale by 1 / scale.
+  return (1.0 / side.scene->scene_from_device.scale) * rotate_force(side.device_from_scene, torque_Nm);
+}
+
+bool TickPipeline::evaluate_laws(double dt_s) noexcept {
+  if (ramp_.value() <= 0.0 && !healthy_) begin_touch();
+  if (counts_.ticks == 0) flags_ |= flag::kNewTouch;
+  const bool finite = evaluate_law(now_, dt_s) && (!fading() || evaluate_law(coming_, dt_s));
+  if (!finite) {
+    flags_ |= flag::kNotFinite;
+    return false;
+  }
+  law_force_N_ = device_force_N(now_, now_.output.force_N);
+  if (fading()) law_force_N_ += faded_ * (device_force_N(coming_, coming_.output.force_N) - law_force_N_);
+  if (!has_torque_) return true;
+  law_torque_Nm_ = device_torque_Nm(now_, now_.output.torque_Nm);
+  if (fading())
+    law_torque_Nm_ += faded_ * (device_torque_Nm(coming_, coming_.output.torque_Nm) - law_torque_Nm_);
+  return true;
+}
+
+void TickPipeline::begin_touch() noexcept {
+  // The force has been zero for some time and the hand may have moved anywhere: the law's state is obsolete.
+  now_.state = {};
+  coming_.state = {};
+  rise_.reset();
+  uncontrolled_rise_.reset();
+  velocity_.begin();
+  velocity_m_per_s_ = {};
+  rotation_.begin();
+  flags_ |= flag::kNewTouch;
+}
+
+void TickPipeline::fade(double dt_s) noexcept {
+  flags_ |= flag::kFading;
+  faded_before_ = faded_;
+  faded_ = std::min(1.0, faded_ + dt_s / options_.fade_s);
+}
+
+void TickPipeline::end_fade() noexcept {
+  retired_ = now_.scene;
+  now_ = coming_;
+  coming_ = {};
+  emit(TouchEvent::Kind::scene_changed, now_.scene->id);
+}
+
+void TickPipeline::change(const HapticScene& scene) noexcept {
+  coming_.begin(scene);
+  const bool is_same_place = is_same(scene.scene_from_device, now_.scene->scene_from_device);
+  same_surface_ = is_same_place && scene.touchable->state_family() == now_.scene->touchable->state_family();
+  if (same_surface_) {
+    coming_.state = now_.state;
+  } else if (is_same_place) {
+    scene.touchable->take_over(now_.scene->touchable->hand_over(now_.state), coming_.state);
+  }
+  faded_ = 0.0;
+  const double held_J = given_J(rise_);
+  stored_before_change_J_ = std::isfinite(held_J) ? held_J : 0.0;
+  change_work_J_ = change_brought_J_ = 0.0;
+}
+
+const HapticScene* TickPipeline::take_retired() noexcept { return std::exchange(retired_, nullptr); }
+
+bool TickPipeline::is_free() const noexcept {
+  const auto nothing = [](const LawOutput& output) {
+    return !output.contact && output.force_N == Vector<SceneFrame>{} &&
+           output.torque_Nm == Vector<SceneFrame>{};
+  };
+  return nothing(now_.output) && (!fading() || nothing(coming_.output));
+}
+
+Vector<DeviceFrame> TickPipeline::with_transient(Vector<DeviceFrame> force_N, double dt_s) noexcept {
+  const LawOutput& output = now_.output;
+  const bool strikes = !std::exchange(was_in_contact_, output.contact) && output.contact;
+  // During a fade or a ramp, a vibration would belong to neither surface.
+  if (!output.contact || fading() || ramp_.value() < 1.0) {
+    transient_.stop();
+    return force_N;
+  }
+  if (strikes) {
+    transient_.strike(now_.scene->transient, force_N, velocity_m_per_s_,
+                      {options_.max_transient_of_force * max_force_N_, options_.max_force_rate_N_per_s,
+                       options_.impact_speed_m_per_s});
+    counts_.transients += transient_.is_playing() ? 1 : 0;
+  }
+  return force_N + transient_.step(force_N, dt_s);
+}
+
+void TickPipeline::make_force(double dt_s) noexcept {
+  const Vector<DeviceFrame> wanted_N = with_transient(law_force_N_, dt_s);
+  const auto capped = cap_force(wanted_N, max_force_N_);
+  const double risen_s = std::min(dt_s, options_.max_rise_time_s);
+  const double max_rise_N = options_.max_force_rate_N_per_s * risen_s;
+  const double gain = ramp_.value();
+  const Vector<DeviceFrame> rest_N = wanted_N - spring_N_;
+  const auto risen = rise_.limit(capped.force_N, rest_N, max_rise_N);
+  uncontrolled_N_ = uncontrolled_rise_.limit(capped.force_N, rest_N, max_rise_N).force_N;
+  written_N_ = risen.force_N;
+  if (has_torque_) make_torque(risen_s);
+  if (gain > 0.0) control_energy(dt_s);
+  if (rise_.is_weaker()) counts_.withheld_max_J = std::max(counts_.withheld_max_J, rise_.withheld_J());
+  if (capped.limited) flags_ |= flag::kForceCapped;
+  if (risen.limited || rise_.share() < ramp_.value()) flags_ |= flag::kRiseLimited;
+  if (gain < 1.0) flags_ |= flag::kRamping;
+  if (paused_) flags_ |= flag::kPaused;
+  scene_changes_ = fading() && !same_surface_;
+  shortened_ = scene_changes_ || torque_capped_ || (gain < 1.0 && !is_accounted());
+}
+
+void TickPipeline::make_torque(double risen_s) noexcept {
+  const auto capped = cap_force(law_torque_Nm_, device_.traits().max_torque_Nm);
+  const double max_rise_Nm = options_.max_torque_rate_Nm_per_s * risen_s;
+  const auto limit = [&](RiseLimit& rise, Vector<DeviceFrame> before_Nm) {
+    const Vector<DeviceFrame> wanted_Nm = rise.share() * capped.force_N;
+    const auto risen = cap_rise(wanted_Nm, before_Nm, max_rise_Nm);
+    // What is held back of a torque is held back of the same spring.
+    if (risen.limited) rise.note_limited();
+    return risen;
+  };
+  uncontrolled_Nm_ = limit(uncontrolled_rise_, uncontrolled_Nm_).force_N;
+  const auto risen = limit(rise_, written_Nm_);
+  written_Nm_ = risen.force_N;
+  torque_capped_ = capped.limited;
+  if (capped.limited) flags_ |= flag::kForceCapped;
+  if (risen.limited) flags_ |= flag::kRiseLimited;
+}
+
+void TickPipeline::send() noexcept {
+  newest_ = (newest_ + 1) % sent_.size();
+  sent_[newest_] = {written_N_, uncontrolled_N_, written_Nm_, uncontrolled_Nm_,
+                    (flags_ & flag::kPassivityActed) != 0};
+}
+
+void TickPipeline::describe(const device::Reading& reading) noexcept {
+  const auto& scene_from_device = now_.scene->scene_from_device;
+  sample_.tick = counts_.ticks;
+  sample_.device_position = reading.position;
+  sample_.position = scene_from_device * position_;
+  sample_.velocity_m_per_s = scene_from_device * velocity_m_per_s_;
+  sample_.proxy = now_.output.proxy;
+  sample_.raw_force_N = now_.output.force_N;
+  sample_.written_force_N = rotate_force(scene_from_device, written_N_);
+  sample_.energy_J = observer_.balance_J();
+  if (has_torque_) {
+    sample_.device_rotation = reading.rotation;
+    sample_.angular_velocity_rad_per_s = rotate_force(scene_from_device, rotation_.velocity_rad_per_s());
+    sample_.raw_torque_Nm = now_.output.torque_Nm;
+    sample_.written_torque_Nm = rotate_force(scene_from_device, written_Nm_);
+  }
+  sample_.label = now_.output.label;
+  sample_.buttons = reading.buttons;
+  sample_.scene_id = now_.scene->id;
+  sample_.coming_scene_id = fading() ? coming_.scene->id : 0;
+  sample_.status = reading.status;
+  sample_.flags =
+      flags_ | (now_.output.contact ? flag::kContact : 0U) | (now_.output.has_proxy ? flag::kHasProxy : 0U);
+}
+
+void TickPipeline::report_changes(const TouchSample& before) noexcept {
+  using Kind = TouchEvent::Kind;
+  const bool contact = sample_.has(flag::kContact);
+  const bool was_contact = before.has(flag::kContact);
+  if (contact && !was_contact) emit(Kind::contact_made, 0);
+  if (!contact && was_contact) emit(Kind::contact_lost, 0);
+  if (contact && (!was_contact || sample_.label != before.label)) emit(Kind::label_entered, sample_.label);
+  const std::uint32_t changed = sample_.buttons ^ before.buttons;
+  for (std::uint32_t rest = changed; rest != 0; rest &= rest - 1) {
+    const auto button = static_cast<std::uint32_t>(std::countr_zero(rest));
+    emit((sample_.buttons >> button & 1U) != 0 ? Kind::button_down : Kind::button_up, button);
+  }
+}
+
+void TickPipeline::report_status(bool healthy, std::uint32_t status) noexcept {
+  if (healthy != healthy_) emit(healthy ? TouchEvent::Kind::recovered : TouchEvent::Kind::fault, status);
+  healthy_ = healthy;
+}
+
+void TickPipeline::emit(TouchEvent::Kind kind, std::uint32_t value) noexcept {
+  events_.put({counts_.ticks, kind, value, sample_.probe});
+}
+
+void TickPipeline::count() noexcept {
+  const double written = norm(written_N_);
+  counts_.max_force_N = std::max(counts_.max_force_N, written);
+  counts_.force_capped_ticks += sample_.has(flag::kForceCapped) ? 1 : 0;
+  counts_.rise_limited_ticks += sample_.has(flag::kRiseLimited) ? 1 : 0;
+  counts_.passivity_ticks += sample_.has(flag::kPassivityActed) ? 1 : 0;
+  counts_.contact_ticks += sample_.has(flag::kContact) ? 1 : 0;
+  counts_.fault_ticks += healthy_ ? 0 : 1;
+  counts_.made_max_J = observer_.made_max_J();
+  counts_.made_max_without_controller_J = without_controller_.made_max_J();
+  if (std::isnan(counts_.first_force_t_s) && written >= kFelt_N) counts_.first_force_t_s = sample_.t_s;
+  ++counts_.ticks;
+}
+
+}  // namespace palpable::haptics

@@ -1,0 +1,202 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/system/hand_off.hpp"
+#include "palpable/device/device.hpp"
+#include "palpable/haptics/safety/limits.hpp"
+#include "palpable/haptics/safety/passivity.hpp"
+#include "palpable/haptics/safety/rise_limit.hpp"
+#include "palpable/haptics/tick/reading_filter.hpp"
+#include "palpable/haptics/tick/rotation.hpp"
+#include "palpable/haptics/tick/servo_types.hpp"
+#include "palpable/haptics/tick/tick_options.hpp"
+#include "palpable/haptics/tick/transient_player.hpp"
+#include "palpable/haptics/tick/velocity.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace palpable::haptics {
+
+/// One tick of touch, without thread or clock. Its steps: read the device; reject readings that are not
+/// finite or plausible; evaluate the law; reject a force that is not finite; observe the energy of the force
+/// that was held until now; cap the force; ramp it; limit its rise; apply the passivity controller; write.
+/// The servo loop calls it in real time, tests as fast as possible; the same readings give the same results.
+/// One thread; step() never allocates, locks, throws or prints.
+class TickPipeline {
+ public:
+  /// `device` and `events` must outlive this object; `scene` (with its touchable) must live until
+  /// take_retired() returns it. Samples and events carry the number of the probe.
+  TickPipeline(device::Device& device, const HapticScene& scene, const TickOptions& options,
+               Ring<TouchEvent>& events, std::uint8_t probe = 0);
+
+  /// `t_s` is the time since the first step, `dt_s` > 0 that since the previous one. Readings of a recording
+  /// bring their own times.
+  const TouchSample& step(double t_s, double dt_s) noexcept;
+
+  bool fading() const noexcept { return coming_.scene != nullptr; }
+  /// Starts a cross-fade to `scene`; only while not fading(). It takes fade_s, whatever the device's status
+  /// is.
+  void change(const HapticScene& scene) noexcept;
+  /// The scene that the last step() stopped using, returned once; else null.
+  const HapticScene* take_retired() noexcept;
+  void set_paused(bool paused) noexcept { paused_ = paused; }
+  /// Another thread has written zero force: the force of the next step() rises from zero.
+  void note_cut_force() noexcept { force_was_cut_ = true; }
+
+  const TickCounts& counts() const noexcept { return counts_; }
+
+ private:
+  /// The state of a touch in one scene; there are two during a cross-fade.
+  struct Side {
+    void begin(const HapticScene& next) noexcept {
+      *this = {};
+      scene = &next;
+      device_from_scene = next.scene_from_device.inverse();
+      energy = next.touchable->energy_model();
+    }
+    const HapticScene* scene = nullptr;
+    Transform<DeviceFrame, SceneFrame> device_from_scene;
+    EnergyModel energy = EnergyModel::none;
+    TouchState state;
+    LawOutput output;
+  };
+  /// Time of this tick, and whether another thread cut the force before it.
+  struct When {
+    double t_s = 0.0;
+    double dt_s = 0.001;
+    bool stalled = false;
+  };
+  When when_of(const device::Reading& reading, double t_s, double dt_s) noexcept;
+  ReadingUse accept(const device::Reading& reading, double dt_s) noexcept;
+  void take(const device::Reading& reading, const JudgedReading& judged) noexcept;
+  void drop_force() noexcept;
+  bool evaluate_law(Side& side, double dt_s) noexcept;
+  Vector<DeviceFrame> device_force_N(const Side& side, Vector<SceneFrame> force_N) const noexcept;
+  Vector<DeviceFrame> device_torque_Nm(const Side& side, Vector<SceneFrame> torque_Nm) const noexcept;
+  /// What is stored, in the device's frame, and the spring's part of the force, after the cap.
+  struct Potential {
+    Vector<DeviceFrame> spring_N;
+    double stored_J = 0.0;
+    /// The spring's force before the cap.
+    Vector<DeviceFrame> uncapped_N;
+  };
+  bool has_spring() const noexcept;
+  /// Its energy is counted, and brought up and down by the rise limit.
+  bool is_accounted() const noexcept;
+  /// `faded`: the part of the scene that fades in.
+  Potential potential(double faded) const noexcept;
+  /// What of it the hand gave.
+  double given_J(const RiseLimit& rise) const noexcept;
+  void account_spring(double dt_s, bool wanted) noexcept;
+  void account_stall(RiseLimit::Input in, double dt_s) noexcept;
+  void make_torque(double risen_s) noexcept;
+  void control_energy(double dt_s) noexcept;
+  void send() noexcept;
+  bool evaluate_laws(double dt_s) noexcept;
+  void fade(double dt_s) noexcept;
+  void end_fade() noexcept;
+  /// Work on the hand since the previous tick, of the written forces and of those without the controller.
+  struct Received {
+    double written_J = 0.0;
+    double uncontrolled_J = 0.0;
+  };
+  void count_received() noexcept;
+  void count_scene_change() noexcept;
+  void observe(double dt_s) noexcept;
+  bool is_free() const noexcept;
+  Vector<DeviceFrame> with_transient(Vector<DeviceFrame> force_N, double dt_s) noexcept;
+  void make_force(double dt_s) noexcept;
+  void begin_touch() noexcept;
+  void describe(const device::Reading& reading) noexcept;
+  void report_changes(const TouchSample& before) noexcept;
+  void report_status(bool healthy, std::uint32_t status) noexcept;
+  void emit(TouchEvent::Kind kind, std::uint32_t value) noexcept;
+  void count() noexcept;
+
+  device::Device& device_;
+  Ring<TouchEvent>& events_;
+  TickOptions options_;
+  double max_force_N_;
+  bool planar_;
+
+  Side now_;
+  /// Its scene is null if no scene fades in.
+  Side coming_;
+  double faded_ = 0.0;
+  double faded_before_ = 0.0;
+  /// The scene that fades in is the same law on the same surface: springs and energies continue.
+  bool same_surface_ = false;
+  const HapticScene* retired_ = nullptr;
+
+  ReadingFilter readings_;
+  VelocityEstimator velocity_;
+  FinePosition fine_;
+  Vector<DeviceFrame> velocity_m_per_s_;
+  Point<DeviceFrame> position_;
+  /// Since the previous tick, m.
+  Vector<DeviceFrame> moved_;
+  bool has_torque_;
+  bool torque_capped_ = false;
+  TransientPlayer transient_;
+  /// The law was in contact in the previous tick.
+  bool was_in_contact_ = false;
+  RotationEstimator rotation_;
+  /// Since the previous tick, rad.
+  Vector<DeviceFrame> rotated_;
+
+  Ramp ramp_;
+  /// For the written force, and for the force as it would be without the controller.
+  RiseLimit rise_;
+  RiseLimit uncontrolled_rise_;
+  /// What the springs held before the current change of scene; the work on the hand during it; and the most
+  /// energy that it has brought so far.
+  double stored_before_change_J_ = 0.0;
+  double change_work_J_ = 0.0;
+  double change_brought_J_ = 0.0;
+  /// What the law stores, as of the last account.
+  double stored_J_ = 0.0;
+  /// And its spring's force.
+  Vector<DeviceFrame> spring_N_;
+  /// The law's force (the last finite one), the force after caps and ramp, and the written force.
+  Vector<DeviceFrame> law_force_N_;
+  Vector<DeviceFrame> uncontrolled_N_;
+  Vector<DeviceFrame> written_N_;
+  Vector<DeviceFrame> law_torque_Nm_;
+  Vector<DeviceFrame> uncontrolled_Nm_;
+  Vector<DeviceFrame> written_Nm_;
+  /// The last forces, for a device whose motors receive them some ticks late; the newest is at newest_.
+  struct Sent {
+    Vector<DeviceFrame> written_N;
+    Vector<DeviceFrame> uncontrolled_N;
+    Vector<DeviceFrame> written_Nm;
+    Vector<DeviceFrame> uncontrolled_Nm;
+    /// The controller reduced it.
+    bool weakened = false;
+  };
+  static constexpr int kMaxDelay = 15;
+  std::array<Sent, kMaxDelay + 1> sent_{};
+  std::size_t newest_ = 0;
+  /// What the motors held when the force was dropped.
+  Sent dropped_;
+  Vector<DeviceFrame> dropped_velocity_m_per_s_;
+  Received received_;
+  std::size_t delay_;
+  /// The forces that the motors held since the last reading: written one tick ago, plus the device's delay.
+  const Sent& held() const noexcept { return sent_[(newest_ + sent_.size() - delay_) % sent_.size()]; }
+  /// The held force was shortened by a fade or a torque cap, or by the ramp of a law without a spring.
+  bool shortened_ = true;
+  bool scene_changes_ = false;
+  bool paused_ = false;
+  bool force_was_cut_ = false;
+  bool healthy_ = true;
+  std::uint32_t flags_ = 0;
+  PassivityObserver observer_;
+  PassivityObserver without_controller_;
+  TouchSample sample_;
+  TickCounts counts_;
+};
+
+}  // namespace palpable::haptics

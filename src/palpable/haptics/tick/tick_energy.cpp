@@ -1,0 +1,167 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// The energy of a tick: what the springs store, what of it the hand gave, and what was made.
+#include "palpable/haptics/tick/tick.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace palpable::haptics {
+
+bool TickPipeline::has_spring() const noexcept {
+  return now_.energy == EnergyModel::spring && (!fading() || coming_.energy == EnergyModel::spring);
+}
+
+bool TickPipeline::is_accounted() const noexcept {
+  // Without motors nothing comes back to a hand.
+  return has_spring() && device_.traits().pushes_back;
+}
+
+TickPipeline::Potential TickPipeline::potential(double faded) const noexcept {
+  const auto of = [this](const Side& side) {
+    return Potential{device_force_N(side, side.output.spring_N),
+                     side.output.stored_J / side.scene->scene_from_device.scale,
+                     {}};
+  };
+  Potential p = of(now_);
+  if (fading() && has_spring()) {
+    // A blend of two springs' forces is the force of their energies' blend.
+    const Potential next = of(coming_);
+    p.spring_N += faded * (next.spring_N - p.spring_N);
+    p.stored_J += faded * (next.stored_J - p.stored_J);
+  }
+  p.uncapped_N = p.spring_N;
+  // If a spring exceeds the force cap, the hand only works against the capped force. A spring that stores U
+  // at a force f then stores U (2r - r^2) up to the cap r f.
+  if (const double size_N = norm(p.spring_N); now_.energy == EnergyModel::spring && size_N > max_force_N_) {
+    const double ratio = max_force_N_ / size_N;
+    p.stored_J *= ratio * (2.0 - ratio);
+    p.spring_N = ratio * p.spring_N;
+  }
+  // The law uses the reading, but within the sensor's step the hand is elsewhere; the spring force is the
+  // gradient in between. (The damper is not corrected: its jumps with the sensor's steps would appear as
+  // energy.)
+  p.stored_J -= dot(p.spring_N, fine_.place() - position_);
+  return p;
+}
+
+void TickPipeline::account_spring(double dt_s, bool wanted) noexcept {
+  // A spring that is ramped up under a pressing hand would return energy that the hand did not deliver. So
+  // the ramp is only used for hands that are in contact when their touch begins.
+  if (wanted && is_free()) ramp_.finish();
+  // After a stall the ramp starts as usual: it did not rise while no tick was executed.
+  const double risen_s = std::min(dt_s, options_.max_rise_time_s);
+  const Potential p = potential(faded_);
+  stored_J_ = p.stored_J;
+  spring_N_ = p.uncapped_N;
+  RiseLimit::Input in;
+  in.gain = ramp_.step(wanted, wanted ? risen_s : dt_s);
+  in.gain_rise = risen_s / options_.ramp_up_s;
+  in.spring_N = p.spring_N;
+  in.stored_J = is_accounted() ? p.stored_J : std::numeric_limits<double>::quiet_NaN();
+  if (fading()) in.changed_J = p.stored_J - potential(faded_before_).stored_J;
+  in.delay_ticks = static_cast<double>(delay_);
+  const double spring_N = norm(p.spring_N);
+  if (spring_N > 0.0) in.moved_out_m = dot(p.spring_N, moved_) / spring_N;
+  if ((flags_ & flag::kStalled) != 0) {
+    account_stall(in, dt_s);
+    return;
+  }
+  in.received_J = received_.written_J;
+  rise_.account(in);
+  in.received_J = received_.uncontrolled_J;
+  uncontrolled_rise_.account(in);
+}
+
+void TickPipeline::count_received() noexcept {
+  const Sent& acted = held();
+  received_ = {dot(acted.written_N, moved_) + dot(acted.written_Nm, rotated_),
+               dot(acted.uncontrolled_N, moved_) + dot(acted.uncontrolled_Nm, rotated_)};
+}
+
+void TickPipeline::account_stall(RiseLimit::Input in, double dt_s) noexcept {
+  // How the hand moved until the watchdog cut the force is not known. It may have come back since, so the
+  // spring returns the energy only that it would also hold after a movement out at the last velocity, with
+  // the acceleration of the device's own mass.
+  const double held_s = std::min(dt_s, options_.stall_s);
+  const double mass_kg = device_.traits().mass_kg;
+  const auto account = [&](RiseLimit& rise, Vector<DeviceFrame> force_N, Vector<DeviceFrame> torque_Nm) {
+    const double shown_J = std::max(0.0, held_s / dt_s * (dot(force_N, moved_) + dot(torque_Nm, rotated_)));
+    const double accelerated_m = mass_kg > 0.0 ? 0.5 * held_s * held_s * norm(force_N) / mass_kg : 0.0;
+    const double possible_J =
+        held_s * dot(force_N, dropped_velocity_m_per_s_) + accelerated_m * norm(force_N);
+    const double before_J = rise.input_energy_J();
+    in.received_J = std::max(shown_J, possible_J);
+    rise.account(in);
+    return std::max(shown_J, before_J - rise.input_energy_J());
+  };
+  received_ = {account(rise_, dropped_.written_N, dropped_.written_Nm),
+               account(uncontrolled_rise_, dropped_.uncontrolled_N, dropped_.uncontrolled_Nm)};
+}
+
+double TickPipeline::given_J(const RiseLimit& rise) const noexcept {
+  // Near the surface the spring's slope within the sensor's step may be a little below zero.
+  return is_accounted() && rise.is_weaker() ? rise.input_energy_J() : stored_J_;
+}
+
+void TickPipeline::count_scene_change() noexcept {
+  // What a change brings: the work during it, and what the springs store more than before it.
+  if ((flags_ & flag::kFading) == 0 || same_surface_) return;
+  const double given = given_J(rise_);
+  change_work_J_ += received_.written_J;
+  const double brought_J = change_work_J_ + (std::isfinite(given) ? given - stored_before_change_J_ : 0.0);
+  const double most_J = std::max(change_brought_J_, brought_J);
+  counts_.scene_change_J += most_J - change_brought_J_;
+  change_brought_J_ = most_J;
+}
+
+void TickPipeline::observe(double dt_s) noexcept {
+  const bool contact = now_.output.contact;
+  const bool stalled = (flags_ & flag::kStalled) != 0;
+  PassivityObserver::Step step;
+  step.held_force_N = held().written_N;
+  step.moved_m = moved_;
+  step.rotation_J = stalled ? received_.written_J : dot(held().written_Nm, rotated_);
+  step.dt_s = dt_s;
+  step.contact = contact || (fading() && coming_.output.contact);
+  step.damping_Ns_per_m = contact ? now_.scene->touchable->damping_Ns_per_m() : 0.0;
+  step.shortened = shortened_;
+  step.scene_changes = scene_changes_;
+  step.weakened = held().weakened;
+  count_scene_change();
+  // The springs of two scenes cannot be compared: during a change only their work is counted.
+  const bool new_account =
+      (flags_ & flag::kNewTouch) != 0 || ((flags_ & flag::kFading) != 0 && !same_surface_);
+  if (new_account) {
+    using Beginning = PassivityObserver::Beginning;
+    // A potential that is defined everywhere may be high where the touch begins.
+    const bool from_no_force =
+        (flags_ & flag::kNewTouch) != 0 && now_.energy != EnergyModel::weight && device_.traits().pushes_back;
+    const Beginning beginning = from_no_force ? Beginning::from_no_force : Beginning::in_contact;
+    observer_.begin(given_J(rise_), beginning);
+    without_controller_.begin(given_J(uncontrolled_rise_), beginning);
+    return;
+  }
+  step.stored_J = given_J(rise_);
+  observer_.update(step);
+  step.stored_J = given_J(uncontrolled_rise_);
+  step.weakened = false;
+  step.held_force_N = held().uncontrolled_N;
+  step.rotation_J = stalled ? received_.uncontrolled_J : dot(held().uncontrolled_Nm, rotated_);
+  without_controller_.update(step);
+}
+
+void TickPipeline::control_energy(double dt_s) noexcept {
+  if (options_.passivity != Passivity::control || now_.energy == EnergyModel::self_limited) return;
+  const double gives_W =
+      dot(written_N_, velocity_m_per_s_) + dot(written_Nm_, rotation_.velocity_rad_per_s());
+  const double factor = passivity_factor(gives_W, observer_.made_J(), dt_s);
+  if (factor >= 1.0) return;
+  flags_ |= flag::kPassivityActed;
+  written_N_ = factor * written_N_;
+  written_Nm_ = factor * written_Nm_;
+  // From this value it grows within the rise limit.
+  rise_.weakened_to(written_N_);
+}
+
+}  // namespace palpable::haptics

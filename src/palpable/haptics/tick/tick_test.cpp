@@ -1,0 +1,358 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/haptics/tick/tick.hpp"
+
+#include "palpable/core/system/allocations.hpp"
+#include "palpable/haptics/servo/test_touch.hpp"
+
+#include <memory>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace palpable::haptics {
+namespace {
+
+constexpr double kT_s = 0.001;
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+class NotFinite final : public Touchable {
+ public:
+  LawOutput evaluate(const Hand& hand, TouchState&) const noexcept override {
+    LawOutput output;
+    output.force_N.v.z = hand.position.v.z < 0.0 ? kNaN : 1.0;
+    return output;
+  }
+  std::uint64_t state_family() const noexcept override { return 9; }
+  double damping_Ns_per_m() const noexcept override { return 0.0; }
+  void touch_pages() const noexcept override {}
+};
+
+struct Loop {
+  explicit Loop(std::shared_ptr<const Touchable> touchable, const TickOptions& options = {}) {
+    program.touchable = std::move(touchable);
+    tick = std::make_unique<TickPipeline>(device, program, options, events);
+  }
+  const TouchSample& run(int ticks) {
+    for (int i = 0; i < ticks; ++i) sample = &tick->step(kT_s * static_cast<double>(n++), kT_s);
+    return *sample;
+  }
+  Vec3 written() const { return device.written.back(); }
+  int count(TouchEvent::Kind kind) {
+    int found = 0;
+    while (const auto event = events.take()) found += event->kind == kind ? 1 : 0;
+    return found;
+  }
+
+  ScriptedDevice device;
+  HapticScene program;
+  Ring<TouchEvent> events{1024};
+  std::unique_ptr<TickPipeline> tick;
+  const TouchSample* sample = nullptr;
+  std::int64_t n = 0;
+};
+
+std::shared_ptr<const Touchable> plane(double stiffness = 500.0, std::uint64_t family = 1) {
+  return std::make_shared<SpringSurface>(flat, stiffness, 0.0, family);
+}
+
+TEST(Tick, RampsTheForceUpAtTheStart) {
+  Loop loop(plane());
+  loop.device.reading.position.v = {0.0, 0.0, -0.002};
+  loop.run(1);
+  EXPECT_NEAR(loop.written().z, 1.0 * kT_s / 0.25, 1e-9);
+  loop.run(300);
+  EXPECT_NEAR(loop.written().z, 1.0, 1e-12);
+}
+
+TEST(Tick, CapsTheForceAtTheDevicesGreatestAndCountsIt) {
+  Loop loop(plane());
+  loop.device.reading.position.v = {0.0, 0.0, -0.02};
+  const auto& sample = loop.run(400);
+  EXPECT_NEAR(loop.written().z, 3.0, 1e-12);
+  EXPECT_TRUE(sample.has(flag::kForceCapped));
+  EXPECT_NEAR(sample.raw_force_N.v.z, 10.0, 1e-9);
+  EXPECT_EQ(loop.tick->counts().force_capped_ticks, 400U);
+}
+
+TEST(Tick, LimitsTheForcesRiseButNotItsRelease) {
+  TickOptions options;
+  options.passivity = Passivity::observe;
+  Loop loop(plane(), options);
+  loop.run(300);
+  loop.device.reading.position.v = {0.0, 0.0, -0.002};
+  const auto& sample = loop.run(1);
+  EXPECT_TRUE(sample.has(flag::kRiseLimited));
+  EXPECT_NEAR(loop.written().z, 0.3, 1e-9);
+  loop.run(20);
+  EXPECT_NEAR(loop.written().z, 1.0, 1e-9);
+  loop.device.reading.position.v = {0.0, 0.0, 0.0004};
+  loop.run(1);
+  EXPECT_EQ(loop.written(), Vec3{});
+}
+
+TEST(Tick, RefusesAReadingThatIsNotFiniteAndRampsDown) {
+  Loop loop(plane());
+  loop.device.reading.position.v = {0.0, 0.0, -0.002};
+  loop.run(400);
+  loop.device.reading.position.v = {0.0, kNaN, -0.002};
+  EXPECT_TRUE(loop.run(2).has(flag::kImplausible));
+  EXPECT_NEAR(loop.written().z, 1.0, 1e-9) << "a glitch is not felt";
+  loop.run(10);
+  EXPECT_NEAR(loop.written().z, 0.5, 1e-9);
+  loop.run(15);
+  EXPECT_EQ(loop.written(), Vec3{});
+  EXPECT_EQ(loop.count(TouchEvent::Kind::fault), 1);
+  loop.device.reading.position.v = {0.0, 0.0, -0.002};
+  loop.run(1);
+  EXPECT_LT(loop.written().z, 0.01);
+  loop.run(400);
+  EXPECT_NEAR(loop.written().z, 1.0, 1e-9);
+  EXPECT_EQ(loop.count(TouchEvent::Kind::recovered), 1);
+}
+
+TEST(Tick, RefusesAJumpThatNoHandMakes) {
+  Loop loop(plane());
+  loop.run(300);
+  loop.device.reading.position.v = {0.04, 0.0, -0.02};
+  const auto& sample = loop.run(1);
+  EXPECT_TRUE(sample.has(flag::kImplausible));
+  EXPECT_EQ(loop.written(), Vec3{});
+  // If the new position lasts, it is a new touch, whose force rises from zero.
+  EXPECT_TRUE(loop.run(1).has(flag::kImplausible));
+  const auto& there = loop.run(1);
+  EXPECT_FALSE(there.has(flag::kImplausible));
+  EXPECT_TRUE(there.has(flag::kNewTouch));
+  EXPECT_LT(norm(loop.written()), 0.1);
+}
+
+TEST(Tick, DoesNotFeelAGlitchOfAReading) {
+  Loop loop(plane());
+  for (const double glitch_m : {0.003, -0.003, 0.02}) {
+    loop.device.reading.position.v = {0.0, 0.0, -0.001};
+    loop.run(500);
+    const Vec3 before = loop.written();
+    loop.device.reading.position.v.z += glitch_m;
+    loop.run(1);
+    EXPECT_EQ(loop.written(), before);
+    loop.device.reading.position.v.z -= glitch_m;
+    loop.run(1);
+    EXPECT_NEAR(loop.written().z, before.z, 1e-9);
+  }
+}
+
+TEST(Tick, StartsANewTouchAfterAPersistentJump) {
+  Loop loop(plane());
+  loop.device.reading.position.v = {0.0, 0.0, 0.004};
+  loop.run(500);
+  for (const double jump_m : {0.006, 0.02}) {
+    loop.device.reading.position.v = {0.0, 0.0, 0.004};
+    loop.run(10);
+    loop.device.reading.position.v = {0.0, 0.0, 0.004 - jump_m};
+    bool is_new = false;
+    for (int tick = 0; tick < 3; ++tick) {
+      is_new = is_new || loop.run(1).has(flag::kNewTouch);
+      EXPECT_LT(norm(loop.written()), 0.02) << jump_m << " " << tick;
+    }
+    EXPECT_TRUE(is_new) << jump_m;
+  }
+}
+
+TEST(Tick, StartsFromZeroForceAfterAStall) {
+  Loop loop(plane(5000.0));
+  loop.device.mutable_traits().max_force_N = 20.0;
+  loop.tick = std::make_unique<TickPipeline>(loop.device, loop.program, TickOptions{}, loop.events);
+  loop.device.reading.position.v = {0.0, 0.0, -0.001};
+  loop.run(500);
+  ASSERT_GT(loop.written().z, 4.0);
+  // 50 ms later the hand is deep inside; the watchdog has already written a force of zero.
+  loop.device.reading.position.v = {0.0, 0.0, -0.004};
+  const auto& sample = loop.tick->step(0.55, 0.05);
+  EXPECT_TRUE(sample.has(flag::kStalled));
+  EXPECT_LE(loop.written().z, 0.3 * 1.5 + 1e-9);
+}
+
+TEST(Tick, RampsToZeroWhenTheDeviceFailsOrTheSourceIsStale) {
+  for (const auto status : {device::Status::fault, device::Status::stale, device::Status::not_ready}) {
+    Loop loop(plane());
+    loop.device.reading.position.v = {0.0, 0.0, -0.002};
+    loop.run(400);
+    loop.device.reading.status = status;
+    loop.run(1);
+    EXPECT_NEAR(loop.written().z, 0.95, 1e-9);
+    loop.run(25);
+    EXPECT_EQ(loop.written(), Vec3{});
+    const auto& counts = loop.tick->counts();
+    EXPECT_EQ(counts.fault_ticks, 26U);
+  }
+}
+
+TEST(Tick, NeverWritesAForceThatIsNotFinite) {
+  Loop loop(std::make_shared<NotFinite>());
+  loop.run(400);
+  EXPECT_NEAR(loop.written().z, 1.0, 1e-9);
+  loop.device.reading.position.v = {0.0, 0.0, -0.001};
+  const auto& sample = loop.run(30);
+  EXPECT_TRUE(sample.has(flag::kNotFinite));
+  for (const Vec3 force : loop.device.written) ASSERT_TRUE(is_finite(force));
+  EXPECT_EQ(loop.written(), Vec3{});
+  EXPECT_GE(loop.count(TouchEvent::Kind::not_finite), 1);
+}
+
+TEST(Tick, HoldsZeroWhilePausedAndComesBackSlowly) {
+  Loop loop(plane());
+  loop.device.reading.position.v = {0.0, 0.0, -0.002};
+  loop.run(400);
+  loop.tick->set_paused(true);
+  EXPECT_TRUE(loop.run(30).has(flag::kPaused));
+  EXPECT_EQ(loop.written(), Vec3{});
+  loop.tick->set_paused(false);
+  loop.run(1);
+  EXPECT_NEAR(loop.written().z, 0.004, 1e-9);
+}
+
+TEST(Tick, FadesFromOneSceneToTheNextWithoutAStep) {
+  Loop loop(plane(500.0));
+  loop.device.reading.position.v = {0.0, 0.0, -0.002};
+  loop.run(400);
+  HapticScene stiffer;
+  stiffer.touchable = plane(1000.0, 2);
+  stiffer.id = 7;
+  loop.tick->change(stiffer);
+  double before = loop.written().z;
+  double greatest_step = 0.0;
+  for (int i = 0; i < 160; ++i) {
+    loop.run(1);
+    greatest_step = std::max(greatest_step, std::abs(loop.written().z - before));
+    before = loop.written().z;
+  }
+  EXPECT_NEAR(before, 2.0, 1e-9);
+  EXPECT_LE(greatest_step, 1.0 * kT_s / 0.15 + 1e-9);
+  EXPECT_EQ(loop.tick->take_retired(), &loop.program);
+  EXPECT_EQ(loop.tick->take_retired(), nullptr);
+  EXPECT_EQ(loop.count(TouchEvent::Kind::scene_changed), 1);
+  EXPECT_EQ(loop.sample->scene_id, 7U);
+}
+
+TEST(Tick, DoesNotCountTheWorkOfAChangeOfSceneForTheLaw) {
+  Loop loop(plane(500.0));
+  // The hand gives what the spring holds: a touch that began inside would get nothing back.
+  for (int i = 0; i <= 400; ++i) {
+    loop.device.reading.position.v = {0.0, 0.0, -5e-6 * i};
+    loop.run(1);
+  }
+  HapticScene other;
+  other.touchable = plane(1500.0, 2);
+  loop.tick->change(other);
+  for (int i = 0; i < 300; ++i) {
+    loop.device.reading.position.v.z += 5e-6;
+    loop.run(1);
+  }
+  const auto& counts = loop.tick->counts();
+  EXPECT_GT(counts.scene_change_J, 1e-4);
+  // The energy that a held spring of 1500 N/m generates on the way out, ½K·dx² per tick, and no more.
+  EXPECT_LT(counts.made_max_without_controller_J, 300 * 0.5 * 1500.0 * 25e-12 + 1e-12);
+}
+
+TEST(Tick, ContinuesAStateWithinAFamilyAndBeginsAnewOutside) {
+  Loop loop(plane(500.0, 3));
+  loop.run(100);
+  HapticScene same;
+  same.touchable = plane(600.0, 3);
+  loop.tick->change(same);
+  HapticScene other;
+  other.touchable = plane(600.0, 4);
+  loop.run(200);
+  EXPECT_EQ(loop.tick->take_retired(), &loop.program);
+  loop.tick->change(other);
+  loop.run(200);
+  EXPECT_EQ(loop.tick->take_retired(), &same);
+}
+
+TEST(Tick, RotatesForcesIntoTheDeviceFrameAndKeepsTheirMagnitude) {
+  Loop loop(plane());
+  // The z axis of the scene is the y axis of the device, at twice the size.
+  loop.program.scene_from_device.rotation = {1, 0, 0, 0, 0, -1, 0, 1, 0};
+  loop.program.scene_from_device.scale = 2.0;
+  loop.tick = std::make_unique<TickPipeline>(loop.device, loop.program, TickOptions{}, loop.events);
+  loop.device.reading.position.v = {0.0, -0.001, 0.0};
+  const auto& sample = loop.run(400);
+  EXPECT_NEAR(sample.position.v.z, -0.002, 1e-12);
+  EXPECT_NEAR(loop.written().y, 1.0, 1e-9);
+  EXPECT_NEAR(loop.written().z, 0.0, 1e-12);
+  EXPECT_NEAR(sample.written_force_N.v.z, 1.0, 1e-9);
+}
+
+TEST(Tick, PushesAPlanarDeviceInItsPlaneOnly) {
+  Loop loop(std::make_shared<SpringSurface>(groove, 500.0, 0.0));
+  loop.device.mutable_traits().degrees_of_freedom = 2;
+  loop.tick = std::make_unique<TickPipeline>(loop.device, loop.program, TickOptions{}, loop.events);
+  loop.device.reading.position.v = {0.002, 0.0, 0.0};
+  loop.run(400);
+  EXPECT_LT(loop.written().x, -0.4);
+  EXPECT_EQ(loop.written().z, 0.0);
+}
+
+TEST(Tick, ReportsContactLabelsAndButtonsOnce) {
+  Loop loop(plane());
+  loop.device.reading.position.v = {-0.01, 0.0, -0.001};
+  loop.run(5);
+  loop.device.reading.position.v = {0.01, 0.0, -0.001};
+  loop.device.reading.buttons = 4;
+  loop.run(20);
+  loop.device.reading.position.v = {0.01, 0.0, 0.001};
+  loop.device.reading.buttons = 0;
+  loop.run(20);
+  int made = 0;
+  int lost = 0;
+  int labels = 0;
+  int buttons = 0;
+  while (const auto event = loop.events.take()) {
+    made += event->kind == TouchEvent::Kind::contact_made ? 1 : 0;
+    lost += event->kind == TouchEvent::Kind::contact_lost ? 1 : 0;
+    labels += event->kind == TouchEvent::Kind::label_entered ? 1 : 0;
+    if (event->kind == TouchEvent::Kind::button_down || event->kind == TouchEvent::Kind::button_up) {
+      ++buttons;
+      EXPECT_EQ(event->value, 2U);
+    }
+  }
+  EXPECT_EQ(made, 1);
+  EXPECT_EQ(lost, 1);
+  EXPECT_EQ(labels, 2);
+  EXPECT_EQ(buttons, 2);
+}
+
+TEST(Tick, EndsAFadeInItsTimeThoughTheDeviceIsAway) {
+  Loop loop(plane());
+  loop.run(400);
+  HapticScene other;
+  other.touchable = plane(700.0, 2);
+  loop.tick->change(other);
+  loop.device.reading.status = device::Status::not_ready;
+  loop.run(140);
+  EXPECT_TRUE(loop.tick->fading());
+  loop.run(15);
+  EXPECT_FALSE(loop.tick->fading());
+  EXPECT_EQ(loop.tick->take_retired(), &loop.program);
+  loop.device.reading.status = device::Status::ok;
+  loop.run(400);
+  EXPECT_NEAR(loop.written().z, 700.0 * -loop.device.reading.position.v.z, 1e-9);
+}
+
+TEST(Tick, NeverAllocates) {
+  ASSERT_TRUE(allocations_are_counted());
+  Loop loop(plane());
+  HapticScene other;
+  other.touchable = plane(700.0, 2);
+  const AllocationScope scope;
+  for (int i = 0; i < 2000; ++i) {
+    loop.device.reading.position.v = {0.0, 0.0, 0.003 * std::sin(0.05 * i)};
+    if (i % 500 == 400) loop.device.reading.position.v.z = kNaN;
+    if (i == 1000) loop.tick->change(other);
+    loop.run(1);
+  }
+  EXPECT_EQ(scope.count(), 0U);
+}
+
+}  // namespace
+}  // namespace palpable::haptics

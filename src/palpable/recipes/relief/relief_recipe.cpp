@@ -1,0 +1,80 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/recipes/relief/relief_recipe.hpp"
+
+#include "palpable/recipes/relief/regions.hpp"
+#include "palpable/recipes/relief/treated_pair.hpp"
+#include "palpable/vision/stereo/methods/match.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace palpable::recipes {
+namespace {
+
+models::Scene relief_scene(models::Relief relief, int width, int height, std::string method) {
+  models::Scene scene;
+  scene.scene_from_input = sculpt::scene_from_picture(relief, width, height);
+  scene.model = std::make_shared<const models::Relief>(std::move(relief));
+  scene.source.method = std::move(method);
+  return scene;
+}
+
+bool is_available(vision::StereoMethod method) {
+  const auto methods = vision::available_stereo_methods();
+  return std::find(methods.begin(), methods.end(), method) != methods.end();
+}
+
+}  // namespace
+
+vision::StereoMethod default_method() {
+  return is_available(vision::StereoMethod::best) ? vision::StereoMethod::best
+                                                  : vision::StereoMethod::scanline;
+}
+
+std::vector<vision::StereoMethod> progressive_methods(const StereoRecipe& stereo) {
+  if (stereo.method) return {*stereo.method};
+  const vision::StereoMethod last = default_method();
+  const vision::StereoMethod first =
+      is_available(vision::StereoMethod::fast) ? vision::StereoMethod::fast : vision::StereoMethod::scanline;
+  return first == last ? std::vector{last} : std::vector{first, last};
+}
+
+Result<MadeScene> relief_from_pair(const vision::StereoPair& given, const StereoRecipe& stereo,
+                                   const ReliefRecipe& recipe, const Work& work) {
+  auto treated = treated_pair(given, stereo, recipe, work);
+  if (!treated) return treated.error();
+  auto relief = sculpt::relief_from_disparity(treated->disparity, recipe.relief, work);
+  if (!relief) return relief.error();
+  const Image& picture = treated->picture;
+  models::Scene scene =
+      relief_scene(std::move(*relief), picture.width, picture.height, std::move(treated->method));
+  scene.materials = std::move(treated->regions.materials);
+  scene.labels = std::move(treated->regions.labels);
+  if (recipe.texture != Texture::none) scene.texture = rgb8(picture);
+  return MadeScene{std::move(scene), std::move(treated->notes)};
+}
+
+Result<MadeScene> relief_from_depth(DepthInput input, const ReliefRecipe& recipe, const Work& work) {
+  models::Scene regions;
+  std::vector<Note> notes;
+  treat_regions(input, recipe, work, regions, notes);
+  const auto* metres = std::get_if<DepthMap>(&input.depth);
+  const auto* disparity = std::get_if<DisparityMap>(&input.depth);
+  auto relief = metres != nullptr ? sculpt::relief_from_depth(*metres, recipe.relief, work)
+                                  : sculpt::relief_from_disparity(*disparity, recipe.relief, work);
+  if (!relief) return relief.error();
+  const Raster<float>& values = metres != nullptr ? metres->depth_m : disparity->disparity_px;
+  models::Scene scene = relief_scene(std::move(*relief), values.width(), values.height(), "depth map");
+  if (!regions.labels.empty()) {
+    scene.materials = std::move(regions.materials);
+    scene.labels = std::move(regions.labels);
+  }
+  if (input.colour && recipe.texture != Texture::none) scene.texture = rgb8(*input.colour);
+  return MadeScene{std::move(scene), std::move(notes)};
+}
+
+}  // namespace palpable::recipes

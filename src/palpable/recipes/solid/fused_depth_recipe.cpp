@@ -1,0 +1,83 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/recipes/solid/fused_depth_recipe.hpp"
+
+#include "palpable/recipes/solid/solid.hpp"
+#include "palpable/recipes/solid/world_orientation.hpp"
+#include "palpable/sculpt/field/level_set_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace palpable::recipes {
+namespace {
+
+using WorldFromCamera = Transform<models::InputFrame, CameraFrame>;
+
+/// Composition: first `turn`, a pure rotation, then `place`.
+SceneFromInput composed(const SceneFromInput& turn, const SceneFromInput& place) {
+  return place * Transform<models::InputFrame, models::InputFrame>{turn.rotation, {}, 1.0};
+}
+
+/// The solid of all views, placed as the recipe says.
+Result<Solid> fused_solid(std::span<const sculpt::DepthView> views, const FusedDepthRecipe& recipe,
+                          const Work& work) {
+  sculpt::FusionOptions fusion = recipe.fusion;
+  fusion.resolution = std::clamp(recipe.field.field.resolution, 16, fusion.resolution);
+  const auto set = sculpt::fused_depth(views, fusion, work);
+  if (!set) return set.error();
+  auto surface = sculpt::surface_of_level_set(*set, work);
+  if (!surface) return surface.error();
+  const double voxel_m = norm(set->steps_m[0]);
+  // The noise of depth maps is at least this share of a voxel.
+  constexpr double kVoxelError = 0.5;
+  auto solid = solid_of_contour(std::move(*surface), kVoxelError * voxel_m, recipe.field);
+  if (!solid) return solid.error();
+  solid->notes.insert(solid->notes.begin(),
+                      Note(fmt::format("{} depth map{} fused in voxels of {:.3g} mm.", views.size(),
+                                       views.size() == 1 ? " was" : "s were",
+                                       1000.0 * voxel_m * solid->scene_from_input.scale)));
+  return solid;
+}
+
+}  // namespace
+
+Result<MadeScene> field_from_depth_maps(const std::vector<PosedDepth>& given, const FusedDepthRecipe& recipe,
+                                        const Work& work) {
+  std::vector<Note> notes;
+  SceneFromInput upright;
+  std::vector<WorldFromCamera> world_from_cameras;
+  world_from_cameras.reserve(given.size());
+  for (const PosedDepth& view : given) world_from_cameras.push_back(view.world_from_camera);
+  upright.rotation = scene_rotation_for(world_from_cameras);
+  if (upright.rotation != SceneFromInput{}.rotation)
+    notes.emplace_back(
+        "The poses' world was turned by right angles: y is up, and the cameras look away from you.");
+  std::vector<sculpt::DepthView> views;
+  views.reserve(given.size());
+  for (const PosedDepth& view : given) views.push_back({&view.depth, upright * view.world_from_camera});
+  // Depth cameras give metres, and y is up after the rotation.
+  FusedDepthRecipe upright_recipe = recipe;
+  sculpt::PlacementOptions& placement = upright_recipe.field.placement;
+  placement.default_size = sculpt::DefaultSize::own;
+  placement.convention = {AxisDirection::plus_y, LengthUnit::metre};
+  if (placement.size_m && placement.lay == sculpt::Lay::automatic) placement.lay = sculpt::Lay::upright;
+  auto solid = fused_solid(views, upright_recipe, work);
+  if (!solid) return solid.error();
+  solid->scene_from_input = composed(upright, solid->scene_from_input);
+  solid->notes.insert(solid->notes.begin(), notes.begin(), notes.end());
+  return field_scene(*std::move(solid), "depth", recipe.field, work);
+}
+
+Result<MadeScene> field_from_views(std::span<const sculpt::DepthView> views, const FusedDepthRecipe& recipe,
+                                   const std::string& input, const Work& work) {
+  auto solid = fused_solid(views, recipe, work);
+  if (!solid) return solid.error();
+  return field_scene(*std::move(solid), input, recipe.field, work);
+}
+
+}  // namespace palpable::recipes

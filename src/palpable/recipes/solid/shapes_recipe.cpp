@@ -1,0 +1,39 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/recipes/solid/shapes_recipe.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace palpable::recipes {
+
+Result<SeenPoints> points_of_depth(const DepthMap& depth, const std::optional<Raster<float>>& labels) {
+  const auto& metres = depth.depth_m;
+  if (!depth.camera)
+    return invalid_input("states no camera, which is needed to compute sizes from depth", {},
+                         Reason::needs_calibration);
+  if (labels && (labels->width() != metres.width() || labels->height() != metres.height()))
+    return invalid_input("has another size than its labels");
+  const Pinhole& camera = *depth.camera;
+  SeenPoints seen;
+  seen.camera = Point<SceneFrame>{};
+  for (int y = 0; y < metres.height(); ++y)
+    for (int x = 0; x < metres.width(); ++x) {
+      const auto z = static_cast<double>(metres(x, y));
+      if (!std::isfinite(z) || z <= 0.0) continue;
+      const float label = labels ? (*labels)(x, y) : 1.0F;
+      if (!(label >= 1.0F && label <= 255.0F)) continue;
+      seen.points_m.push_back({z * (x - camera.cx) / camera.fx, -z * (y - camera.cy) / camera.fy, -z});
+      if (labels) seen.labels.push_back(static_cast<std::uint8_t>(label));
+    }
+  return seen;
+}
+
+Result<FittedShapes> shapes_from_points(const SeenPoints& seen, const sculpt::ShapeSetOptions& options,
+                                        const Work& work) {
+  auto set = sculpt::fit_superquadrics(seen.points_m, seen.labels, seen.camera, options, work);
+  if (!set) return set.error();
+  return FittedShapes{*std::move(set), seen.points_m.size()};
+}
+
+}  // namespace palpable::recipes

@@ -1,0 +1,161 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/recipes/video/video_model.hpp"
+
+#include "palpable/core/numbers/quantile.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace palpable::recipes {
+namespace {
+
+using vision::FrameDepth;
+
+Point<WorldFrame> seen_at(const FrameDepth& depth, int x, int y) {
+  const Pinhole& camera = *depth.map.depth.camera;
+  const double z = static_cast<double>(depth.map.depth.depth_m(x, y));
+  return depth.map.pose *
+         Point<CameraFrame>{{(x - camera.cx) / camera.fx * z, (y - camera.cy) / camera.fy * z, z}};
+}
+
+PointCloud structure_of(std::span<const FrameDepth> maps, int step) {
+  PointCloud out;
+  for (const FrameDepth& map : maps)
+    for (int y = 0; y < map.map.depth.depth_m.height(); y += step)
+      for (int x = 0; x < map.map.depth.depth_m.width(); x += step)
+        if (map.map.depth.depth_m(x, y) > 0) out.places_m.push_back(seen_at(map, x, y).v);
+  return out;
+}
+
+// The middle of the narrowest interval with that share of the heights.
+double height_of_ground(std::vector<double> heights, double share) {
+  std::sort(heights.begin(), heights.end());
+  const auto count = static_cast<std::size_t>(share * static_cast<double>(heights.size()));
+  std::size_t best = 0;
+  for (std::size_t i = 0; i + count < heights.size(); ++i)
+    if (heights[i + count] - heights[i] < heights[best + count] - heights[best]) best = i;
+  return heights[best + count / 2];
+}
+
+std::vector<Vec3> raised_of(const std::vector<Vec3>& places, double ground,
+                            const VideoModelOptions& options) {
+  std::vector<double> across;
+  for (const Vec3& p : places) across.push_back(p.x);
+  const double extent =
+      quantile_of(across, 1 - options.extent_outliers) - quantile_of(across, options.extent_outliers);
+  std::vector<Vec3> out;
+  std::copy_if(places.begin(), places.end(), std::back_inserter(out),
+               [&](const Vec3& p) { return p.z > ground + options.least_rise * extent; });
+  return static_cast<double>(out.size()) < options.least_raised * static_cast<double>(places.size()) ? places
+                                                                                                     : out;
+}
+
+bool inside(const Vec3& p, const VideoModel& model) {
+  return p.x >= model.least.x && p.x <= model.most.x && p.y >= model.least.y && p.y <= model.most.y &&
+         p.z >= model.least.z && p.z <= model.most.z;
+}
+
+struct Interval {
+  double least = 0.0, most = 0.0;
+};
+Interval with_margin(std::vector<double> values, double below, double above, double margin) {
+  const double least = quantile_of(values, below), most = quantile_of(values, 1 - above);
+  return {least - margin * (most - least), most + margin * (most - least)};
+}
+
+// Moves the origin of the axes to the middle of the model, on the ground.
+void centre(VideoModel& model) {
+  const Vec3 origin{(model.least.x + model.most.x) / 2, (model.least.y + model.most.y) / 2,
+                    model.ground_height};
+  model.axes.translation = -origin;
+  model.least = model.least - origin, model.most = model.most - origin;
+  for (Vec3& p : model.raised) p = p - origin;
+  model.ground_height = 0.0;
+}
+
+}  // namespace
+
+std::vector<Parameter> parameters_of(VideoModelOptions& o) {
+  std::vector<Parameter> all{
+      {"structure_step_px",
+       &o.structure_step_px,
+       {1, 64},
+       "px",
+       "Spacing of structure points in each depth map"},
+      {"outliers", &o.outliers, {0, 0.2}, "", "Share of points at each end that count as outliers"},
+      {"margin", &o.margin, {0, 2}, "", "Margin around the model, share of its extent"},
+      {"least_rise",
+       &o.least_rise,
+       {0.001, 0.5},
+       "",
+       "Height of the model above the ground, share of the extent"},
+      {"outliers_below",
+       &o.outliers_below,
+       {0, 0.2},
+       "",
+       "Share of points under the ground that count as outliers"},
+      {"outliers_above",
+       &o.outliers_above,
+       {0, 0.2},
+       "",
+       "Share of points above the model that count as outliers"},
+      {"extent_outliers",
+       &o.extent_outliers,
+       {0, 0.4},
+       "",
+       "Share of points at each end left out of the extent"},
+      {"least_raised",
+       &o.least_raised,
+       {0, 1},
+       "",
+       "Share of the points above the ground that a model needs"},
+      {"ground_share", &o.ground_share, {0.05, 0.9}, "", "Share of the points that lie on the ground"}};
+  append_parameters(all, "axes", parameters_of(o.axes));
+  return all;
+}
+
+VideoModel video_model(std::span<const FrameDepth> maps, const VideoModelOptions& options,
+                       std::uint64_t seed) {
+  VideoModel out;
+  out.structure = structure_of(maps, options.structure_step_px);
+  if (out.structure.places_m.empty()) return out;
+  std::vector<vision::CameraPose> poses;
+  for (const FrameDepth& map : maps) poses.push_back(map.map.pose);
+  out.axes = ground_axes(out.structure, poses, options.axes, seed);
+  const auto axes_from_world = out.axes.axes_from_world();
+  std::vector<Vec3> places;
+  std::vector<double> heights;
+  for (const Vec3& place : out.structure.places_m) {
+    places.push_back((axes_from_world * Point<WorldFrame>{place}).v);
+    heights.push_back(places.back().z);
+  }
+  out.ground_height = height_of_ground(std::move(heights), options.ground_share);
+  out.raised = raised_of(places, out.ground_height, options);
+  std::array<std::vector<double>, 2> across;
+  for (const Vec3& p : out.raised) across[0].push_back(p.x), across[1].push_back(p.y);
+  const Interval x = with_margin(std::move(across[0]), options.outliers, options.outliers, options.margin),
+                 y = with_margin(std::move(across[1]), options.outliers, options.outliers, options.margin);
+  std::vector<double> up;
+  for (const Vec3& p : places)
+    if (p.x >= x.least && p.x <= x.most && p.y >= y.least && p.y <= y.most) up.push_back(p.z);
+  const Interval z =
+      with_margin(std::move(up), options.outliers_below, options.outliers_above, options.margin);
+  out.least = {x.least, y.least, z.least}, out.most = {x.most, y.most, z.most};
+  std::erase_if(out.raised, [&](const Vec3& p) { return !inside(p, out); });
+  centre(out);
+  return out;
+}
+
+void crop(std::span<FrameDepth> maps, const VideoModel& model) {
+  const auto axes_from_world = model.axes.axes_from_world();
+  for (FrameDepth& map : maps)
+    for (int y = 0; y < map.map.depth.depth_m.height(); ++y)
+      for (int x = 0; x < map.map.depth.depth_m.width(); ++x) {
+        float& depth = map.map.depth.depth_m(x, y);
+        if (depth > 0 && !inside((axes_from_world * seen_at(map, x, y)).v, model)) depth = kUnknownDepth;
+      }
+}
+
+}  // namespace palpable::recipes

@@ -1,0 +1,116 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/geometry/point_cloud.hpp"
+#include "palpable/core/picture/camera.hpp"
+#include "palpable/core/picture/video_frame.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/recipes/made_scene.hpp"
+#include "palpable/recipes/solid/field_recipe.hpp"
+#include "palpable/recipes/video/model_shapes.hpp"
+#include "palpable/recipes/video/video_advice.hpp"
+#include "palpable/recipes/video/video_model.hpp"
+#include "palpable/recipes/video/video_scale.hpp"
+#include "palpable/sculpt/points/depth_fusion.hpp"
+#include "palpable/vision/motion/depth/video_depth.hpp"
+#include "palpable/vision/motion/structure/recursive_motion.hpp"
+#include "palpable/vision/motion/tracks/photo_tracks.hpp"
+#include "palpable/vision/motion/tracks/usable_frames.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace palpable::recipes {
+
+/// How a video's camera path is computed.
+enum class VideoMotion {
+  /// All frames together (vision::motion_from_tracks()).
+  batch,
+  /// Frame by frame, by an extended Kalman filter (vision::motion_by_filter()), as Moustakas et al. 2007.
+  filter
+};
+
+/// What a video's field is made of.
+enum class VideoSurface {
+  /// The depth maps, fused.
+  fused,
+  /// Superquadrics that were fitted to the points (shapes_of_model()).
+  superquadrics
+};
+
+/// When points are followed from frame to frame; if this fails, they are matched between pictures instead.
+struct FollowingOptions {
+  /// Share of the frames that must share enough points with the next one, 0 … 1.
+  double most_frames = 0.8;
+  /// Enough points are this many times as many as a frame's pose needs, 1 … 20.
+  int times_least = 3;
+};
+std::vector<Parameter> parameters_of(FollowingOptions& options);
+
+/// How a video of a model becomes a field.
+struct VideoRecipe {
+  VideoMotion motion_method = VideoMotion::batch;
+  VideoSurface surface = VideoSurface::fused;
+  /// Frames after the one of this number are not used; not given: all are.
+  std::optional<int> until;
+  /// Without it the scale is that of a printed marker, if one is seen, else arbitrary.
+  std::optional<KnownLength> length;
+  vision::UsableFrameOptions frames;
+  vision::TrackOptions tracks;
+  FollowingOptions following;
+  /// Of pictures that were taken too far apart to be followed.
+  vision::PhotoMatchOptions photos;
+  vision::BatchMotionOptions motion;
+  vision::FilterMotionOptions filter;
+  vision::VideoDepthOptions depth;
+  VideoModelOptions model;
+  ModelShapesOptions shapes;
+  VideoScaleOptions scale;
+  VideoAdviceOptions advice;
+  sculpt::FusionOptions fusion;
+  FieldRecipe field;
+};
+
+/// Intermediate results of a video's scene; positions in the world frame of the poses, in metres if `metric`,
+/// else in arbitrary scale.
+struct VideoReconstruction {
+  struct Pose {
+    int frame_number = 0;
+    vision::CameraPose world_from_camera;
+  };
+  std::vector<Pose> poses;
+  struct Depth {
+    int frame_number = 0;
+    DepthMap map;
+    vision::CameraPose world_from_camera;
+    Raster<Rgb8> picture;
+  };
+  /// As they were computed: not reduced to the model.
+  std::vector<Depth> depth_maps;
+  /// Points on the observed surfaces.
+  PointCloud structure;
+  bool metric = false;
+  Pinhole camera;
+  Transform<SceneFrame, WorldFrame> scene_from_world;
+  VideoFigures figures;
+  /// What to do better, for people without technical knowledge.
+  std::vector<Note> advice;
+};
+
+/// All parameters of a video, those of the field apart.
+std::vector<Parameter> parameters_of(VideoRecipe& recipe);
+
+/// The field of what a video shows: blurred frames and copies are left out, points are followed, or matched
+/// where the pictures were taken too far apart, the camera's path is found
+/// (vision::motion_from_tracks()), the depth of frames along it is computed and fused. The plane on which
+/// most of it stands becomes the base, its upward direction points to the person. With a known scale the
+/// scene keeps its metres, centred, the ground at z = 0; otherwise it is scaled to fit a hand. Frames in
+/// order, all of the camera's size. Long work. Errors: usage for a known length in a frame that is not used;
+/// as vision::motion_from_tracks(), vision::depth_of_video(), sculpt::fused_depth() and
+/// field_from_level_set().
+Result<MadeScene> field_from_video(const std::vector<VideoFrame>& frames, const vision::VideoCamera& camera,
+                                   const VideoRecipe& recipe, const Work& work);
+
+}  // namespace palpable::recipes

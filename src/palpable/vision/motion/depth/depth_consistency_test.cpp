@@ -1,0 +1,63 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/motion/depth/multi_view_depth.hpp"
+#include "palpable/vision/motion/structure/exact_views.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace palpable::vision {
+namespace {
+
+constexpr Pinhole kSmallCamera{100, 100, 15.5, 11.5, 32, 24};
+
+/// The wall z = 2 as cameras see it that stand side by side and look straight at it: its depth is 2 in all.
+std::vector<PosedDepthMap> wall_from(int cameras) {
+  std::vector<PosedDepthMap> maps;
+  for (int k = 0; k < cameras; ++k) {
+    PosedDepthMap map;
+    map.depth.depth_m = Raster<float>(32, 24, 2.0F);
+    map.depth.camera = kSmallCamera;
+    // 0.02 to the side moves the wall by one pixel.
+    map.pose.translation_m = {0.02 * k, 0.0, 0.0};
+    maps.push_back(map);
+  }
+  return maps;
+}
+
+TEST(DepthConsistency, AveragesTheDepthsThatAgree) {
+  auto maps = wall_from(3);
+  for (std::size_t k = 0; k < 3; ++k)
+    for (float& depth : maps[k].depth.depth_m.values()) depth = 2.0F + 0.004F * static_cast<float>(k);
+  const auto out = consistent_depth(maps, {.tolerance = 0.01, .least_agreeing = 2}, {});
+  ASSERT_TRUE(out);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR((*out)[k].depth.depth_m(16, 12), 2.004, 1e-5) << k;
+}
+
+TEST(DepthConsistency, RemovesADepthThatOthersContradict) {
+  auto maps = wall_from(3);
+  maps[1].depth.depth_m(16, 12) = 2.1F;
+  const auto out = consistent_depth(maps, {.tolerance = 0.01, .least_agreeing = 2}, {});
+  ASSERT_TRUE(out);
+  EXPECT_TRUE(std::isnan((*out)[1].depth.depth_m(16, 12)));
+  // The same place of the wall is one pixel further to the right in the camera on its left.
+  EXPECT_TRUE(std::isnan((*out)[0].depth.depth_m(17, 12)));
+  EXPECT_NEAR((*out)[0].depth.depth_m(16, 12), 2.0, 1e-6);
+}
+
+TEST(DepthConsistency, NeedsSoManyMapsThatSeeThePlace) {
+  const auto maps = wall_from(3);
+  const auto out = consistent_depth(maps, {.tolerance = 0.01, .least_agreeing = 2}, {});
+  ASSERT_TRUE(out);
+  // The left border of the first map is outside the pictures of the others.
+  EXPECT_TRUE(std::isnan((*out)[0].depth.depth_m(0, 12)));
+  const auto one = consistent_depth(maps, {.tolerance = 0.01, .least_agreeing = 1}, {});
+  ASSERT_TRUE(one);
+  EXPECT_TRUE(std::isnan((*one)[0].depth.depth_m(0, 12)));
+  EXPECT_NEAR((*one)[0].depth.depth_m(1, 12), 2.0, 1e-6);
+}
+
+}  // namespace
+}  // namespace palpable::vision

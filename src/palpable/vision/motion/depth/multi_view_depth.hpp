@@ -1,0 +1,72 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/parameters.hpp"
+#include "palpable/core/picture/camera.hpp"
+#include "palpable/core/picture/image.hpp"
+#include "palpable/core/picture/raster.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/vision/motion/structure/camera_motion.hpp"
+#include "palpable/vision/stereo/cost/cost_volume.hpp"
+#include "palpable/vision/stereo/cost/sgm.hpp"
+
+#include <span>
+#include <vector>
+
+namespace palpable::vision {
+
+/// A frame with a known pose. The picture must outlive it.
+struct PosedFrame {
+  const Raster<Rgb8>* picture = nullptr;
+  CameraPose pose;
+};
+
+/// The range of depths of a scene, in the unit of the poses; 0 < near < far.
+struct DepthSpan {
+  double near = 0.0;
+  double far = 0.0;
+};
+
+struct MultiViewOptions {
+  /// Step of the tried inverse depths, as the movement of a pixel in the frame in which it moves most, px,
+  /// 0.2 … 4.
+  double step_px = 0.7;
+  /// Greatest number of steps, 16 … 1024.
+  int most_steps = 256;
+  /// Share of the other frames that count, those in which a pixel matches best, since a surface is occluded
+  /// in some of them; 0.1 … 1.
+  double seen_share = 0.5;
+  VolumeOptions volume = {};
+  SgmOptions sgm = {};
+};
+std::vector<Parameter> parameters_of(MultiViewOptions& options);
+
+/// Computes the depth of `reference` by plane sweep over planes of constant depth (Collins 1996) with
+/// AD-Census costs and semi-global aggregation. Every pixel gets a depth, even a wrong one; see
+/// consistent_depth(). All pictures have the camera's size. Long work, on all threads. Errors: usage for
+/// options out of range, no other frame, or an empty range; interrupted.
+Result<DepthMap> multi_view_depth(const PosedFrame& reference, std::span<const PosedFrame> others,
+                                  const Pinhole& camera, DepthSpan span, const MultiViewOptions& options,
+                                  const Work& work);
+
+/// A depth map and the pose of its camera.
+struct PosedDepthMap {
+  DepthMap depth;
+  CameraPose pose;
+};
+
+struct ConsistencyOptions {
+  /// Depths agree if they differ by less than this share, 0.0005 … 0.1.
+  double tolerance = 0.01;
+  /// Least number of other maps that must agree on a pixel, 1 … 16.
+  int least_agreeing = 2;
+};
+std::vector<Parameter> parameters_of(ConsistencyOptions& options);
+
+/// Keeps only the pixels on which enough other maps agree, with the mean of the agreeing depths; all others
+/// become unknown. Errors: usage for options out of range; interrupted.
+Result<std::vector<PosedDepthMap>> consistent_depth(std::span<const PosedDepthMap> maps,
+                                                    const ConsistencyOptions& options, const Work& work);
+
+}  // namespace palpable::vision

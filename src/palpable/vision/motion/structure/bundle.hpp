@@ -1,0 +1,53 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/picture/camera.hpp"
+#include "palpable/vision/motion/structure/camera_motion.hpp"
+
+#include <array>
+#include <vector>
+
+// Inside vision's sources only.
+namespace palpable::vision {
+
+/// A rotation (angle-axis) and a translation, camera_from_world: p_camera = R p_world + t.
+using BundlePose = std::array<double, 6>;
+
+BundlePose bundle_pose(const CameraPose& world_from_camera);
+CameraPose camera_pose(const BundlePose& pose);
+
+/// An observation of a point in a frame.
+struct Observation {
+  int pose = 0;
+  int point = 0;
+  ImagePoint place;
+};
+
+/// The variables of a bundle adjustment: poses, points and observations.
+struct Bundle {
+  std::vector<BundlePose> poses;
+  std::vector<std::array<double, 3>> points;
+  std::vector<Observation> observations;
+  /// Factor of both focal lengths.
+  double focal_scale = 1.0;
+};
+
+struct BundleOptions {
+  /// Scale of the Huber loss, px: larger errors count linearly.
+  double robust_px = 0.7;
+  int most_iterations = 30;
+  /// Whether the focal length is refined too.
+  bool refine_focal_length = false;
+};
+
+/// Reprojection error: the distance between the observed and the projected position, px; infinite behind the
+/// camera.
+double projection_error_px(const Pinhole& camera, const BundlePose& pose, const std::array<double, 3>& point,
+                           ImagePoint seen);
+
+/// Minimises the sum of robust squared reprojection errors over poses and points (Ceres, sparse Schur
+/// complement). The first pose is fixed. Polls cancel between iterations and returns early then.
+void adjust_bundle(Bundle& bundle, const Pinhole& camera, const BundleOptions& options, const Work& work);
+
+}  // namespace palpable::vision

@@ -1,0 +1,84 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/motion/tracks/usable_frames.hpp"
+
+#include "palpable/core/numbers/quantile.hpp"
+#include "palpable/vision/image/opencv_image.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+namespace palpable::vision {
+namespace {
+
+double variance_of(const cv::Mat& values) {
+  cv::Scalar mean, deviation;
+  cv::meanStdDev(values, mean, deviation);
+  return deviation[0] * deviation[0];
+}
+
+// Of a picture of half the size, in which noise of single pixels counts less.
+double sharpness_of(const Raster<std::uint8_t>& frame) {
+  cv::Mat half, laplacian;
+  cv::resize(grey_view_of(frame), half, {}, 0.5, 0.5, cv::INTER_AREA);
+  cv::Laplacian(half, laplacian, CV_32F);
+  return variance_of(laplacian) / std::max(1.0, variance_of(half));
+}
+
+double change_between(const Raster<std::uint8_t>& a, const Raster<std::uint8_t>& b) {
+  return cv::norm(grey_view_of(a), grey_view_of(b), cv::NORM_L1) / static_cast<double>(a.count());
+}
+
+bool is_blurred(const std::vector<double>& sharpness, std::size_t frame, const UsableFrameOptions& options) {
+  const auto reach = static_cast<std::size_t>(options.compared_frames);
+  const std::size_t begin = frame > reach ? frame - reach : 0,
+                    end = std::min(sharpness.size(), frame + reach + 1);
+  std::vector<double> around(sharpness.begin() + static_cast<std::ptrdiff_t>(begin),
+                             sharpness.begin() + static_cast<std::ptrdiff_t>(end));
+  return sharpness[frame] < options.least_sharpness * quantile_of(around, 0.5);
+}
+
+}  // namespace
+
+std::vector<Parameter> parameters_of(UsableFrameOptions& o) {
+  return {{"least_sharpness",
+           &o.least_sharpness,
+           {0, 1},
+           "",
+           "Less sharp frames, as a share of those around, are left out"},
+          {"compared_frames",
+           &o.compared_frames,
+           {1, 60},
+           "",
+           "Frames before and after that sharpness is compared with"},
+          {"least_change",
+           &o.least_change,
+           {0, 10},
+           "",
+           "Mean grey levels of 255 by which a frame differs from a copy"}};
+}
+
+Result<UsableFrames> usable_frames(std::span<const Raster<std::uint8_t>> frames,
+                                   const UsableFrameOptions& options, const Work& work) {
+  if (auto checked = check_ranges(options); !checked) return checked.error();
+  std::vector<double> sharpness;
+  for (const auto& frame : frames) {
+    if (work.cancelled()) return Work::interrupted();
+    sharpness.push_back(sharpness_of(frame));
+  }
+  UsableFrames out;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (!out.kept.empty() &&
+        change_between(frames[static_cast<std::size_t>(out.kept.back())], frames[i]) < options.least_change)
+      ++out.copies;
+    else if (is_blurred(sharpness, i, options))
+      ++out.blurred;
+    else
+      out.kept.push_back(static_cast<int>(i));
+  }
+  return out;
+}
+
+}  // namespace palpable::vision

@@ -1,0 +1,55 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/motion/tracks/usable_frames.hpp"
+
+#include <random>
+
+#include <gmock/gmock.h>
+#include <opencv2/imgproc.hpp>
+
+namespace palpable::vision {
+namespace {
+
+using testing::ElementsAre;
+
+// Random patches, moved by `shift` and blurred along x.
+Raster<std::uint8_t> patches(int shift, int blur) {
+  Raster<std::uint8_t> out(160, 120);
+  for (int y = 0; y < out.height(); ++y)
+    for (int x = 0; x < out.width(); ++x) {
+      std::minstd_rand random(static_cast<unsigned>(((x + shift) / 6) * 131 + (y / 6) * 17 + 5));
+      random.discard(3);
+      out(x, y) = static_cast<std::uint8_t>(random() % 256U);
+    }
+  cv::Mat view(out.height(), out.width(), CV_8U, out.data());
+  if (blur > 0) cv::blur(view, view, {blur, blur});
+  return out;
+}
+
+TEST(UsableFrames, LeavesOutBlurredFramesAndCopies) {
+  std::vector<Raster<std::uint8_t>> frames;
+  for (int i = 0; i < 9; ++i) frames.push_back(patches(2 * i, i == 4 ? 15 : 0));
+  frames.push_back(frames.back());
+  const auto chosen = usable_frames(frames, {}, {});
+  ASSERT_TRUE(chosen);
+  EXPECT_THAT(chosen->kept, ElementsAre(0, 1, 2, 3, 5, 6, 7, 8));
+  EXPECT_EQ(chosen->blurred, 1);
+  EXPECT_EQ(chosen->copies, 1);
+}
+
+TEST(UsableFrames, KeepsAVideoThatIsBlurredThroughout) {
+  std::vector<Raster<std::uint8_t>> frames;
+  for (int i = 0; i < 6; ++i) frames.push_back(patches(2 * i, 9));
+  const auto chosen = usable_frames(frames, {}, {});
+  ASSERT_TRUE(chosen);
+  EXPECT_EQ(chosen->kept.size(), frames.size());
+}
+
+TEST(UsableFrames, RefusesOptionsOutOfRange) {
+  const auto chosen = usable_frames({}, {.least_sharpness = 2.0}, {});
+  ASSERT_FALSE(chosen);
+  EXPECT_EQ(chosen.error().code, ErrorCode::usage);
+}
+
+}  // namespace
+}  // namespace palpable::vision
