@@ -291,11 +291,14 @@ TEST(ServoLoop, FurtherProbesTouchTheSameSceneIndependently) {
   ASSERT_TRUE(gone);
   EXPECT_EQ(gone->written_force_N.v.z, 0.0);
   EXPECT_FALSE((*loop)->take_latest(3));
+  // On a busy machine, stalls begin the ramp of the hand's force anew.
+  while ((*loop)->statistics().touch.max_force_N < 1.0 - 1e-9)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   (*loop)->stop();
   // The hand was served, and its device was written to, as if there were no other probe.
   const auto statistics = (*loop)->statistics();
   EXPECT_EQ(statistics.allocations_in_ticks, 0U);
-  EXPECT_NEAR(statistics.touch.max_force_N, 1.0, 1e-9);
+  EXPECT_LE(statistics.touch.max_force_N, 1.0 + 1e-9);
   EXPECT_EQ(static_cast<std::uint64_t>(log.writes), statistics.touch.ticks + 1);
   std::array<std::uint64_t, 3> recorded{};
   while (const auto sample = (*loop)->take_recorded()) ++recorded.at(sample->probe);
