@@ -177,6 +177,12 @@ TEST_F(Videos, WithAWrongLengthAreRefusedBeforeAnyWork) {
   EXPECT_THAT(frame.err, HasSubstr("frame 99"));
 }
 
+TEST_F(Videos, ThatAreMissingAreSaidToBeMissingWhateverOutputIsNamed) {
+  const Outcome missing = palpable(make(path("none.mp4"), {"--structure", path("s.ply")}));
+  EXPECT_EQ(missing.exit_code, 3);
+  EXPECT_THAT(missing.err, HasSubstr("No such file"));
+}
+
 TEST_F(Videos, EndAtOnceWhenInterrupted) {
   const std::vector<std::string> words{"make",          video(40, -0.4, 0.02), "-o",       path("m.palp"),
                                        "--calibration", path("camera.json"),   "--report", path("r.html"),

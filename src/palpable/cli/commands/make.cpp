@@ -103,7 +103,7 @@ Result<Answer> make(MakeCommandArguments arguments, Console& console) {
   const bool video = is_video(arguments.make.inputs, arguments.make.kind);
   if (video) arguments.video.poses = std::exchange(arguments.make.poses, {});
   const auto checked = video ? check_video_outputs(arguments.video, files_of(arguments))
-                             : check_no_video_outputs(arguments.video);
+                             : check_no_video_outputs(arguments.video, arguments.make.inputs);
   if (!checked) return checked.error();
   auto options = make_options(arguments.make);
   if (!options) return options.error();

@@ -151,11 +151,18 @@ bool is_video(const std::vector<std::string>& inputs, const std::string& kind) {
   return found && *found == sources::InputKind::video;
 }
 
-Result<void> check_no_video_outputs(const VideoOutputs& outputs) {
+Result<void> check_no_video_outputs(const VideoOutputs& outputs, const std::vector<std::string>& inputs) {
   for (const auto& [name, value] :
        {std::pair("--structure", &outputs.structure), std::pair("--depth-dir", &outputs.depth_folder),
         std::pair("--report", &outputs.report), std::pair("--mesh", &outputs.mesh)})
-    if (!value->empty()) return Error{ErrorCode::usage, "only videos have this output", name};
+    if (!value->empty()) {
+      // A missing file is no video either: that it is missing says more.
+      std::error_code none;
+      for (const std::string& input : inputs)
+        if (const auto kind = sources::kind_of_file(input); !kind && !fs::is_directory(input, none))
+          return kind.error();
+      return Error{ErrorCode::usage, "only videos have this output", name};
+    }
   return {};
 }
 

@@ -47,8 +47,9 @@ bool is_video(const std::vector<std::string>& inputs, const std::string& kind);
 /// that is missing or contains other files; failed if the disk is full.
 Result<void> check_video_outputs(const VideoOutputs& outputs, const std::vector<std::string>& files);
 
-/// The check for other inputs, which have none of these outputs. Errors: usage for an output that is given.
-Result<void> check_no_video_outputs(const VideoOutputs& outputs);
+/// The check for inputs that are no video, which have none of these outputs. Errors: of reading, for an
+/// output that is given with a file that cannot be read; otherwise usage for an output that is given.
+Result<void> check_no_video_outputs(const VideoOutputs& outputs, const std::vector<std::string>& inputs);
 
 /// Adds the outputs to the command's files, which appear together. Errors: failed, as AtomicFiles::add(),
 /// video_report() and video_glb().

@@ -8,6 +8,7 @@
 #include "palpable/vision/rectification/undistortion.hpp"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -52,6 +53,15 @@ Result<vision::VideoCamera> camera_of(sources::Video& video, const std::filesyst
   return vision::VideoCamera{sources::pinhole_of(fitting->left), true};
 }
 
+Note note_on_lost(const sources::Video& video) {
+  const std::string_view pictures = video.lost == 1 ? "picture" : "pictures";
+  if (video.first_lost)
+    return Note(fmt::format("{} {} of the folder could not be read, and {} were used. {}.", video.lost,
+                            pictures, video.frames.size(), video.first_lost->sentence()));
+  return Note(fmt::format("The file is damaged: {} of its pictures could not be read, and {} were used.",
+                          video.lost, video.frames.size()));
+}
+
 }  // namespace
 
 Result<ReadInput> read_video_input(const sources::Input& input, const InputOptions& options,
@@ -59,10 +69,7 @@ Result<ReadInput> read_video_input(const sources::Input& input, const InputOptio
   auto video = sources::read_video(input.files, work);
   if (!video) return video.error();
   std::vector<Note> notes = input.notes;
-  if (video->lost > 0)
-    notes.emplace_back(
-        fmt::format("The file is damaged: {} of its pictures could not be read, and {} were used.",
-                    video->lost, video->frames.size()));
+  if (video->lost > 0) notes.push_back(note_on_lost(*video));
   const auto camera = camera_of(*video, options.calibration, notes, work);
   if (!camera) return camera.error();
   const double reduction = static_cast<double>(video->frames.front().picture.width()) / video->full_width;

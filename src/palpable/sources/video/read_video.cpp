@@ -26,6 +26,19 @@ Raster<Rgb8> reduced_to_side(const Raster<Rgb8>& picture, int longest) {
   return out;
 }
 
+// The first picture decides the size, and states the focal length.
+Result<void> add_picture(Video& video, const std::filesystem::path& file, int index, const Image& image) {
+  if (video.frames.empty()) {
+    video.full_width = image.width, video.full_height = image.height;
+    if (const auto bytes = read_file(file)) video.focal_length_35mm = focal_length_35mm(*bytes);
+  }
+  if (image.width != video.full_width || image.height != video.full_height)
+    return invalid_input(
+        "has another size than the pictures before it; one camera takes pictures of one size", file.string());
+  video.frames.push_back({index, reduced_to_side(rgb8(image), kLongestVideoSide)});
+  return {};
+}
+
 Result<Video> read_pictures(std::span<const std::filesystem::path> files, const Work& work) {
   Video video;
   const std::size_t step = (files.size() + kMostVideoFrames - 1) / kMostVideoFrames;
@@ -33,17 +46,15 @@ Result<Video> read_pictures(std::span<const std::filesystem::path> files, const 
     if (work.cancelled()) return Work::interrupted();
     work.report(static_cast<double>(i) / static_cast<double>(files.size()), "reading the pictures");
     const auto image = read_picture(files[i]);
-    if (!image) return image.error();
-    if (i == 0) {
-      video.full_width = image->width, video.full_height = image->height;
-      if (const auto bytes = read_file(files[i])) video.focal_length_35mm = focal_length_35mm(*bytes);
+    if (image) {
+      if (auto added = add_picture(video, files[i], static_cast<int>(i), *image); !added)
+        return added.error();
+    } else {
+      ++video.lost;
+      if (!video.first_lost) video.first_lost = image.error();
     }
-    if (image->width != video.full_width || image->height != video.full_height)
-      return invalid_input(
-          "has another size than the pictures before it; one camera takes pictures of one size",
-          files[i].string());
-    video.frames.push_back({static_cast<int>(i), reduced_to_side(rgb8(*image), kLongestVideoSide)});
   }
+  if (video.frames.empty()) return *video.first_lost;
   return video;
 }
 

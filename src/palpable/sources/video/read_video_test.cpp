@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -33,6 +36,33 @@ TEST(ReadVideo, FramesThatADamagedVideoStatesAreLost) {
   ASSERT_TRUE(video) << video.error().sentence();
   EXPECT_GT(video->lost, 0);
   EXPECT_EQ(static_cast<int>(video->frames.size()) + video->lost, 7);
+}
+
+TEST(ReadVideo, ADamagedPictureOfAFolderDoesNotStopTheOthers) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path();
+  const std::vector<std::filesystem::path> files{folder / "cut.ppm", folder / "whole.ppm",
+                                                 folder / "again.ppm"};
+  const std::string whole = "P6 2 1 255\nabcdef";
+  std::ofstream(files[0]) << whole.substr(0, whole.size() - 2);
+  std::ofstream(files[1]) << whole;
+  std::ofstream(files[2]) << whole;
+  const auto video = read_video(files, {});
+  ASSERT_TRUE(video) << video.error().sentence();
+  ASSERT_EQ(video->frames.size(), 2U);
+  EXPECT_EQ(video->frames[0].number, 1);
+  EXPECT_EQ(video->full_width, 2);
+  EXPECT_EQ(video->lost, 1);
+  ASSERT_TRUE(video->first_lost);
+  EXPECT_EQ(video->first_lost->place, files[0].string());
+}
+
+TEST(ReadVideo, PicturesOfWhichNoneCanBeReadAreAnError) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path();
+  const std::vector<std::filesystem::path> files{folder / "cut_1.ppm", folder / "cut_2.ppm"};
+  for (const auto& file : files) std::ofstream(file) << "P6 2 1 255\nab";
+  const auto video = read_video(files, {});
+  ASSERT_FALSE(video);
+  EXPECT_EQ(video.error().place, files[0].string());
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/picture/video_frame.hpp"
+#include "palpable/core/result.hpp"
 
 #include <optional>
 #include <vector>
@@ -15,8 +16,10 @@ struct Video {
   /// Size of a frame in the file, upright; the frames here may be smaller.
   int full_width = 0;
   int full_height = 0;
-  /// Frames that a damaged file states or holds, and that could not be read.
+  /// Frames that a damaged file states or holds, or pictures of a folder, that could not be read.
   int lost = 0;
+  /// Why the first of these pictures of a folder could not be read, with its file.
+  std::optional<Error> first_lost = std::nullopt;
   /// As the first picture of a folder states it, for a film of 36 x 24 mm.
   std::optional<double> focal_length_35mm = std::nullopt;
 };
