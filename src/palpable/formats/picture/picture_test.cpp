@@ -82,8 +82,7 @@ TEST(Pfm, KeepsEveryValueAndTheRowOrder) {
 }
 
 TEST(Pfm, ReadsBigEndianColour) {
-  const std::string file =
-      std::string("PF 1 1 1.0\n") + std::string("\x3F\x80\0\0\x40\0\0\0\x40\x40\0\0", 12);
+  const std::string file = std::string("PF 1 1 1.0\n\x3F\x80\0\0\x40\0\0\0\x40\x40\0\0", 11 + 12);
   const auto image = decode_pfm(as_bytes(file));
   ASSERT_TRUE(image);
   EXPECT_EQ(image->channels, 3);

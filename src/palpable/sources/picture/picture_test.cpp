@@ -233,7 +233,7 @@ TEST(Tga, IsReadPackedAndPlainFromEveryCorner) {
 
 TEST(Tga, KeepsAlphaAndPalettes) {
   const std::string alpha =
-      std::string("\0\0\x02\0\0\0\0\0\0\0\0\0\x01\0\x01\0\x20\x28", 18) + "\x0A\x14\x1E\x80";
+      std::string("\0\0\x02\0\0\0\0\0\0\0\0\0\x01\0\x01\0\x20\x28\x0A\x14\x1E\x80", 18 + 4);
   const auto image = decode_picture(as_bytes(alpha));
   ASSERT_TRUE(image);
   EXPECT_EQ(image->channels, 4);

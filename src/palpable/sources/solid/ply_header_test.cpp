@@ -12,7 +12,7 @@ namespace {
 
 bool check(std::string_view text) { return parse_ply_header(std::as_bytes(std::span(text))).has_value(); }
 
-constexpr std::string_view kAscii =
+const std::string kAscii =
     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
     "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
 
@@ -23,13 +23,13 @@ std::string binary(const std::string& vertices) {
 }
 
 TEST(PlyHeader, AcceptsAFileThatHoldsWhatItStates) {
-  EXPECT_TRUE(check(std::string(kAscii) + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"));
-  EXPECT_TRUE(check(std::string(kAscii) + "0 0 0\r\n\n1 0 0\n0 1 0\n3 0 1 2"));
+  EXPECT_TRUE(check(kAscii + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"));
+  EXPECT_TRUE(check(kAscii + "0 0 0\r\n\n1 0 0\n0 1 0\n3 0 1 2"));
   EXPECT_TRUE(check(binary("2") + std::string(24 + 13, 'x')));
 }
 
 TEST(PlyHeader, RefusesAFileThatWasCutOff) {
-  EXPECT_FALSE(check(std::string(kAscii) + "0 0 0\n1 0 0\n0 1 0\n"));
+  EXPECT_FALSE(check(kAscii + "0 0 0\n1 0 0\n0 1 0\n"));
   EXPECT_FALSE(check(kAscii));
   EXPECT_FALSE(check(binary("2") + std::string(24, 'x')));
   EXPECT_FALSE(check(kAscii.substr(0, kAscii.size() - 3)));
