@@ -20,12 +20,14 @@ class Magnet final : public haptics::Touchable {
     output.contact = true;
     output.spring_N = stiffness_N_per_m_ * to_place;
     output.force_N = output.spring_N - damping_Ns_per_m_ * hand.velocity_m_per_s;
-    // With the energy stored in the spring, the passivity observer can distinguish returned energy from
-    // generated energy.
+    // With the energy stored in the spring, which energy_model() explains, the passivity observer can
+    // distinguish returned energy from generated energy.
     output.stored_J = 0.5 * stiffness_N_per_m_ * dot(to_place.v, to_place.v);
     return output;
   }
   std::uint64_t state_family() const noexcept override { return 1; }
+  // The magnet pulls everywhere: its energy is a potential, as that of a weight, not that of a contact.
+  haptics::EnergyModel energy_model() const noexcept override { return haptics::EnergyModel::weight; }
   double damping_Ns_per_m() const noexcept override { return damping_Ns_per_m_; }
   void touch_pages() const noexcept override {}
 

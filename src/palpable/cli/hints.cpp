@@ -36,6 +36,14 @@ std::string_view hint_for(Reason reason) {
       return "--labels";
     case Reason::port_in_use:
       return "another --port, or none for any free one";
+    case Reason::rate_not_kept:
+      return "--rate, or palpable doctor for the reason";
+    case Reason::device_silent:
+      return "palpable doctor";
+    case Reason::map_too_dense:
+      return "--width of an extract, --size";
+    case Reason::map_part_chosen:
+      return "--center and --width";
   }
   return "";
 }

@@ -10,7 +10,7 @@ namespace palpable {
 /// the fact. How to change it depends on the caller: the command line names an option, a program sets a field
 /// of an options struct.
 enum class Reason : std::uint8_t {
-  /// No option would change it.
+  /// None of the following; the message says all that is known.
   unspecified,
   /// The cameras are unknown: a calibration is needed, or would make the result metric.
   needs_calibration,
@@ -39,7 +39,15 @@ enum class Reason : std::uint8_t {
   /// A label picture was given for an input without pixels.
   labels_without_pixels,
   /// The TCP port is in use.
-  port_in_use
+  port_in_use,
+  /// The machine does not keep the loop's rate.
+  rate_not_kept,
+  /// A device does not answer; what stands in its way can be examined.
+  device_silent,
+  /// A street map shows more than can be felt at this size.
+  map_too_dense,
+  /// The part of a street map was chosen by the program.
+  map_part_chosen
 };
 
 }  // namespace palpable

@@ -194,9 +194,10 @@ Result<std::size_t> one_name(const std::string& name, const Askable& all) {
   if (one >= all.streets + all.places.size())
     return Error{ErrorCode::usage,
                  fmt::format("{} is on the map, but cannot be felt: a smaller part of the map, or a larger "
-                             "--size, shows it",
+                             "size, shows it",
                              all.names[one]),
-                 {}};
+                 {},
+                 Reason::map_too_dense};
   return one;
 }
 

@@ -99,10 +99,9 @@ TEST(MapPlaces, SayThatAStreetIsThereButCannotBeFelt) {
   StreetMap map = town_map();
   map.streets[3].felt = false;
   const MapGuide guide(map_scene(map), MapStreets::felt);
-  EXPECT_EQ(
-      find_on_map(guide, "mill").error().message,
-      "Mill Lane is on the map, but cannot be felt: a smaller part of the map, or a larger --size, shows "
-      "it");
+  EXPECT_EQ(find_on_map(guide, "mill").error().message,
+            "Mill Lane is on the map, but cannot be felt: a smaller part of the map, or a larger size, shows "
+            "it");
 }
 
 TEST(MapRoute, SaysThatTheShortestWayCannotBeFelt) {

@@ -148,7 +148,7 @@ void add_streets(std::string& text, const MapGuide& guide, const std::vector<Key
     text += "\nStreets, the longest first, each after its key on the tactile drawing.\n" + felt_lines;
   if (!unfelt_lines.empty())
     text +=
-        "\nStreets that cannot be felt on this model: a smaller part of the map, or a larger --size, shows "
+        "\nStreets that cannot be felt on this model: a smaller part of the map, or a larger size, shows "
         "them.\n" +
         unfelt_lines;
 }

@@ -14,13 +14,16 @@
 
 namespace palpable::device {
 
-/// Properties of a device, from which stability limits are computed. NaN = unknown. Units are in the names.
+/// Properties of a device, from which stability limits are computed. Units are in the names. NaN = unknown,
+/// where it is the default.
 struct Traits {
   std::string name;
   /// 2: positions and forces in the plane (x, y); z is always 0. 3: all three axes.
   int degrees_of_freedom = 3;
-  /// Full width, height and depth of the workspace, centred on the device frame's origin.
+  /// Full width, height and depth of the workspace, centred on the device frame's origin; each above 0.
   Vec3 workspace_m{0.10, 0.10, 0.05};
+  /// Greatest force of each written force, above 0: what the device can give, or what a hand may be exposed
+  /// to.
   double max_force_N = 3.0;
   double mass_kg = std::numeric_limits<double>::quiet_NaN();
   double damping_Ns_per_m = std::numeric_limits<double>::quiet_NaN();
@@ -41,6 +44,10 @@ struct Traits {
   double inertia_kg_m2 = std::numeric_limits<double>::quiet_NaN();
   double rotational_damping_Nm_s = std::numeric_limits<double>::quiet_NaN();
 };
+
+/// Errors: usage for degrees of freedom other than 2 and 3, a workspace, force or torque that is not finite
+/// or not above 0 (torque: only with has_torque), and a negative delay.
+Result<void> check(const Traits& traits);
 
 enum class Status : std::uint8_t {
   ok,

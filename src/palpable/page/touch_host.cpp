@@ -109,7 +109,7 @@ std::shared_ptr<const PageScene> TouchHost::scene() {
   // A change of materials alone does not change the view.
   if (!shown_ || scene->model != shown_->model) {
     const auto number = page_scene_ ? static_cast<std::uint32_t>(page_scene_->about.scene) + 1 : 0U;
-    if (page_scene_) say("info", "A finer version of the scene is in place");
+    if (page_scene_) say("info", "A finer version of the scene is in place.");
     page_scene_ = page_scene(*scene, number, options_.name);
   }
   shown_ = std::move(scene);

@@ -287,7 +287,7 @@ TEST_F(HostOnATouch, ReportsAFinerSceneOnce) {
   EXPECT_TRUE(comes_true([&] { return host->scene()->about.scene == 1; }));
   const auto notice = host->next_notice();
   ASSERT_TRUE(notice);
-  EXPECT_EQ(notice->text, "A finer version of the scene is in place");
+  EXPECT_EQ(notice->text, "A finer version of the scene is in place.");
 }
 
 TEST_F(HostOnATouch, AnswersQuestionsWithWords) {

@@ -49,6 +49,7 @@ void mark_junctions(models::Scene& scene, const models::BoundaryMap& map,
 }  // namespace
 
 Result<MadeScene> contours_from_picture(Image picture, const ContoursRecipe& recipe, const Work& work) {
+  if (const auto valid = check(picture); !valid) return valid.error();
   std::vector<Note> notes;
   if (auto smaller = vision::reduced(picture, recipe.most_pixels)) {
     notes.emplace_back(fmt::format(

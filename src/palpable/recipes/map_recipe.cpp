@@ -53,8 +53,9 @@ std::vector<Note> notes_on(const sculpt::StreetRelief& made, const sculpt::Tacti
       hollow > rules.most_hollow)
     notes.emplace_back(
         fmt::format("{:.0f} % of the plate is hollow where streets ran together: no street is felt there. A "
-                    "smaller part of the map (--width of an extract), or a larger --size, keeps them apart.",
-                    100.0 * hollow));
+                    "smaller part of the map, or a larger size, keeps them apart.",
+                    100.0 * hollow),
+        Reason::map_too_dense);
   const sculpt::StreetSelection& streets = made.streets;
   if (streets.left_out > 0) {
     std::string words = fmt::format(
@@ -64,7 +65,8 @@ std::vector<Note> notes_on(const sculpt::StreetRelief& made, const sculpt::Tacti
         streets.left_out, pieces);
     if (!streets.left_out_names.empty())
       words += fmt::format(" Nothing is felt of {}.", some_of(streets.left_out_names));
-    notes.emplace_back(words + " A smaller part of the map, or a larger --size, shows more.");
+    notes.emplace_back(words + " A smaller part of the map, or a larger size, shows more.",
+                       Reason::map_too_dense);
   }
   if (streets.merged > 0)
     notes.emplace_back(fmt::format("{} pieces of second carriageways are felt as one groove with the first.",
@@ -104,6 +106,7 @@ Result<MadeScene> scene_of(StreetMap map, const MapRecipe& recipe, const char* m
 }  // namespace
 
 Result<MadeScene> map_from_picture(Image picture, const MapRecipe& recipe, const Work& work) {
+  if (const auto valid = check(picture); !valid) return valid.error();
   std::vector<Note> notes;
   const int width = picture.width;
   const int height = picture.height;

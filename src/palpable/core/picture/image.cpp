@@ -20,6 +20,18 @@ Result<void> check_picture_size(std::int64_t width, std::int64_t height) {
   return {};
 }
 
+Result<void> check(const Image& image) {
+  if (auto size = check_picture_size(image.width, image.height); !size) return size;
+  if (image.channels < 1 || image.channels > 4)
+    return invalid_input("has " + std::to_string(image.channels) + " channels; a picture has 1 to 4");
+  const auto expected = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) *
+                        static_cast<std::size_t>(image.channels);
+  if (image.samples.size() != expected)
+    return invalid_input("has " + std::to_string(image.samples.size()) +
+                         " samples; its size and channels need " + std::to_string(expected));
+  return {};
+}
+
 Raster<float> grey(const Image& image) {
   Raster<float> out(image.width, image.height);
   const bool colour = image.channels >= 3;

@@ -38,6 +38,10 @@ struct Image {
   }
 };
 
+/// Whether the sizes of a picture that a program made agree. Errors: invalid_input for a size that
+/// check_picture_size() refuses, other than 1 to 4 channels, or another number of samples than these have.
+Result<void> check(const Image& image);
+
 /// "640 x 480", for messages.
 std::string size_text(int width, int height);
 

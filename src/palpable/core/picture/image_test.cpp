@@ -49,5 +49,15 @@ TEST(Rgb8, ClampsAndTurnsWhatIsNotFiniteBlack) {
   EXPECT_EQ(out(0, 0), (Rgb8{0, 255, 0}));
 }
 
+TEST(Image, WhoseNumbersDoNotAgreeIsRefused) {
+  EXPECT_TRUE(check(Image{2, 1, 3, 8, std::vector<float>(6)}));
+  EXPECT_FALSE(check(Image{96, 64, 1, 8, {}}));
+  EXPECT_FALSE(check(Image{2, 1, 3, 8, std::vector<float>(5)}));
+  EXPECT_FALSE(check(Image{2, 1, 0, 8, {}}));
+  EXPECT_FALSE(check(Image{2, 1, 5, 8, std::vector<float>(10)}));
+  EXPECT_FALSE(check(Image{0, 1, 1, 8, {}}));
+  EXPECT_FALSE(check(Image{-2, -1, 1, 8, std::vector<float>(2)}));
+}
+
 }  // namespace
 }  // namespace palpable

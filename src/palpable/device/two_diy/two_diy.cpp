@@ -95,9 +95,8 @@ Result<std::unique_ptr<TwoDiy>> TwoDiy::open(const std::string& path, const TwoD
     }
   }
   return Error{ErrorCode::device,
-               "does not answer as a 2DIY; check its power, and that ModemManager leaves the port alone "
-               "(palpable doctor)",
-               path};
+               "does not answer as a 2DIY; check its power, and that ModemManager leaves the port alone",
+               path, Reason::device_silent};
 }
 
 TwoDiy::~TwoDiy() {

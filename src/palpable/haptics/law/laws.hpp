@@ -33,9 +33,10 @@ struct DilatedRelief {
 };
 
 /// Creates the Touchable of a scene and a law for the servo loop. One-time work (dilating a relief by the
-/// ball) is done here, outside the tick; it takes up to a second for large radii and is skipped if `kept`
-/// contains the result. Errors: usage for a scene without a model, a parameter of the law out of range, or a
-/// law that does not support this kind of scene.
+/// ball) is done here, outside the tick; for a relief of 4 megapixels it takes seconds, longer for large
+/// radii and rough surfaces, cannot be interrupted, and is skipped if `kept` contains the result. Errors:
+/// usage for a scene without a model, a parameter of the law out of range, or a law that does not support
+/// this kind of scene.
 Result<std::shared_ptr<const Touchable>> make_touchable(const models::Scene& scene,
                                                         const LawParameters& parameters,
                                                         DilatedRelief* kept = nullptr);

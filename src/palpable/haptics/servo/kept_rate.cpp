@@ -36,9 +36,9 @@ Result<void> check_kept(const KeptRate& kept) {
                "this machine does not keep a loop of " + rounded(kept.rate_hz) +
                    " Hz now: an empty one missed " + rounded(100.0 * kept.missed_fraction()) +
                    " % of its deadlines, which leaves " +
-                   rounded(kept.rate_hz * (1.0 - kept.missed_fraction())) +
-                   " Hz; choose a lower --rate, or see palpable doctor",
-               {}};
+                   rounded(kept.rate_hz * (1.0 - kept.missed_fraction())) + " Hz; choose a lower rate",
+               {},
+               Reason::rate_not_kept};
 }
 
 }  // namespace palpable::haptics

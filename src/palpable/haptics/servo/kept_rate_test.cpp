@@ -14,7 +14,7 @@ TEST(KeptRate, IsRefusedWithItsFigureWhereTooManyDeadlinesWereMissed) {
   EXPECT_EQ(refused.error().code, ErrorCode::failed);
   EXPECT_EQ(refused.error().message,
             "this machine does not keep a loop of 4000 Hz now: an empty one missed 40 % of its deadlines, "
-            "which leaves 2400 Hz; choose a lower --rate, or see palpable doctor");
+            "which leaves 2400 Hz; choose a lower rate");
   EXPECT_FALSE(check_kept({}));
 }
 

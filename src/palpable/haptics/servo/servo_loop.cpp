@@ -62,11 +62,8 @@ Result<void> check(const ServoOptions& options) {
   const auto usage = [](std::string message) { return Error{ErrorCode::usage, std::move(message), {}}; };
   if (!(options.rate_hz >= 100.0 && options.rate_hz <= 4000.0))
     return usage("the loop rate must be 100 to 4000 Hz");
-  if (!(options.tick.max_force_N > 0.0)) return usage("the greatest force must be above 0 N");
-  if (!(options.tick.max_force_rate_N_per_s > 0.0))
-    return usage("the greatest force rate must be above 0 N/s");
-  if (!(options.tick.fade_s > 0.0 && options.tick.ramp_down_s > 0.0 && options.tick.ramp_up_s > 0.0))
-    return usage("fade and ramp times must be above 0 s");
+  if (const auto valid = check(options.tick); !valid) return valid.error();
+  if (options.recording_capacity < 1) return usage("a recording needs room for at least one sample");
   if (options.realtime_priority < 0 || options.realtime_priority > 99)
     return usage("the real-time priority must be 0 to 99");
   if (!(options.watch_s >= 0.0)) return usage("the time to watch the clock must be at least 0 s");
@@ -307,6 +304,9 @@ Result<std::unique_ptr<ServoLoop>> ServoLoop::start(std::unique_ptr<device::Devi
   PALPABLE_CHECK(further.size() < kMaxLiveProbes);
   for (const auto& probe : further) PALPABLE_CHECK(probe != nullptr && !probe->traits().pushes_back);
   if (auto valid = check(options); !valid) return std::move(valid).error();
+  if (auto valid = device::check(device->traits()); !valid) return std::move(valid).error();
+  for (const auto& probe : further)
+    if (auto valid = device::check(probe->traits()); !valid) return std::move(valid).error();
   scene.touchable->touch_pages();
   auto impl = std::make_unique<Impl>(std::move(device), std::move(scene), options, std::move(further));
   impl->real_time.memory = options.memory == Memory::lock ? lock_memory() : "not locked (not asked for)";

@@ -36,7 +36,7 @@ struct ServoOptions {
   double rest_after_s = 1.0;
   /// Seconds, 0.001 to 0.1.
   double rest_period_s = 0.02;
-  /// Samples buffered for a recorder that is late: 4 s at 4 kHz.
+  /// Samples buffered for a recorder that is late, at least 1: 4 s at 4 kHz.
   std::size_t recording_capacity = 16384;
   /// On from the first tick, or later by record().
   Recording recording = Recording::off;
@@ -57,7 +57,7 @@ class ServoLoop {
  public:
   /// Starts the thread; the force rises from zero. `device` and scene.touchable must not be null. `further`
   /// gives the positions of probes 1, 2, ...; at most kMaxLiveProbes - 1 devices, all without motors. Errors
-  /// (usage): a rate, cap or time outside its range.
+  /// (usage): a rate, cap or time outside its range; traits of a device that device::check() refuses.
   static Result<std::unique_ptr<ServoLoop>> start(std::unique_ptr<device::Device> device, HapticScene scene,
                                                   const ServoOptions& options,
                                                   std::vector<std::unique_ptr<device::Device>> further = {});

@@ -37,6 +37,7 @@ class LoggingDevice final : public device::Device {
  public:
   explicit LoggingDevice(Log& log) : log_(log) { traits_.max_force_N = 3.0; }
   const device::Traits& traits() const noexcept override { return traits_; }
+  device::Traits& mutable_traits() { return traits_; }
   device::Reading read() noexcept override { return {{{0.0, 0.0, -0.002}}, device::Status::ok, 0}; }
   void write(Vector<DeviceFrame> force_N) noexcept override {
     ++log_.writes;
@@ -106,6 +107,25 @@ TEST(ServoLoop, RunsAtEveryRateWithTheOptionsThatItHas) {
     ASSERT_TRUE(loop) << rate;
     wait_for_ticks(**loop, 20);
   }
+}
+
+TEST(ServoLoop, RefusesADeviceWithoutAForceLimitAndOptionsOutOfRange) {
+  constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+  Log log;
+  std::atomic<int> alive{0};
+  for (const double force : {kNotANumber, std::numeric_limits<double>::infinity(), -1.0}) {
+    auto device = std::make_unique<LoggingDevice>(log);
+    device->mutable_traits().max_force_N = force;
+    EXPECT_FALSE(ServoLoop::start(std::move(device), counted(alive, 1.0), quiet())) << force;
+  }
+  std::vector<ServoOptions> wrong(4, quiet());
+  wrong[0].recording_capacity = 0;
+  wrong[1].tick.max_speed_m_per_s = kNotANumber;
+  wrong[2].tick.glitch_readings = -5;
+  wrong[3].tick.max_transient_of_force = 50.0;
+  for (std::size_t i = 0; i < wrong.size(); ++i)
+    EXPECT_FALSE(ServoLoop::start(std::make_unique<LoggingDevice>(log), counted(alive, 1.0), wrong[i])) << i;
+  EXPECT_EQ(alive, 0);
 }
 
 TEST(ServoLoop, WritesZeroForceOnEveryExit) {

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/result.hpp"
+
 #include <limits>
 
 namespace palpable::haptics {
 
 enum class Passivity { observe, control };
 
-/// Limits of a tick.
+/// Limits of a tick. All times and rates are above 0.
 struct TickOptions {
   /// Force cap, > 0; limited to the device's greatest force.
   double max_force_N = std::numeric_limits<double>::infinity();
@@ -18,8 +20,8 @@ struct TickOptions {
   /// The same for torque: 0.1 m times the force's limit.
   double max_torque_rate_Nm_per_s = 30.0;
   Passivity passivity = Passivity::control;
-  /// The amplitude of a contact transient is at most this fraction of the device's greatest force; and the
-  /// least speed at which a contact counts as an impact.
+  /// The amplitude of a contact transient is at most this fraction of the device's greatest force, 0 to 1;
+  /// and the least speed at which a contact counts as an impact.
   double max_transient_of_force = 0.25;
   double impact_speed_m_per_s = 0.02;
   /// Duration of the cross-fade from one scene to the next.
@@ -40,8 +42,12 @@ struct TickOptions {
   /// A tick that follows the previous one after more than this time is a stall: the watchdog has written zero
   /// force, and the force rises from zero.
   double stall_s = 0.005;
-  /// The rise in one tick is limited to that of this time, however late the tick is.
+  /// The rise in one tick is limited to that of this time, however late the tick is. ServoLoop sets it from
+  /// its rate (tick_options()).
   double max_rise_time_s = 0.0015;
 };
+
+/// Errors: usage for the first value outside its range, or NaN.
+Result<void> check(const TickOptions& options);
 
 }  // namespace palpable::haptics

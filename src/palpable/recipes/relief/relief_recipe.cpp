@@ -30,6 +30,11 @@ bool is_available(vision::StereoMethod method) {
 
 }  // namespace
 
+Result<void> check(const ReliefRecipe& recipe) {
+  if (auto valid = check_ranges(recipe.ground_options); !valid) return valid;
+  return check_ranges(recipe.background_options);
+}
+
 vision::StereoMethod default_method() {
   return is_available(vision::StereoMethod::best) ? vision::StereoMethod::best
                                                   : vision::StereoMethod::scanline;
@@ -45,6 +50,7 @@ std::vector<vision::StereoMethod> progressive_methods(const StereoRecipe& stereo
 
 Result<MadeScene> relief_from_pair(const vision::StereoPair& given, const StereoRecipe& stereo,
                                    const ReliefRecipe& recipe, const Work& work) {
+  if (const auto valid = check(recipe); !valid) return valid.error();
   auto treated = treated_pair(given, stereo, recipe, work);
   if (!treated) return treated.error();
   auto relief = sculpt::relief_from_disparity(treated->disparity, recipe.relief, work);
@@ -59,6 +65,9 @@ Result<MadeScene> relief_from_pair(const vision::StereoPair& given, const Stereo
 }
 
 Result<MadeScene> relief_from_depth(DepthInput input, const ReliefRecipe& recipe, const Work& work) {
+  if (const auto valid = check(recipe); !valid) return valid.error();
+  if (input.colour)
+    if (const auto valid = palpable::check(*input.colour); !valid) return valid.error();
   models::Scene regions;
   std::vector<Note> notes;
   treat_regions(input, recipe, work, regions, notes);

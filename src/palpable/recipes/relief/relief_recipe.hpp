@@ -48,6 +48,9 @@ struct ReliefRecipe {
 };
 
 /// How a pair is matched.
+/// Errors: usage for options of ground or background out of range.
+Result<void> check(const ReliefRecipe& recipe);
+
 struct StereoRecipe {
   /// Not given: default_method().
   std::optional<vision::StereoMethod> method;

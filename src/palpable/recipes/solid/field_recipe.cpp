@@ -12,13 +12,22 @@
 
 namespace palpable::recipes {
 
+Result<void> check(const FieldRecipe& recipe) {
+  if (auto valid = check_ranges(recipe.field); !valid) return valid;
+  if (auto valid = check_ranges(recipe.walls); !valid) return valid;
+  if (auto valid = check_ranges(recipe.sheets); !valid) return valid;
+  return check_ranges(recipe.cloud);
+}
+
 Result<MadeScene> field_from_mesh(Mesh mesh, const FieldRecipe& recipe, const Work& work) {
+  if (const auto valid = check(recipe); !valid) return valid.error();
   auto solid = solid_of(std::move(mesh), recipe, work);
   if (!solid) return solid.error();
   return field_scene(*std::move(solid), "mesh", recipe, work);
 }
 
 Result<MadeScene> field_from_points(PointCloud given, const FieldRecipe& recipe, const Work& work) {
+  if (const auto valid = check(recipe); !valid) return valid.error();
   const bool estimated = given.normals.empty();
   auto cloud = estimated ? sculpt::with_normals(std::move(given), work) : Result(std::move(given));
   if (!cloud) return cloud.error();
@@ -36,12 +45,14 @@ Result<MadeScene> field_from_points(PointCloud given, const FieldRecipe& recipe,
 
 Result<MadeScene> field_from_superquadrics(std::vector<models::Superquadric> shapes,
                                            const FieldRecipe& recipe, const Work& work) {
+  if (const auto valid = check(recipe); !valid) return valid.error();
   auto solid = solid_of(std::move(shapes), recipe);
   if (!solid) return solid.error();
   return field_scene(*std::move(solid), "shapes", recipe, work);
 }
 
 Result<MadeScene> field_from_level_set(const LevelSet& set, const FieldRecipe& recipe, const Work& work) {
+  if (const auto valid = check(recipe); !valid) return valid.error();
   auto surface = sculpt::surface_of_level_set(set, work);
   if (!surface) return surface.error();
   // Interpolation between grid points displaces an edge by about this share of a voxel.
@@ -52,6 +63,7 @@ Result<MadeScene> field_from_level_set(const LevelSet& set, const FieldRecipe& r
 }
 
 Result<MadeScene> field_from_relief(MadeScene made, const FieldRecipe& given, const Work& work) {
+  if (const auto valid = check(given); !valid) return valid.error();
   const auto relief = relief_to_fill(made.scene);
   if (!relief) return relief.error();
   FieldRecipe recipe = given;

@@ -44,6 +44,9 @@ struct FieldRecipe {
   sculpt::CloudOptions cloud;
 };
 
+/// Errors: usage for options out of range.
+Result<void> check(const FieldRecipe& recipe);
+
 // Each of these is long work for any thread: all threads are used, progress is reported, cancel is polled.
 // Errors have no place: invalid_input for values that enclose no solid, usage for options out of range,
 // failed for a field that needs too much memory, interrupted.

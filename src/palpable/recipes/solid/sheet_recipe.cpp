@@ -80,7 +80,9 @@ Result<MadeScene> relief_from_mesh(Mesh mesh, const SheetRecipe& recipe, const W
   scene_from_input.translation_m.z += recipe.sheet.thickness_m;
   MadeScene made;
   made.notes = placement_notes(*placement, box, recipe.placement);
-  if (flattening > 1.0)
+  // Less is not felt, and would be said as "divided by 1".
+  constexpr double kFelt = 1.05;
+  if (flattening > kFelt)
     made.notes.emplace_back(
         fmt::format("The mesh is deeper than the relief may be high: its heights were divided by {}.",
                     figure(flattening, 2)));

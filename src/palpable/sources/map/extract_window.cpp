@@ -329,9 +329,9 @@ Result<WindowMap> street_map_of(const MapExtract& extract, const ExtractWindow& 
                                      center->latitude, center->longitude));
   add_areas(out.map, extract, project);
   if (!window.center)
-    out.notes.emplace_back(
-        fmt::format("The map shows {:.0f} m around {:.5f},{:.5f}; --center and --width choose another part.",
-                    window.width_m, center->latitude, center->longitude));
+    out.notes.emplace_back(fmt::format("The map shows {:.0f} m around {:.5f},{:.5f}.", window.width_m,
+                                       center->latitude, center->longitude),
+                           Reason::map_part_chosen);
   return out;
 }
 

@@ -163,6 +163,8 @@ std::vector<StereoMethod> available_stereo_methods() {
 
 Result<StereoMatch> match(const StereoPair& pair, StereoMethod method, const StereoOptions& options,
                           const Work& work) {
+  for (const Image* picture : {&pair.left, &pair.right})
+    if (const auto valid = palpable::check(*picture); !valid) return valid.error();
   if (const auto sizes = check_sizes(pair); !sizes) return sizes.error();
   if (const auto ok = check(options, method); !ok) return ok.error();
   if (options.max_disparity_px < 0 || options.max_disparity_px >= pair.left.width)
