@@ -14,6 +14,7 @@ namespace palpable::test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// Two streets that cross at (200, 120), white with grey borders, between buildings.
 Raster<Rgb8> crossing_streets() {
@@ -32,9 +33,13 @@ Raster<Rgb8> crossing_streets() {
 
 class MapCommands : public InFolder {
  protected:
-  Outcome make() const {
-    return palpable({"make", path("map.png"), "-o", path("map.palp"), "--as", "map", "--json"});
+  Outcome make(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments{"make", path("map.png"), "-o",    path("map.palp"),
+                                       "--as", "map",           "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return palpable(arguments);
   }
+  nlohmann::json info() const { return palpable({"info", path("map.palp"), "--json"}).json(); }
 };
 
 TEST_F(MapCommands, MakeAStreetMapThatIsListedDrawnAndTouched) {
@@ -67,6 +72,58 @@ TEST_F(MapCommands, RefuseOtherPicturesWithOneSentence) {
   EXPECT_FALSE(std::filesystem::exists(path("map.palp")));
 }
 
+TEST_F(MapCommands, TakeTheParametersOfAMapAndOfItsRelief) {
+  ASSERT_TRUE(formats::write_png(path("map.png"), crossing_streets()));
+  ASSERT_EQ(make().exit_code, 0);
+  const auto before = info();
+  ASSERT_GT(before["buildings"].size(), 20U);
+  // The deepest groove is at 0, and buildings rise above the land.
+  EXPECT_NEAR(before["size_m"][2].get<double>(), 0.0015 + 0.0012, 1e-5);
+  const auto made = make({"--set", "map.outlines.least_area_px=1000", "--set",
+                          "map_relief.street_depth_m=0.002", "--set", "map_relief.samples=256"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.err, Not(HasSubstr("no effect")));
+  const auto after = info();
+  EXPECT_EQ(after["streets"].size(), before["streets"].size());
+  // The buildings are squares of about twenty pixels.
+  EXPECT_EQ(after["buildings"].size(), 0U);
+  EXPECT_NEAR(after["size_m"][2].get<double>(), 0.002, 1e-5);
+  // Half of all grey levels as tolerance: streets and land are one colour.
+  const auto lost = make({"--set", "map.colours.tolerance=128"});
+  EXPECT_EQ(lost.exit_code, 3);
+  EXPECT_THAT(lost.err, HasSubstr("no streets were found"));
+}
+
+TEST_F(MapCommands, RefuseParametersOutOfTheirRangeAndNameThoseWithoutEffect) {
+  ASSERT_TRUE(formats::write_png(path("map.png"), crossing_streets()));
+  const auto refusal = [&](const char* assignment) {
+    const auto refused = make({"--set", assignment});
+    EXPECT_EQ(refused.exit_code, 2) << assignment;
+    EXPECT_FALSE(std::filesystem::exists(path("map.palp"))) << assignment;
+    return refused.err;
+  };
+  EXPECT_THAT(refusal("map.colours.most_colours=65"), HasSubstr("must lie between 2 and 64"));
+  EXPECT_THAT(refusal("map.colours.most_colours=3.5"), HasSubstr("whole number"));
+  EXPECT_THAT(refusal("map.colors.tolerance=9"), HasSubstr("did you mean map.colours.tolerance?"));
+  EXPECT_THAT(refusal("map_relief.samples=10"), HasSubstr("must lie between 64 and 4096"));
+  EXPECT_THAT(refusal("map_relief.narrowest_street_m=0.01"), HasSubstr("wider than the widest"));
+  EXPECT_THAT(refusal("map.text.smallest_letter_px=50"), HasSubstr("text.smallest_letter_px"));
+  const auto lines = palpable({"make", path("map.png"), "-o", path("lines.palp"), "--set", "map.dark_land=9",
+                               "--set", "map_relief.samples=64"});
+  EXPECT_EQ(lines.exit_code, 0) << lines.err;
+  EXPECT_THAT(lines.err, HasSubstr("map.dark_land"));
+  EXPECT_THAT(lines.err, HasSubstr("map_relief.samples"));
+}
+
+TEST_F(MapCommands, ListTheirParameters) {
+  for (const char* name : {"map", "map_relief"}) {
+    const auto listed = palpable({"methods", name, "--json"}).json();
+    EXPECT_EQ(listed["name"], name);
+    EXPECT_GT(listed["parameters"].size(), 10U) << name;
+  }
+  EXPECT_THAT(palpable({"methods", "map"}).out, HasSubstr("map.streets.carriageways.next_width"));
+}
+
 TEST_F(MapCommands, RefuseTheMapViewOfOtherScenes) {
   ASSERT_TRUE(formats::write_png(path("map.png"), unrelated_picture(60, 50, 3)));
   ASSERT_EQ(palpable({"make", path("map.png"), "-o", path("lines.palp")}).exit_code, 0);
@@ -96,6 +153,12 @@ TEST_F(MapCommands, MakeAMapOfAnExtract) {
     EXPECT_TRUE(std::filesystem::exists(path(file))) << file;
   }
   EXPECT_TRUE(std::filesystem::exists(path("map-key.svg")));
+  // An extract's streets are known; its relief is made as that of a picture.
+  const auto set = palpable({"make", path("map.osm"), "-o", path("deep.palp"), "--set", "map.dark_land=9",
+                             "--set", "map_relief.street_depth_m=0.002"});
+  ASSERT_EQ(set.exit_code, 0) << set.err;
+  EXPECT_THAT(set.err, HasSubstr("map.dark_land"));
+  EXPECT_THAT(set.err, Not(HasSubstr("map_relief")));
   // A sheet of an earlier key goes, a file of another kind stays.
   write_text(path("map-key-5.svg"), read_text(path("map-key.svg")));
   write_text(path("map-key-6.svg"), "<svg><title>Mine</title></svg>");

@@ -34,6 +34,10 @@ struct MadeFrom {
     return (input == InputKind::stereo || input == InputKind::depth) && !is_contours() &&
            !has_several_depth_maps();
   }
+  /// The model of a map is a relief.
+  bool is_map() const {
+    return input == InputKind::map || (options.as == session::MakeAs::map && input != InputKind::scene);
+  }
   bool is_field() const { return made == "field" || made == "dense-field"; }
 };
 
@@ -66,6 +70,9 @@ constexpr std::array kSteps{
             }},
     StepUse{"video", [](const MadeFrom& m) { return m.input == InputKind::video; }},
     StepUse{"sheet", [](const MadeFrom& m) { return m.input == InputKind::mesh && m.made == "relief"; }},
+    // An extract's streets and names are known.
+    StepUse{"map", [](const MadeFrom& m) { return m.is_map() && m.input != InputKind::map; }},
+    StepUse{"map_relief", [](const MadeFrom& m) { return m.is_map(); }},
     // They belong to the commands fit-shapes and fit.
     StepUse{"shapes", [](const MadeFrom&) { return false; }},
     StepUse{"verdict", [](const MadeFrom&) { return false; }}};

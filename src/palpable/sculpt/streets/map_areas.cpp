@@ -54,7 +54,7 @@ cv::Mat without_near(cv::Mat mask, double least) {
 }  // namespace
 
 FeltAreas felt_areas(const StreetMap& map, MapArea::Kind kind, const MapGrid& grid, const cv::Mat& grooves,
-                     double gap_m, const TactileRules& rules) {
+                     double gap_m, const TactileRules& rules, double rounding) {
   FeltAreas out;
   out.mask = cv::Mat::zeros(grid.rows, grid.columns, CV_8U);
   for (const MapArea& area : map.areas) {
@@ -66,7 +66,7 @@ FeltAreas felt_areas(const StreetMap& map, MapArea::Kind kind, const MapGrid& gr
   const double gap = rules.least_gap_m * grid.of_metre, half_part = 0.5 * rules.least_part_m * grid.of_metre;
   const cv::Mat allowed = distance_to(grooves) > gap_m * grid.of_metre;
   out.mask = closed(out.mask & allowed, 0.5 * gap) & allowed;
-  out.mask = without_near(without_small(opened(out.mask, 0.5 * half_part), half_part), gap);
+  out.mask = without_near(without_small(opened(out.mask, rounding * half_part), half_part), gap);
   out.parts = components_of(out.mask).size();
   for (const MapArea& area : map.areas) {
     if (area.kind != kind || area.outline.empty()) continue;

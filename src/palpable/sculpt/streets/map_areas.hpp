@@ -22,10 +22,10 @@ struct FeltAreas {
   std::size_t left_out = 0;
 };
 
-/// Areas that keep `gap_m` from the streets' grooves: those nearer to each other than the rules' gap are
-/// joined; what is narrower than a part must be is left out, and so is the smaller one of two that are still
-/// too near.
+/// Areas, their corners rounded by circles of `rounding` times the least width of a part, that keep `gap_m`
+/// from the streets' grooves: those nearer to each other than the rules' gap are joined; what is narrower
+/// than a part must be is left out, and so is the smaller one of two that are still too near.
 FeltAreas felt_areas(const StreetMap& map, MapArea::Kind kind, const MapGrid& grid, const cv::Mat& grooves,
-                     double gap_m, const TactileRules& rules);
+                     double gap_m, const TactileRules& rules, double rounding);
 
 }  // namespace palpable::sculpt

@@ -20,6 +20,8 @@ namespace palpable::sculpt {
 namespace {
 
 constexpr std::size_t kMostMaterials = 256;
+/// Places in the list of materials; the first one is that of the land.
+constexpr std::uint8_t kBuilding = 1, kWater = 2, kStreet = 3, kJunction = 4;
 
 /// Distance from a place to the nearest felt street, as a part of half its groove's width, and which street.
 struct NearestStreet {
@@ -79,11 +81,10 @@ struct Grooves {
 cv::Mat merged_grooves(const cv::Mat& mask, const MapGrid& grid, const StreetReliefOptions& options) {
   const double half_gap = 0.5 * options.rules.least_gap_m * grid.of_metre;
   const double half_groove = 0.5 * options.narrowest_street_m * grid.of_metre;
-  constexpr double kTolerance = 1.0;
   constexpr int kMostRounds = 20;
   cv::Mat merged = closed(mask, half_gap);
   for (int round = 0; round < kMostRounds; ++round) {
-    const cv::Mat narrow = narrow_parts(merged, half_groove, kTolerance);
+    const cv::Mat narrow = narrow_parts(merged, half_groove, options.merging.tolerance);
     if (cv::countNonZero(narrow) == 0) break;
     merged = closed(merged | dilated(narrow, half_groove), half_gap);
   }
@@ -106,13 +107,12 @@ Grooves grooves_of(NearestStreet& nearest, const MapGrid& grid, const StreetReli
   const cv::Mat before = distance_inside(out.mask);
   cv::Mat after = distance_inside(merged);
   // Distances to a border of samples are not smooth; they count only where grooves were merged.
-  constexpr double kSmooth = 2.0, kFade = 4.0;
-  cv::GaussianBlur(after, after, {}, kSmooth);
+  cv::GaussianBlur(after, after, {}, options.merging.smoothing);
   for (int y = 0; y < grid.rows; ++y)
     for (int x = 0; x < grid.columns; ++x) {
       if (merged.at<std::uint8_t>(y, x) == 0) continue;
       const double deeper = after.at<float>(y, x) - before.at<float>(y, x);
-      const double weight = std::clamp((deeper - 1.0) / kFade, 0.0, 1.0);
+      const double weight = std::clamp((deeper - 1.0) / options.merging.fade, 0.0, 1.0);
       float& depth = out.depth.at<float>(y, x);
       depth = std::max(depth, static_cast<float>(weight * smooth_step(after.at<float>(y, x) / half)));
     }
@@ -126,8 +126,6 @@ struct Naming {
   std::vector<models::Material> materials;
   std::vector<std::uint8_t> of_street;
   std::vector<std::uint8_t> of_junction;
-  std::uint8_t building = 0;
-  std::uint8_t water = 0;
   std::size_t left_out_names = 0;
 };
 
@@ -140,12 +138,11 @@ double street_length_px(const MapStreet& street) {
 }
 
 /// The names of the streets that end at a junction, in alphabetical order.
-std::set<std::string> names_at(const StreetMap& map, const MapJunction& junction) {
-  constexpr double kNear_px = 2.0;
+std::set<std::string> names_at(const StreetMap& map, const MapJunction& junction, double reach_px) {
   std::set<std::string> names;
   for (const MapStreet& street : map.streets)
     for (const MapPoint end : {street.points.front(), street.points.back()})
-      if (!street.name.empty() && std::hypot(end.x - junction.at.x, end.y - junction.at.y) <= kNear_px)
+      if (!street.name.empty() && std::hypot(end.x - junction.at.x, end.y - junction.at.y) <= reach_px)
         names.insert(street.name);
   return names;
 }
@@ -162,27 +159,32 @@ std::string words_of(const std::set<std::string>& names) {
   return words;
 }
 
-Naming naming_of(const StreetMap& map, const std::vector<bool>& felt) {
-  Naming out;
+/// Those of land, buildings, water, streets and junctions without names.
+std::vector<models::Material> materials_of(const MapMaterialOptions& options) {
   models::Material land;
   land.name = "land";
   models::Material building = land;
   building.name = "building";
-  building.static_friction = 0.5;
-  building.dynamic_friction = 0.4;
+  building.static_friction = options.building_static_friction;
+  building.dynamic_friction = options.building_dynamic_friction;
   models::Material water = land;
   water.name = "water";
-  water.texture = {models::TouchTexture::Kind::ridges, 0.003, 60e-6, 0.5};
+  water.texture = {models::TouchTexture::Kind::ridges, options.ridge_distance_m, options.ridge_height_m,
+                   options.ridge_direction_rad};
   models::Material street = land;
   street.name = "street";
-  street.static_friction = 0.15;
-  street.dynamic_friction = 0.1;
+  street.static_friction = options.street_static_friction;
+  street.dynamic_friction = options.street_dynamic_friction;
   models::Material junction = street;
   junction.name = "junction";
-  junction.texture = {models::TouchTexture::Kind::bumps, 0.0015, 25e-6, 0.0};
-  out.materials = {land, building, water, street, junction};
-  out.building = 1;
-  out.water = 2;
+  junction.texture = {models::TouchTexture::Kind::bumps, options.bump_distance_m, options.bump_height_m, 0.0};
+  return {land, building, water, street, junction};
+}
+
+Naming naming_of(const StreetMap& map, const std::vector<bool>& felt, const StreetReliefOptions& options) {
+  Naming out;
+  out.materials = materials_of(options.materials);
+  const models::Material street = out.materials[kStreet], junction = out.materials[kJunction];
   std::map<std::string, double> lengths;
   for (std::size_t i = 0; i < map.streets.size(); ++i)
     if (felt[i] && !map.streets[i].name.empty())
@@ -205,12 +207,13 @@ Naming naming_of(const StreetMap& map, const std::vector<bool>& felt) {
     return index[name] = number;
   };
   for (const auto& [length, name] : longest) add(street, name);
-  for (const MapStreet& s : map.streets) out.of_street.push_back(index.contains(s.name) ? index[s.name] : 3);
+  for (const MapStreet& s : map.streets)
+    out.of_street.push_back(index.contains(s.name) ? index[s.name] : kStreet);
   for (const MapJunction& j : map.junctions) {
-    const std::string words = words_of(names_at(map, j));
+    const std::string words = words_of(names_at(map, j, options.junction_reach_px));
     const bool named =
         words != "junction" && (index.contains(words) || out.materials.size() < kMostMaterials);
-    out.of_junction.push_back(named ? add(junction, words) : std::uint8_t{4});
+    out.of_junction.push_back(named ? add(junction, words) : kJunction);
   }
   return out;
 }
@@ -232,8 +235,27 @@ void mark_junctions(const StreetMap& map, const MapGrid& grid, const StreetRelie
 
 }  // namespace
 
+std::vector<Parameter> parameters_of(MergedGrooveOptions& o) {
+  return {{"tolerance", &o.tolerance, {0.5, 10}, "samples", "how much a passage may be too narrow"},
+          {"smoothing", &o.smoothing, {0.5, 20}, "samples", "blur of the depth of merged grooves"},
+          {"fade", &o.fade, {0.1, 50}, "samples", "difference over which it replaces the single ones"}};
+}
+
+std::vector<Parameter> parameters_of(MapMaterialOptions& o) {
+  constexpr double kPi = std::numbers::pi;
+  return {{"street_static_friction", &o.street_static_friction, {0, 2}, "", "of streets"},
+          {"street_dynamic_friction", &o.street_dynamic_friction, {0, 2}, "", "of streets"},
+          {"building_static_friction", &o.building_static_friction, {0, 2}, "", "of buildings"},
+          {"building_dynamic_friction", &o.building_dynamic_friction, {0, 2}, "", "of buildings"},
+          {"ridge_distance_m", &o.ridge_distance_m, {0.0001, 0.02}, "m", "distance of water's ridges"},
+          {"ridge_height_m", &o.ridge_height_m, {0, 0.001}, "m", "their height"},
+          {"ridge_direction_rad", &o.ridge_direction_rad, {-kPi, kPi}, "rad", "their direction"},
+          {"bump_distance_m", &o.bump_distance_m, {0.0001, 0.02}, "m", "distance of a junction's bumps"},
+          {"bump_height_m", &o.bump_height_m, {0, 0.001}, "m", "their height"}};
+}
+
 std::vector<Parameter> parameters_of(StreetReliefOptions& o) {
-  return {
+  std::vector<Parameter> all{
       {"narrowest_street_m", &o.narrowest_street_m, {0.0005, 0.02}, "m", "width of the narrowest groove"},
       {"widest_street_m", &o.widest_street_m, {0.0005, 0.02}, "m", "width of the widest groove"},
       {"street_depth_m", &o.street_depth_m, {0.0001, 0.01}, "m", "depth of streets below the land"},
@@ -241,30 +263,62 @@ std::vector<Parameter> parameters_of(StreetReliefOptions& o) {
       {"building_gap_m", &o.building_gap_m, {0.0001, 0.01}, "m", "least distance from buildings to streets"},
       {"building_wall_m", &o.building_wall_m, {0.0001, 0.01}, "m", "width of the slope of a building's wall"},
       {"water_depth_m", &o.water_depth_m, {0.0, 0.01}, "m", "depth of water below the land"},
-      {"least_gap_m", &o.rules.least_gap_m, {0.0001, 0.02}, "m", "least distance of two grooves or areas"},
-      {"least_part_m", &o.rules.least_part_m, {0.0001, 0.02}, "m", "least width of a building or water"},
-      {"hollow_m", &o.rules.hollow_m, {0.001, 0.05}, "m", "least width of a groove that is a hollow"},
-      {"most_hollow", &o.rules.most_hollow, {0.0, 1.0}, "", "part of the plate in hollows that is said"},
-      {"junction_part", &o.junction_part, {0.1, 3.0}, "", "size of a junction's texture, in street widths"},
+      {"rules.least_gap_m",
+       &o.rules.least_gap_m,
+       {0.0001, 0.02},
+       "m",
+       "least distance of two grooves or areas"},
+      {"rules.least_part_m",
+       &o.rules.least_part_m,
+       {0.0001, 0.02},
+       "m",
+       "least width of a building or water"},
+      {"rules.hollow_m", &o.rules.hollow_m, {0.001, 0.05}, "m", "least width of a groove that is a hollow"},
+      {"rules.most_hollow",
+       &o.rules.most_hollow,
+       {0.0, 1.0},
+       "",
+       "part of the plate in hollows that is said"},
+      {"area_rounding", &o.area_rounding, {0.0, 1.0}, "", "rounding of areas, of the least width of one"},
+      {"junction_part",
+       &o.junction_part,
+       {0.1, 3.0},
+       "",
+       "size of a junction's texture, in narrowest grooves"},
+      {"junction_reach_px", &o.junction_reach_px, {0.0, 50.0}, "px", "streets that end so near meet there"},
       {"samples", &o.samples, {64, 4096}, "", "samples along the longer side"}};
+  append_parameters(all, "selection", parameters_of(o.selection));
+  append_parameters(all, "merging", parameters_of(o.merging));
+  append_parameters(all, "materials", parameters_of(o.materials));
+  return all;
+}
+
+Result<void> check(const StreetReliefOptions& options) {
+  if (auto in_range = check_ranges(options); !in_range) return in_range;
+  if (options.narrowest_street_m > options.widest_street_m)
+    return Error{ErrorCode::usage, "the narrowest street is wider than the widest one",
+                 "narrowest_street_m, widest_street_m"};
+  const MapMaterialOptions& materials = options.materials;
+  if (materials.street_dynamic_friction > materials.street_static_friction ||
+      materials.building_dynamic_friction > materials.building_static_friction)
+    return Error{ErrorCode::usage, "the dynamic friction is greater than the static one", "materials"};
+  return {};
 }
 
 Result<StreetRelief> relief_from_street_map(const StreetMap& map, const StreetReliefOptions& options) {
-  if (auto in_range = check_ranges(options); !in_range) return in_range.error();
-  if (options.narrowest_street_m > options.widest_street_m)
-    return Error{ErrorCode::usage, "the narrowest street is wider than the widest one", {}};
+  if (auto valid = check(options); !valid) return valid.error();
   if (map.streets.empty() || map.width_px < 1 || map.height_px < 1)
     return invalid_input("the map has no streets");
   const MapGrid grid = map_grid(map, options.width_m, options.height_m, options.samples);
   const GrooveWidths widths{options.narrowest_street_m, options.widest_street_m};
-  StreetSelection selection = select_streets(map, grid, widths, options.rules);
+  StreetSelection selection = select_streets(map, grid, widths, options.rules, options.selection);
   NearestStreet nearest = nearest_streets(map, grid, widths, selection.felt);
   const Grooves grooves = grooves_of(nearest, grid, options);
-  const FeltAreas water =
-      felt_areas(map, MapArea::Kind::water, grid, grooves.mask, options.rules.least_gap_m, options.rules);
+  const FeltAreas water = felt_areas(map, MapArea::Kind::water, grid, grooves.mask, options.rules.least_gap_m,
+                                     options.rules, options.area_rounding);
   const FeltAreas buildings = felt_areas(map, MapArea::Kind::building, grid, grooves.mask | water.mask,
-                                         options.building_gap_m, options.rules);
-  Naming naming = naming_of(map, selection.felt);
+                                         options.building_gap_m, options.rules, options.area_rounding);
+  Naming naming = naming_of(map, selection.felt, options);
   Raster<float> height(grid.columns, grid.rows);
   Raster<std::uint8_t> labels(grid.columns, grid.rows);
   Raster<MapPart> parts(grid.columns, grid.rows, MapPart::land);
@@ -281,11 +335,11 @@ Result<StreetRelief> relief_from_street_map(const StreetMap& map, const StreetRe
         parts(x, y) = MapPart::street;
       } else if (buildings.mask.at<std::uint8_t>(y, x) != 0) {
         z += options.building_m * smooth_step(in_building.at<float>(y, x) / wall);
-        labels(x, y) = naming.building;
+        labels(x, y) = kBuilding;
         parts(x, y) = MapPart::building;
       } else if (water.mask.at<std::uint8_t>(y, x) != 0) {
         z -= options.water_depth_m * smooth_step(in_water.at<float>(y, x) / wall);
-        labels(x, y) = naming.water;
+        labels(x, y) = kWater;
         parts(x, y) = MapPart::water;
       }
       height(x, y) = static_cast<float>(z);

@@ -24,14 +24,13 @@ double line_length_px(const MapStreet& street) {
 }
 
 /// The pieces, the most important first.
-std::vector<std::size_t> by_importance(const StreetMap& map, const std::map<std::string, double>& lengths) {
+std::vector<std::size_t> by_importance(const StreetMap& map, const std::map<std::string, double>& lengths,
+                                       double width_step_px) {
   std::vector<std::size_t> order(map.streets.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto rank = [&](std::size_t i) {
     const MapStreet& street = map.streets[i];
-    // Widths in steps, so that of streets of about one width the longer one counts.
-    constexpr double kStep_px = 2.0;
-    return std::tuple(-std::floor(street.width_px / kStep_px), street.name.empty(),
+    return std::tuple(-std::floor(street.width_px / width_step_px), street.name.empty(),
                       street.name.empty() ? -line_length_px(street) : -lengths.at(street.name), street.name,
                       i);
   };
@@ -42,8 +41,13 @@ std::vector<std::size_t> by_importance(const StreetMap& map, const std::map<std:
 /// The streets that were chosen so far, as the piece at each sample of their grooves.
 class Chosen {
  public:
-  Chosen(const StreetMap& map, const MapGrid& grid, const GrooveWidths& widths, double gap)
-      : map_(map), grid_(grid), widths_(widths), gap_(gap), owner_(grid.columns, grid.rows, -1) {}
+  Chosen(const StreetMap& map, const MapGrid& grid, const GrooveWidths& widths, double gap, double step_m)
+      : map_(map),
+        grid_(grid),
+        widths_(widths),
+        gap_(gap),
+        step_(std::max(1.0, step_m * grid.of_metre)),
+        owner_(grid.columns, grid.rows, -1) {}
 
   void add(std::size_t piece) {
     const MapStreet& street = map_.streets[piece];
@@ -67,7 +71,7 @@ class Chosen {
       const MapPoint a = grid_.at(street.points[k - 1]), b = grid_.at(street.points[k]);
       const MapPoint d{b.x - a.x, b.y - a.y};
       const double length = std::hypot(d.x, d.y);
-      const int steps = std::max(1, static_cast<int>(length / step()));
+      const int steps = std::max(1, static_cast<int>(length / step_));
       for (int i = 0; i < steps && length > 0.0; ++i) {
         const double t = (i + 0.5) / steps;
         const double from_end = std::min(along + t * length, total - along - t * length);
@@ -93,7 +97,6 @@ class Chosen {
   double half(std::size_t piece) const {
     return 0.5 * groove_width_m(map_.streets[piece], grid_, widths_) * grid_.of_metre;
   }
-  double step() const { return std::max(1.0, 0.0004 * grid_.of_metre); }
 
   std::int32_t owner_at(MapPoint p) const {
     const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
@@ -102,7 +105,7 @@ class Chosen {
 
   /// The first groove within the gap on either side of a place.
   std::int32_t beside(MapPoint p, MapPoint across, double own_half) const {
-    for (double reach = step(); reach <= own_half + gap_; reach += step())
+    for (double reach = step_; reach <= own_half + gap_; reach += step_)
       for (const double side : {1.0, -1.0})
         if (const std::int32_t other =
                 owner_at({p.x + side * reach * across.x, p.y + side * reach * across.y});
@@ -115,22 +118,22 @@ class Chosen {
   const MapGrid& grid_;
   const GrooveWidths& widths_;
   double gap_;
+  double step_;
   Raster<std::int32_t> owner_;
 };
 
 /// The nodes at the two ends of each piece: ends in one place are one node.
-std::vector<std::array<std::size_t, 2>> nodes_of(const StreetMap& map) {
-  constexpr double kJoin_px = 2.0;
+std::vector<std::array<std::size_t, 2>> nodes_of(const StreetMap& map, double join_px) {
   std::map<std::pair<long, long>, std::vector<std::size_t>> cells;
   std::vector<MapPoint> nodes;
   const auto node_at = [&](MapPoint p) {
-    const long x = std::lround(p.x / kJoin_px), y = std::lround(p.y / kJoin_px);
+    const long x = std::lround(p.x / join_px), y = std::lround(p.y / join_px);
     for (long j = y - 1; j <= y + 1; ++j)
       for (long i = x - 1; i <= x + 1; ++i) {
         const auto found = cells.find({i, j});
         if (found == cells.end()) continue;
         for (const std::size_t node : found->second)
-          if (std::hypot(nodes[node].x - p.x, nodes[node].y - p.y) <= kJoin_px) return node;
+          if (std::hypot(nodes[node].x - p.x, nodes[node].y - p.y) <= join_px) return node;
       }
     cells[{x, y}].push_back(nodes.size());
     nodes.push_back(p);
@@ -211,23 +214,29 @@ void drop_fragments(const StreetMap& map, const std::vector<std::array<std::size
 
 }  // namespace
 
+std::vector<Parameter> parameters_of(StreetSelectionOptions& o) {
+  return {{"width_step_px", &o.width_step_px, {0.1, 50}, "px", "widths that differ less count as one"},
+          {"join_px", &o.join_px, {0.1, 50}, "px", "ends of streets this near meet"},
+          {"step_m", &o.step_m, {1e-5, 0.01}, "m", "steps in which the land beside a street is looked at"},
+          {"most_crowded", &o.most_crowded, {0, 1}, "", "part of a piece with others too near beside it"}};
+}
+
 double groove_width_m(const MapStreet& street, const MapGrid& grid, const GrooveWidths& widths) {
   return std::clamp(street.width_px * grid.of_pixel / grid.of_metre, widths.narrowest_m, widths.widest_m);
 }
 
 StreetSelection select_streets(const StreetMap& map, const MapGrid& grid, const GrooveWidths& widths,
-                               const TactileRules& rules) {
+                               const TactileRules& rules, const StreetSelectionOptions& options) {
   StreetSelection out;
   std::map<std::string, double> lengths;
   for (const MapStreet& street : map.streets) lengths[street.name] += line_length_px(street);
   out.felt.assign(map.streets.size(), false);
   std::vector<bool> stands_for(map.streets.size(), false);
-  Chosen chosen(map, grid, widths, rules.least_gap_m * grid.of_metre);
-  constexpr double kMostCrowded = 0.5;
-  const auto order = by_importance(map, lengths);
+  Chosen chosen(map, grid, widths, rules.least_gap_m * grid.of_metre, options.step_m);
+  const auto order = by_importance(map, lengths, options.width_step_px);
   for (const std::size_t piece : order) {
     const auto crowding = chosen.crowding_of(piece);
-    if (crowding.part <= kMostCrowded) {
+    if (crowding.part <= options.most_crowded) {
       chosen.add(piece);
       out.felt[piece] = true;
     } else if (!map.streets[piece].name.empty() &&
@@ -237,7 +246,7 @@ StreetSelection select_streets(const StreetMap& map, const MapGrid& grid, const 
   }
   // A line shorter than two grooves and the gap between them leads nowhere.
   const double least_px = (2.0 * widths.narrowest_m + rules.least_gap_m) * grid.of_metre / grid.of_pixel;
-  const auto ends = nodes_of(map);
+  const auto ends = nodes_of(map, options.join_px);
   connect(ends, order, out.felt);
   drop_fragments(map, ends, least_px, out.felt);
   std::set<std::string> names, felt_names;

@@ -68,15 +68,13 @@ class CheckedRelief {
   cv::Mat mask_of(MapPart part) const { return sculpt::mask_of(parts_, part); }
 
   double samples_of(double length_m) const { return length_m / sample_m_; }
-  double tolerance() const { return 1.5; }
+  double tolerance() const { return rules_.width_tolerance; }
 
   /// Near every sample of a part there is one of full height or depth.
   void check_relief(MapPart part) {
     const cv::Mat mask = mask_of(part);
     const double sign = part == MapPart::building ? 1.0 : -1.0;
-    // The surface is a spline through its control values, and land has its own rounding.
-    constexpr double kRounding_m = 1e-5;
-    const cv::Mat full = (sign * above_land_ >= rules_.least_relief_m - kRounding_m) & mask;
+    const cv::Mat full = (sign * above_land_ >= rules_.least_relief_m - rules_.height_tolerance_m) & mask;
     const double reach = samples_of(0.5 * std::max(rules_.least_groove_m, rules_.least_part_m)) + tolerance();
     const cv::Mat low = mask & (distance_to(full) > reach);
     each_component(low, [&](const MaskPart& c) {

@@ -30,6 +30,11 @@ struct TactileRules {
   double hollow_m = 0.01;
   /// The part of the plate, 0 ... 1, above which hollows are worth a warning.
   double most_hollow = 0.02;
+  /// Differences of height are checked with this tolerance, metres: the surface is a spline through its
+  /// control values, and land has its own rounding. 0 ... 1 mm.
+  double height_tolerance_m = 1e-5;
+  /// Widths are checked with this tolerance, samples of the relief. 0 ... 10.
+  double width_tolerance = 1.5;
 };
 
 /// A place where a relief breaks a rule.
@@ -46,10 +51,9 @@ struct TactileViolation {
 };
 std::string_view words_of(TactileViolation::Rule rule);
 
-/// Checks a finished relief; `parts` has one value for each of its samples. Widths are measured to one and a
-/// half samples of the relief. Corners (of land between streets that meet, of buildings) are rounded by the
-/// hand anyway: a narrow place is reported if it is larger than a corner of a right angle. An independent
-/// measure: it does not know how the relief was made.
+/// Checks a finished relief; `parts` has one value for each of its samples. Corners (of land between streets
+/// that meet, of buildings) are rounded by the hand anyway: a narrow place is reported if it is larger than a
+/// corner of a right angle. An independent measure: it does not know how the relief was made.
 std::vector<TactileViolation> check_tactile_rules(const models::Relief& relief, const Raster<MapPart>& parts,
                                                   const TactileRules& rules);
 

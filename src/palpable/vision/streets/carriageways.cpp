@@ -17,12 +17,12 @@ struct Width {
 };
 
 /// Radii of the lines of nearly constant width, with their lengths.
-std::vector<Width> widths_of(const CentreLines& graph) {
-  constexpr double kMostSpread = 0.25;
+std::vector<Width> widths_of(const CentreLines& graph, const CarriagewayOptions& options) {
   std::vector<Width> out;
   for (const CentreLine& line : graph.lines)
     if (const double length = length_px(line.points);
-        length > 2.0 * line.radius_px && line.radius_spread_px < kMostSpread * line.radius_px)
+        length > options.measured_widths * 2.0 * line.radius_px &&
+        line.radius_spread_px < options.measured_spread * line.radius_px)
       out.push_back({line.radius_px, length});
   return out;
 }
@@ -96,7 +96,7 @@ std::vector<double> carriageway_radii(std::span<const CentreLines* const> colour
   std::vector<std::vector<double>> common;
   if (colours.empty()) return radii;
   for (const CentreLines* graph : colours) {
-    std::vector<Width> widths = widths_of(*graph);
+    std::vector<Width> widths = widths_of(*graph, options);
     lengths.push_back(length_of(widths));
     common.push_back(common_radii(std::move(widths), options));
   }
@@ -126,7 +126,7 @@ ThinningGuide carriageways_in(const Raster<std::uint8_t>& mask, double radius_px
   // All places where a carriageway's middle can be; where that is a strip, its sides are two middles.
   cv::Mat places = distance >= radius_px;
   cv::Mat square = distance > options.most_widths * radius_px;
-  cv::dilate(square, square, disc(1.5 * radius_px));
+  cv::dilate(square, square, disc(options.square_margin * radius_px));
   places.setTo(0, square);
   cv::morphologyEx(places, places, cv::MORPH_OPEN, disc(0.5 * options.least_apart_px));
   remove_short_pieces(places, options.least_length_widths * 2.0 * radius_px);

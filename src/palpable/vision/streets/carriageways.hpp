@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/parameters.hpp"
 #include "palpable/vision/streets/centre_lines.hpp"
 
 #include <span>
@@ -10,22 +11,30 @@
 namespace palpable::vision {
 
 struct CarriagewayOptions {
-  /// Widths of streets of one colour that differ by less than this part are the same.
+  /// Widths are measured on lines that are longer than this many of them, and whose width has a smaller
+  /// standard deviation than this part of it. 0 ... 20 and 0 ... 1.
+  double measured_widths = 1.0;
+  double measured_spread = 0.25;
+  /// Widths of streets of one colour that differ by less than this part are the same. 0 ... 1.
   double same_width = 0.1;
-  /// A width is common if this part of a colour's length has it.
+  /// A width is common if this part of a colour's length has it. 0 ... 1.
   double common_part = 0.1;
-  /// The next wider common width is still that of one carriageway if it is at most this many times as wide.
+  /// The next wider common width is still that of one carriageway if it is at most this many times as wide. 1
+  /// ... 5.
   double next_width = 1.55;
   /// A colour whose streets are this many times as wide as the widest single carriageway of the other colours
-  /// shows only streets with two.
+  /// shows only streets with two. 1 ... 10.
   double width_ratio = 1.7;
-  /// Two carriageways whose middles are nearer to each other than this are one street, pixels.
+  /// Two carriageways whose middles are nearer to each other than this are one street, pixels. 0 ... 50.
   double least_apart_px = 5.0;
-  /// Where a street is more than this many times as wide as a carriageway, it is a square.
+  /// Where a street is more than this many times as wide as a carriageway, it is a square, 1 ... 10, and so
+  /// is what is nearer to that than this many of a carriageway's radius, 0 ... 10.
   double most_widths = 2.5;
-  /// Two carriageways run beside each other for at least this many of their widths.
+  double square_margin = 1.5;
+  /// Two carriageways run beside each other for at least this many of their widths. 0 ... 20.
   double least_length_widths = 1.2;
 };
+std::vector<Parameter> parameters_of(CarriagewayOptions& options);
 
 /// Radius of a single carriageway in each colour of streets: its widest common one, unless that is so wide
 /// that it shows two. 0 for a colour without lines. Any thread.

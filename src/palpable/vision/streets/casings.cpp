@@ -22,21 +22,24 @@ double cased_part(const Raster<Rgb8>& picture, const CentreLine& line, const Cas
   const auto& p = line.points;
   int all = 0;
   int cased = 0;
-  constexpr std::size_t kStep = 2, kReach = 3;
-  for (std::size_t i = 0; i < p.size(); i += kStep) {
-    const MapPoint before = p[i - std::min(i, kReach)];
-    const MapPoint after = p[std::min(p.size() - 1, i + kReach)];
+  const auto step = static_cast<std::size_t>(options.step_points);
+  const auto reach = static_cast<std::size_t>(options.direction_points);
+  for (std::size_t i = 0; i < p.size(); i += step) {
+    const MapPoint before = p[i - std::min(i, reach)];
+    const MapPoint after = p[std::min(p.size() - 1, i + reach)];
     const double length = std::max(1e-9, std::hypot(after.x - before.x, after.y - before.y));
     const MapPoint across{(before.y - after.y) / length, (after.x - before.x) / length};
     const auto at = [&](double v) { return luma_at(picture, p[i].x + v * across.x, p[i].y + v * across.y); };
     bool is_cased = false;
     for (const double side : {-1.0, 1.0}) {
-      const double inside = at(side * std::max(0.0, line.radius_px - 2.0));
+      const double inside = at(side * std::max(0.0, line.radius_px - options.inside_px));
       double border = inside;
-      for (double v = line.radius_px - 1.0; v <= line.radius_px + 2.0; v += 0.5)
+      for (double v = line.radius_px - options.casing_inside_px;
+           v <= line.radius_px + options.casing_outside_px; v += 0.5)
         border = std::min(border, at(side * v));
       // Lettering beside the street is dark as well.
-      const double outside = std::max(at(side * (line.radius_px + 3.0)), at(side * (line.radius_px + 4.5)));
+      const double outside = std::max(at(side * (line.radius_px + options.beside_px)),
+                                      at(side * (line.radius_px + options.far_beside_px)));
       is_cased = is_cased || border + options.least_contrast <= std::min(inside, outside) ||
                  outside + options.dark_land <= inside;
     }

@@ -197,13 +197,16 @@ class Tracer {
   CentreLines graph_;
 };
 
-void measure_radii(CentreLines& graph, const cv::Mat& distance) {
+void measure_radii(CentreLines& graph, const cv::Mat& distance, const CentreLineOptions& options) {
   for (CentreLine& line : graph.lines) {
     double sum = 0.0;
     double squares = 0.0;
     int n = 0;
     // The ends lie in junctions or caps, where the mask is wider or narrower.
-    const std::size_t skip = line.points.size() > 12 ? line.points.size() / 6 : 0;
+    const std::size_t all = line.points.size();
+    const std::size_t skip = all > static_cast<std::size_t>(options.least_points)
+                                 ? static_cast<std::size_t>(options.end_part * static_cast<double>(all))
+                                 : 0;
     for (std::size_t i = skip; i + skip < line.points.size(); ++i) {
       const int x = std::clamp(static_cast<int>(std::lround(line.points[i].x)), 0, distance.cols - 1);
       const int y = std::clamp(static_cast<int>(std::lround(line.points[i].y)), 0, distance.rows - 1);
@@ -319,17 +322,15 @@ void remove_spurs(CentreLines& graph, double radii, double more_px) {
   }
 }
 
-CentreLines centre_lines_of(const Raster<std::uint8_t>& mask, const ThinningGuide& guide) {
+CentreLines centre_lines_of(const Raster<std::uint8_t>& mask, const ThinningGuide& guide,
+                            const CentreLineOptions& options) {
   const cv::Mat view(mask.height(), mask.width(), CV_8U, const_cast<std::uint8_t*>(mask.data()));
   CentreLines graph = Tracer(thinned(mask, guide)).take();
   cv::Mat distance;
   cv::distanceTransform(view, distance, cv::DIST_L2, 5);
-  measure_radii(graph, distance);
-  // A spur reaches from the middle to the border; a corner's spur is sqrt(2) times as long.
-  constexpr double kRadii = 1.6;
-  constexpr double kMore_px = 2.0;
-  remove_spurs(graph, kRadii, kMore_px);
-  measure_radii(graph, distance);
+  measure_radii(graph, distance, options);
+  remove_spurs(graph, options.spur_radii, options.spur_px);
+  measure_radii(graph, distance, options);
   return graph;
 }
 

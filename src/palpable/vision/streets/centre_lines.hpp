@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/geometry/street_map.hpp"
+#include "palpable/core/parameters.hpp"
 #include "palpable/core/picture/raster.hpp"
 
 #include <cstdint>
@@ -37,9 +38,22 @@ struct ThinningGuide {
   Raster<std::uint8_t> outside;
 };
 
+struct CentreLineOptions {
+  /// A branch that ends freely and is shorter than this many times its radius, and this, pixels, comes from
+  /// the mask's border (that of a square corner is sqrt(2) radii long). 0 ... 10 and 0 ... 50.
+  double spur_radii = 1.6;
+  double spur_px = 2.0;
+  /// The width of a line of more points than the second is measured without this part of it at each end,
+  /// which lies in a junction. 0 ... 0.4 and 0 ... 1000.
+  double end_part = 1.0 / 6.0;
+  int least_points = 12;
+};
+std::vector<Parameter> parameters_of(CentreLineOptions& options);
+
 /// Thins the set pixels of a mask to lines (Zhang & Suen 1984) and traces them. Branches that are shorter
 /// than the mask is wide there come from its border and are removed. Any thread.
-CentreLines centre_lines_of(const Raster<std::uint8_t>& mask, const ThinningGuide& guide = {});
+CentreLines centre_lines_of(const Raster<std::uint8_t>& mask, const ThinningGuide& guide = {},
+                            const CentreLineOptions& options = {});
 
 /// Length of a line, pixels.
 double length_px(const std::vector<MapPoint>& points);

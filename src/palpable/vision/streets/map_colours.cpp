@@ -36,8 +36,8 @@ cv::Mat inside_of(const MapFrame& frame, int width, int height) {
 
 /// The differences of horizontal neighbours that are no edges.
 struct SmallDifferences {
-  static constexpr int kEdge = 32;
-  std::array<std::size_t, kEdge + 1> counts{};
+  /// From 0 to the least difference of an edge.
+  std::vector<std::size_t> counts;
   std::size_t all = 0;
 
   /// The least difference that `part` of those from `first` on do not exceed.
@@ -48,16 +48,17 @@ struct SmallDifferences {
     std::size_t sum = 0;
     for (std::size_t d = first; d < counts.size(); ++d)
       if (static_cast<double>(sum += counts[d]) >= wanted) return static_cast<int>(d);
-    return kEdge;
+    return static_cast<int>(counts.size()) - 1;
   }
 };
 
-SmallDifferences small_differences(const Raster<Rgb8>& picture) {
+SmallDifferences small_differences(const Raster<Rgb8>& picture, const MapColourOptions& options) {
   SmallDifferences out;
+  out.counts.resize(static_cast<std::size_t>(options.least_edge) + 1);
   for (int y = 0; y < picture.height(); ++y)
     for (int x = 1; x < picture.width(); ++x) {
       const int d = difference(picture(x, y), picture(x - 1, y));
-      if (d > SmallDifferences::kEdge) continue;
+      if (d > options.least_edge) continue;
       ++out.counts[static_cast<std::size_t>(d)];
       ++out.all;
     }
@@ -65,12 +66,14 @@ SmallDifferences small_differences(const Raster<Rgb8>& picture) {
 }
 
 /// Typical difference between neighbours inside flat areas: the median difference. 0 for a clean drawing.
-double noise_of(const Raster<Rgb8>& picture) { return small_differences(picture).quantile(0.5, 0); }
+double noise_of(const Raster<Rgb8>& picture, const MapColourOptions& options) {
+  return small_differences(picture, options).quantile(0.5, 0);
+}
 
 /// Whether a picture has the noise of a scan or of lossy compression, which may be near edges only: many
 /// neighbours differ, and most of these by little.
 bool is_noisy(const Raster<Rgb8>& picture, const MapColourOptions& options) {
-  const SmallDifferences differences = small_differences(picture);
+  const SmallDifferences differences = small_differences(picture, options);
   const auto same = static_cast<double>(differences.counts[0]);
   return same < (1.0 - options.noisy_part) * static_cast<double>(differences.all) &&
          differences.quantile(0.5, 1) <= options.most_noise;
@@ -83,9 +86,8 @@ Raster<Rgb8> without_noise(const Raster<Rgb8>& picture, const MapColourOptions& 
                      const_cast<void*>(static_cast<const void*>(picture.data())));
   Raster<Rgb8> out(picture.width(), picture.height());
   cv::Mat smooth(picture.height(), picture.width(), CV_8UC3, out.data());
-  constexpr int kRounds = 2;
   cv::Mat before = view;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < options.noise_rounds; ++round) {
     cv::Mat after;
     cv::bilateralFilter(before, after, 0, options.noise_difference, options.noise_reach_px);
     before = after;
@@ -167,7 +169,7 @@ MapColours find_map_colours(const Raster<Rgb8>& given, const MapColourOptions& o
   MapColours out;
   out.picture = without_noise(given, options);
   const Raster<Rgb8>& picture = out.picture;
-  const double tolerance = options.tolerance + 2.0 * noise_of(picture);
+  const double tolerance = options.tolerance + options.noise_tolerance * noise_of(picture, options);
   const int width = picture.width();
   const int height = picture.height();
   out.frame = find_map_frame(given, options.frame);
@@ -196,9 +198,8 @@ MapColours find_map_colours(const Raster<Rgb8>& given, const MapColourOptions& o
     cv::Mat mask;
     cv::morphologyEx(all, mask, cv::MORPH_OPEN, block);
     peaks[k].pixels = cv::countNonZero(mask);
-    constexpr double kInk = 0.1;
     const double least = options.least_part * static_cast<double>(picture.count());
-    if (peaks[k].pixels < std::max(least, kInk * cv::countNonZero(all))) continue;
+    if (peaks[k].pixels < std::max(least, options.least_thick_part * cv::countNonZero(all))) continue;
     if (largest_piece(mask) < options.symbol_part * static_cast<double>(picture.count())) continue;
     seen.setTo(MapColours::kArea, mask);
     add_thin_lines(all, mask, options);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/parameters.hpp"
 #include "palpable/core/picture/image.hpp"
 #include "palpable/vision/streets/map_frame.hpp"
 
@@ -12,27 +13,39 @@ namespace palpable::vision {
 
 struct MapColourOptions {
   MapFrameOptions frame;
-  /// Largest difference, in one channel (0 ... 255), between a pixel and its colour in a clean picture. Noise
-  /// of scans and JPEG widens it.
+  /// Largest difference, in one channel, between a pixel and its colour in a clean picture, levels. 1 ...
+  /// 128.
   double tolerance = 8.0;
-  /// A picture is noisy if at least this part of the neighbouring pixels differs, half of these by at most
-  /// this much, grey levels. It is smoothed first, without its edges (Tomasi & Manduchi 1998): the greatest
-  /// difference that counts as noise, summed over the channels, and the reach, pixels.
+  /// Scans and lossy copies widen it by this many times their noise, the median difference of neighbours. 0
+  /// ... 10.
+  double noise_tolerance = 2.0;
+  /// Neighbouring pixels that differ by more than this, levels, lie at an edge and tell nothing about noise.
+  /// 1
+  /// ... 255.
+  int least_edge = 32;
+  /// A picture is noisy if at least this part of the neighbouring pixels differs, 0 ... 1, half of these by
+  /// at most this much, levels, 0 ... 255.
   double noisy_part = 0.28;
   int most_noise = 10;
+  /// It is smoothed first, without its edges (Tomasi & Manduchi 1998): the greatest difference that counts as
+  /// noise, summed over the channels, levels, 1 ... 765; the reach, pixels, 0.5 ... 10; how often, 1 ... 10.
   double noise_difference = 24.0;
   double noise_reach_px = 1.5;
-  /// A colour that fills less than this part of the picture is not an area of the map.
+  int noise_rounds = 2;
+  /// A colour that fills less than this part of the picture is not an area of the map. 0.00001 ... 0.5.
   double least_part = 0.0005;
-  /// Most colours that are distinguished, 2 ... 64.
+  /// Most colours that are distinguished. 2 ... 64.
   int most_colours = 40;
-  /// Lines that are thinner than this are lettering and borders, pixels.
+  /// Lines that are thinner than this are lettering and borders, pixels. 1 ... 20.
   int thinnest_px = 3;
-  /// Thinner lines of an area's colour that are at least this long are narrow streets, pixels.
+  /// A colour of which a smaller part than this is thicker is that of ink. 0 ... 1.
+  double least_thick_part = 0.1;
+  /// Thinner lines of an area's colour that are at least this long are narrow streets, pixels. 1 ... 1000.
   double thin_length_px = 24.0;
-  /// A colour whose largest piece is smaller than this part of the picture is one of symbols.
+  /// A colour whose largest piece is smaller than this part of the picture is one of symbols. 0 ... 0.5.
   double symbol_part = 0.0004;
 };
+std::vector<Parameter> parameters_of(MapColourOptions& options);
 
 /// A colour that the map uses for areas.
 struct MapColour {

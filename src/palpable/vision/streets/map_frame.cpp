@@ -26,13 +26,13 @@ MapFrame whole(const Raster<Rgb8>& picture) {
 
 /// The colour of all four corners of the picture.
 std::optional<Rgb8> page_colour(const Raster<Rgb8>& picture, const MapFrameOptions& options) {
-  constexpr int kIn_px = 3;
-  const int right = picture.width() - 1 - kIn_px;
-  const int bottom = picture.height() - 1 - kIn_px;
-  if (right <= kIn_px || bottom <= kIn_px) return std::nullopt;
-  const Rgb8 page = picture(kIn_px, kIn_px);
-  const bool is_same = alike(picture(right, kIn_px), page, options.page_tolerance) &&
-                       alike(picture(kIn_px, bottom), page, options.page_tolerance) &&
+  const int in = options.page_corner_px;
+  const int right = picture.width() - 1 - in;
+  const int bottom = picture.height() - 1 - in;
+  if (right <= in || bottom <= in) return std::nullopt;
+  const Rgb8 page = picture(in, in);
+  const bool is_same = alike(picture(right, in), page, options.page_tolerance) &&
+                       alike(picture(in, bottom), page, options.page_tolerance) &&
                        alike(picture(right, bottom), page, options.page_tolerance);
   return is_same ? std::optional(page) : std::nullopt;
 }
@@ -55,19 +55,19 @@ double part_set(const cv::Mat& mask, cv::Point2f a, cv::Point2f b, cv::Point2f i
 bool is_map_on_page(const cv::Mat& differs, const std::array<cv::Point2f, 4>& corners,
                     const MapFrameOptions& options) {
   const cv::Point2f middle = 0.25F * (corners[0] + corners[1] + corners[2] + corners[3]);
-  constexpr float kIn_px = 4.0F;
+  const auto in = static_cast<float>(options.side_inside_px);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const cv::Point2f a = corners[i];
     const cv::Point2f b = corners[(i + 1) % corners.size()];
     const cv::Point2f to = middle - 0.5F * (a + b);
     const auto n = static_cast<float>(cv::norm(to));
-    if (n < kIn_px || part_set(differs, a, b, (kIn_px / n) * to) < options.least_side_part) return false;
+    if (n < in || part_set(differs, a, b, (in / n) * to) < options.least_side_part) return false;
   }
   cv::Mat outside(differs.size(), CV_8U, cv::Scalar(255));
   const std::vector<cv::Point> polygon(corners.begin(), corners.end());
   cv::fillConvexPoly(outside, polygon, cv::Scalar(0));
   // The edge itself is a mixture.
-  cv::erode(outside, outside, cv::getStructuringElement(cv::MORPH_RECT, {5, 5}));
+  cv::erode(outside, outside, cv::getStructuringElement(cv::MORPH_RECT, {options.edge_px, options.edge_px}));
   const int all = cv::countNonZero(outside);
   return all >= options.least_outside_part * static_cast<double>(differs.total()) &&
          cv::countNonZero(outside & differs) <= (1.0 - options.least_page_part) * all;
@@ -99,7 +99,8 @@ MapFrame find_map_frame(const Raster<Rgb8>& picture, const MapFrameOptions& opti
       differs.at<std::uint8_t>(y, x) = alike(picture(x, y), *page, options.page_tolerance) ? 0 : 255;
   // Streets in the page's colour divide the map; what is written beside it is small.
   cv::Mat solid, labels, stats, centres;
-  cv::morphologyEx(differs, solid, cv::MORPH_CLOSE, cv::getStructuringElement(cv::MORPH_RECT, {25, 25}));
+  cv::morphologyEx(differs, solid, cv::MORPH_CLOSE,
+                   cv::getStructuringElement(cv::MORPH_RECT, {options.closing_px, options.closing_px}));
   const int n = cv::connectedComponentsWithStats(solid, labels, stats, centres, 8);
   int largest = 0;
   for (int i = 1; i < n; ++i)

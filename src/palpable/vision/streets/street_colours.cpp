@@ -13,13 +13,13 @@ namespace {
 
 /// Maps draw water blue and vegetation green in nearly every style, compared with the land, which is blue on
 /// maps for the night.
-MapLayer layer_by_hue(Rgb8 c, Rgb8 land) {
-  constexpr int kBlue = 24;
-  constexpr int kGreen = 12;
+MapLayer layer_by_hue(Rgb8 c, Rgb8 land, const StreetColourOptions& options) {
+  const int most_green = options.least_green;
   const auto blue = [](Rgb8 v) { return v.b - v.r; };
   const auto green = [](Rgb8 v) { return v.g - std::max(v.r, v.b); };
-  if (blue(c) - std::max(0, blue(land)) >= kBlue && c.b >= c.g - kGreen) return MapLayer::water;
-  if (green(c) - std::max(-kGreen, green(land)) >= kGreen) return MapLayer::green;
+  if (blue(c) - std::max(0, blue(land)) >= options.least_blue && c.b >= c.g - most_green)
+    return MapLayer::water;
+  if (green(c) - std::max(-options.least_green, green(land)) >= options.least_green) return MapLayer::green;
   return MapLayer::land;
 }
 
@@ -64,14 +64,15 @@ void fill_holes(Raster<std::uint8_t>& mask, int most_px) {
 
 /// Part of a line across which the picture itself shows the street: somewhere over its width, as lettering
 /// may cover its middle. A broad street must be seen as an area: the pale rims of a border are thin lines.
-double seen_part(const CentreLine& line, const MapColours& colours) {
-  constexpr double kBroad_px = 2.0;
-  const std::uint8_t least = line.radius_px >= kBroad_px ? MapColours::kArea : MapColours::kThinLine;
+double seen_part(const CentreLine& line, const MapColours& colours, const StreetColourOptions& options) {
+  const std::uint8_t least =
+      line.radius_px >= options.broad_radius_px ? MapColours::kArea : MapColours::kThinLine;
+  const auto around = static_cast<std::size_t>(options.direction_points);
   const auto& p = line.points;
   int seen = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const MapPoint before = p[i - std::min<std::size_t>(i, 3)];
-    const MapPoint after = p[std::min(p.size() - 1, i + 3)];
+    const MapPoint before = p[i - std::min(i, around)];
+    const MapPoint after = p[std::min(p.size() - 1, i + around)];
     const double length = std::max(1e-9, std::hypot(after.x - before.x, after.y - before.y));
     const double nx = (before.y - after.y) / length;
     const double ny = (after.x - before.x) / length;
@@ -112,8 +113,9 @@ Raster<std::uint8_t> mask_of(const MapColours& colours, std::size_t k, const Str
 }
 
 void remove_unseen(CentreLines& lines, const MapColours& colours, const StreetColourOptions& options) {
-  std::erase_if(lines.lines,
-                [&](const CentreLine& line) { return seen_part(line, colours) < options.least_seen_part; });
+  std::erase_if(lines.lines, [&](const CentreLine& line) {
+    return seen_part(line, colours, options) < options.least_seen_part;
+  });
   join_lines(lines);
 }
 
@@ -133,7 +135,7 @@ void divide_carriageways(const MapColours& colours, std::vector<LayerOfColour>& 
     const ThinningGuide guide = carriageways_in(mask, radii[i], options.carriageways);
     const auto& kept = guide.kept.values();
     if (std::none_of(kept.begin(), kept.end(), [](std::uint8_t v) { return v != 0; })) continue;
-    layers[numbers[i]].lines = centre_lines_of(mask, guide);
+    layers[numbers[i]].lines = centre_lines_of(mask, guide, options.lines);
     remove_unseen(layers[numbers[i]].lines, colours, options);
   }
 }
@@ -170,10 +172,10 @@ std::vector<LayerOfColour> layers_of(const MapColours& colours, const StreetColo
   for (std::size_t k = 0; k < out.size(); ++k) {
     if (k == colours.page) continue;
     LayerOfColour& layer = out[k];
-    layer.layer = layer_by_hue(colours.colours[k].value, colours.colours[background].value);
+    layer.layer = layer_by_hue(colours.colours[k].value, colours.colours[background].value, options);
     if (layer.layer != MapLayer::land) continue;
     const Raster<std::uint8_t> mask = mask_of(colours, k, options);
-    layer.lines = centre_lines_of(mask);
+    layer.lines = centre_lines_of(mask, {}, options.lines);
     remove_unseen(layer.lines, colours, options);
     const std::vector<int> degrees = degrees_of(layer.lines);
     double length = 0.0;
@@ -186,8 +188,7 @@ std::vector<LayerOfColour> layers_of(const MapColours& colours, const StreetColo
       area += 2.0 * line.radius_px * ribbon;
       widths += ribbon / (2.0 * line.radius_px);
     }
-    constexpr int kSmallest = 24;
-    const Pieces pieces = pieces_of(mask, kSmallest);
+    const Pieces pieces = pieces_of(mask, options.least_building_px);
     layer.ribbon_part = area / std::max(1, pieces.area);
     if (layer.ribbon_part >= options.least_ribbon_part && length >= options.least_total_part * side &&
         widths >= options.least_total_widths) {
@@ -196,10 +197,8 @@ std::vector<LayerOfColour> layers_of(const MapColours& colours, const StreetColo
     }
     layer.lines = {};
     // Buildings are many small pieces, none of which is a large part of the map.
-    constexpr int kFewest = 4;
-    constexpr double kLargest = 0.05;
-    if (k != background && pieces.count >= kFewest &&
-        pieces.largest < kLargest * static_cast<double>(of_pixel.count()))
+    if (k != background && pieces.count >= options.fewest_buildings &&
+        pieces.largest < options.most_building_part * static_cast<double>(of_pixel.count()))
       layer.layer = MapLayer::building;
   }
   divide_carriageways(colours, out, options);

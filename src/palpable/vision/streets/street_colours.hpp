@@ -17,28 +17,44 @@ enum class MapLayer : std::uint8_t { land, street, building, water, green };
 
 struct StreetColourOptions {
   /// A colour is one of streets if at least this part of its area lies in ribbons: long strips of nearly
-  /// constant width.
+  /// constant width. 0 ... 1.
   double least_ribbon_part = 0.45;
-  /// A ribbon is longer than this many times its width.
+  /// A ribbon is longer than this many times its width. 0 ... 100.
   double least_length_widths = 4.0;
-  /// The same of one between two junctions.
+  /// The same of one between two junctions. 0 ... 100.
   double least_block_widths = 1.5;
-  /// Largest standard deviation of a ribbon's width, as a part of the width.
+  /// Largest standard deviation of a ribbon's width, as a part of the width. 0 ... 2.
   double most_width_spread = 0.3;
-  /// Greatest width of a street, as a part of the picture's shorter side.
+  /// Greatest width of a street, as a part of the picture's shorter side. 0 ... 1.
   double most_width_part = 0.05;
-  /// Ribbons of less total length are no streets, as a part of the picture's shorter side.
+  /// Ribbons of less total length are no streets, as a part of the picture's shorter side. 0 ... 10.
   double least_total_part = 0.1;
-  /// The same in their widths.
+  /// The same in their widths. 0 ... 1000.
   double least_total_widths = 18.0;
-  /// Holes in streets up to this area are symbols, pixels.
+  /// Holes in streets up to this area are symbols, pixels. 0 ... 100 000.
   int hole_px = 150;
   /// A centre line of which the picture shows less than this part (the rest is under lettering or borders) is
-  /// none.
+  /// none. 0 ... 1.
   double least_seen_part = 0.35;
+  /// A street of at least this radius is seen only where it is an area: the pale rims of a border are thin
+  /// lines. Pixels, 0 ... 50.
+  double broad_radius_px = 2.0;
+  /// Points of a line on both sides of one of them that tell its direction. 1 ... 20.
+  int direction_points = 3;
+  /// Water is bluer than red by this much, compared with the land, and not greener than blue by more than
+  /// `least_green`; vegetation is greener than its other channels by that much. Levels, 1 ... 255 each.
+  int least_blue = 24;
+  int least_green = 12;
+  /// A colour is one of buildings if at least this many of its pieces have at least this area, pixels, and
+  /// none of them covers this part of the picture. 1 ... 10 000, 1 ... 100 000, 0 ... 1.
+  int fewest_buildings = 4;
+  int least_building_px = 24;
+  double most_building_part = 0.05;
+  CentreLineOptions lines;
   CarriagewayOptions carriageways;
   CasingOptions casings;
 };
+std::vector<Parameter> parameters_of(StreetColourOptions& options);
 
 /// One colour's meaning, and its centre lines if it is one of streets.
 struct LayerOfColour {

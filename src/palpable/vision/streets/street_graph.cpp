@@ -40,13 +40,13 @@ class Joiner {
   }
 
   CentreLines joined() {
-    remove_fragments(0.25);
+    remove_fragments(options_.fragment_part);
     follow_names();
     close_gaps();
     meet_streets();
     reach_border();
     merge_near_nodes();
-    remove_spurs(graph_, 1.0, 2.0);
+    remove_spurs(graph_, options_.spur_radii, options_.spur_px);
     remove_fragments(1.0);
     return std::move(graph_);
   }
@@ -72,10 +72,11 @@ class Joiner {
     for (std::size_t i = 0; i < graph_.lines.size(); ++i) {
       const CentreLine& line = graph_.lines[i];
       const auto& p = line.points;
-      // The direction of a line of about three widths, without the end itself, which may bend to a corner.
+      // Without the end itself, which may bend to a corner.
       const auto n = p.size();
       const auto near = std::min(n - 1, static_cast<std::size_t>(line.radius_px));
-      const auto far = std::min(n - 1, near + 4 + static_cast<std::size_t>(4.0 * line.radius_px));
+      const auto far = std::min(n - 1, near + static_cast<std::size_t>(options_.end_px) +
+                                           static_cast<std::size_t>(options_.end_radii * line.radius_px));
       if (degree[static_cast<std::size_t>(line.first)] == 1)
         ends.push_back({i, line.first, p.front(), unit(p[near == far ? 0 : near] - p[far]), line.radius_px});
       if (degree[static_cast<std::size_t>(line.last)] == 1)
@@ -124,7 +125,7 @@ class Joiner {
         length < width && dot(a.direction, -1.0 * b.direction) > least && dot(a.direction, along) > 0.0;
     if (!aligned && !tiny) return std::nullopt;
     const double ratio = a.radius_px / b.radius_px;
-    if (ratio < 0.4 || ratio > 2.5) return std::nullopt;
+    if (ratio < 1.0 / options_.gap_width_ratio || ratio > options_.gap_width_ratio) return std::nullopt;
     int land = 0;
     int street = 0;
     const int steps = std::max(1, static_cast<int>(length));
@@ -160,7 +161,7 @@ class Joiner {
       const double aside = std::abs(to.x * along.y - to.y * along.x);
       const bool inside = nearest > 0 && nearest + 1 < p.size();
       const double beyond = inside ? 0.0 : std::abs(dot(to, along));
-      if (aside > 0.6 * name.height_px + 1.0 ||
+      if (aside > options_.name_aside * name.height_px + 1.0 ||
           beyond > options_.name_margin * name.height_px + end.radius_px)
         continue;
       const double facing = dot(end.direction, along);
@@ -198,7 +199,7 @@ class Joiner {
     const std::vector<FreeEnd> ends = free_ends();
     std::vector<bool> used(graph_.nodes.size(), false);
     for (const TextLine& name : names_) {
-      if (static_cast<double>(name.centre.size()) < 2.0 * name.height_px) continue;
+      if (static_cast<double>(name.centre.size()) < options_.name_length * name.height_px) continue;
       std::vector<EndOnName> on = ends_on(name, ends);
       std::erase_if(on, [&used](const EndOnName& e) { return used[static_cast<std::size_t>(e.end.node)]; });
       for (std::size_t i = 0; i < on.size(); ++i) {
@@ -269,18 +270,18 @@ class Joiner {
 
   /// Where a street's end meets the centre line of another street: the best point before it.
   std::optional<MapPoint> meeting_of(const FreeEnd& end, const PointGrid& grid) const {
-    const double most_radius = 0.03 * std::min(width(), height());
+    const double reach = options_.meeting_part * std::min(width(), height());
+    const double least_facing = std::cos(options_.meeting_angle_deg * std::numbers::pi / 180.0);
     std::optional<MapPoint> best;
     double least = 1e9;
-    grid.near(end.at, 2.0 * most_radius, [&](const PointGrid::Entry& entry) {
+    grid.near(end.at, reach, [&](const PointGrid::Entry& entry) {
       const CentreLine& other = graph_.lines[entry.line];
       if (entry.line == end.line) return;
       const MapPoint to = other.points[entry.point] - end.at;
       const double distance = norm(to);
-      if (distance > 1.3 * (end.radius_px + other.radius_px) + options_.border_px) return;
+      if (distance > options_.meeting_radii * (end.radius_px + other.radius_px) + options_.border_px) return;
       const double facing = distance > 0.0 ? dot(end.direction, to) / distance : 1.0;
-      constexpr double kFacing = 0.5;
-      if (facing < kFacing) return;
+      if (facing < least_facing) return;
       if (const double cost = distance * (2.0 - facing); cost < least) {
         least = cost;
         best = other.points[entry.point];
@@ -325,7 +326,7 @@ class Joiner {
   /// Streets that end just inside the picture's border go on to it: thinning shortens them.
   void reach_border() {
     for (const FreeEnd& end : free_ends()) {
-      const double reach = 1.5 * end.radius_px + 3.0;
+      const double reach = options_.reach_radii * end.radius_px + options_.reach_px;
       const double t = std::max(0.0, distance_to_side(colours_.frame, end.at, end.direction));
       if (t > reach) continue;
       graph_.nodes.push_back(end.at + t * end.direction);
@@ -345,7 +346,7 @@ class Joiner {
         if (degree[static_cast<std::size_t>(line.first)] < 3 ||
             degree[static_cast<std::size_t>(line.last)] < 3)
           continue;
-        if (length_px(line.points) > 1.2 * line.radius_px + 3.0) continue;
+        if (length_px(line.points) > options_.merge_radii * line.radius_px + options_.merge_px) continue;
         graph_.lines.erase(graph_.lines.begin() + static_cast<std::ptrdiff_t>(i));
         const MapPoint middle = 0.5 * (node(line.first) + node(line.last));
         node(line.first) = middle;
@@ -359,15 +360,15 @@ class Joiner {
         break;
       }
     }
-    std::erase_if(graph_.lines, [](const CentreLine& line) {
-      return line.first == line.last && length_px(line.points) < 8.0 * line.radius_px;
+    std::erase_if(graph_.lines, [this](const CentreLine& line) {
+      return line.first == line.last && length_px(line.points) < options_.loop_radii * line.radius_px;
     });
     join_lines(graph_);
   }
 
   void remove_fragments(double factor) {
     remove_short_networks(graph_, factor * options_.least_network_part * std::min(width(), height()),
-                          factor * 6.0);
+                          factor * options_.least_network_radii);
   }
 
   const MapColours& colours_;

@@ -21,7 +21,7 @@ std::optional<MapArea::Kind> area_kind(MapLayer layer) {
 }
 
 /// The outlines of all areas of one colour.
-void add_areas(const MapColours& colours, std::size_t k, MapArea::Kind kind, const StreetMapOptions& options,
+void add_areas(const MapColours& colours, std::size_t k, MapArea::Kind kind, const MapOutlineOptions& options,
                std::vector<MapArea>& areas) {
   const Raster<std::uint8_t>& of_pixel = colours.of_pixel;
   const cv::Mat view(of_pixel.height(), of_pixel.width(), CV_8U, const_cast<std::uint8_t*>(of_pixel.data()));
@@ -31,7 +31,7 @@ void add_areas(const MapColours& colours, std::size_t k, MapArea::Kind kind, con
   for (const auto& outline : outlines) {
     if (cv::contourArea(outline) < options.least_area_px) continue;
     std::vector<cv::Point> corners;
-    cv::approxPolyDP(outline, corners, 1.0, true);
+    cv::approxPolyDP(outline, corners, options.area_error_px, true);
     if (corners.size() < 3) continue;
     MapArea area{kind, {}};
     for (const cv::Point p : corners)
@@ -87,12 +87,11 @@ NetworkShape shape_of(const MapColours& colours, const std::vector<LayerOfColour
   }
   shape.ribbon_part = ribbons / std::max(1.0, shape.length_px);
   const std::vector<int> degrees = degrees_of(graph);
-  constexpr double kBorder_px = 4.0;
   for (std::size_t n = 0; n < degrees.size(); ++n) {
     const MapPoint p = graph.nodes[n];
     shape.junctions += degrees[n] > 2 ? 1 : 0;
     if (degrees[n] != 1) continue;
-    const bool at_border = distance_to_side(colours.frame, p) <= kBorder_px;
+    const bool at_border = distance_to_side(colours.frame, p) <= options.recognition.border_px;
     ++(at_border ? shape.border_ends : shape.dead_ends);
   }
   std::size_t streets = 0;
@@ -113,7 +112,7 @@ Rgb8 land_of(const MapColours& colours) {
 
 /// Whether a network is a table, or boxes joined by lines.
 bool is_line_drawing(const MapColours& colours, const std::vector<LayerOfColour>& layers,
-                     const CentreLines& graph, const StreetMapOptions& options) {
+                     const CentreLines& graph, const MapRecognitionOptions& options) {
   const double most_luma = luma_of(land_of(colours)) - options.ink_contrast;
   for (std::size_t k = 0; k < layers.size(); ++k)
     if (layers[k].layer == MapLayer::street && luma_of(colours.colours[k].value) > most_luma) return false;
@@ -121,7 +120,7 @@ bool is_line_drawing(const MapColours& colours, const std::vector<LayerOfColour>
   double upright = 0.0;
   const double least = std::cos(options.upright_deg * std::numbers::pi / 180.0);
   for (const CentreLine& line : graph.lines) {
-    const std::vector<MapPoint> corners = simplified(line.points, 1.0);
+    const std::vector<MapPoint> corners = simplified(line.points, options.straight_error_px);
     for (std::size_t i = 1; i < corners.size(); ++i) {
       const double dx = std::abs(corners[i].x - corners[i - 1].x);
       const double dy = std::abs(corners[i].y - corners[i - 1].y);
@@ -135,22 +134,22 @@ bool is_line_drawing(const MapColours& colours, const std::vector<LayerOfColour>
 
 /// Whether a line is the edge of the picture rather than a street: it runs along a side as near as it is
 /// wide.
-bool is_edge(const MapColours& colours, const CentreLine& line) {
-  constexpr double kRadii = 1.5;
+bool is_edge(const MapColours& colours, const CentreLine& line, const MapRecognitionOptions& options) {
   const auto near = std::count_if(line.points.begin(), line.points.end(), [&](MapPoint p) {
-    return distance_to_side(colours.frame, p) <= kRadii * line.radius_px + 1.0;
+    return distance_to_side(colours.frame, p) <= options.edge_radii * line.radius_px + 1.0;
   });
   return 2 * static_cast<std::size_t>(near) > line.points.size();
 }
 
 /// Whether what was found is a network of streets in a drawing, not stripes or a photograph.
 bool is_street_map(const MapColours& colours, const std::vector<LayerOfColour>& layers,
-                   const CentreLines& graph, const StreetMapOptions& options) {
+                   const CentreLines& graph, const StreetMapOptions& all) {
   if (graph.lines.empty()) return false;
-  const NetworkShape shape = shape_of(colours, layers, graph, options);
+  const MapRecognitionOptions& options = all.recognition;
+  const NetworkShape shape = shape_of(colours, layers, graph, all);
   if (is_line_drawing(colours, layers, graph, options)) return false;
   const bool is_one_street =
-      shape.junctions == 0 && shape.border_ends == 2 && !is_edge(colours, graph.lines.front());
+      shape.junctions == 0 && shape.border_ends == 2 && !is_edge(colours, graph.lines.front(), options);
   if (shape.street_part > options.most_street_part || (shape.junctions < 1 && !is_one_street) ||
       shape.dead_ends > options.dead_ends_per_junction * shape.junctions)
     return false;
@@ -164,9 +163,8 @@ bool is_street_map(const MapColours& colours, const std::vector<LayerOfColour>& 
 }
 
 /// Whether the land is dark: then lettering is light.
-bool has_dark_land(const MapColours& colours) {
-  constexpr double kDark = 110.0;
-  return !colours.colours.empty() && luma_of(land_of(colours)) < kDark;
+bool has_dark_land(const MapColours& colours, const StreetMapOptions& options) {
+  return !colours.colours.empty() && luma_of(land_of(colours)) < options.dark_land;
 }
 
 /// Light lettering becomes dark, as the reader expects it.
@@ -183,6 +181,7 @@ Raster<Rgb8> inverted(const Raster<Rgb8>& picture) {
 
 Result<FoundStreetMap> street_map_from_picture(const Image& picture, const StreetMapOptions& options,
                                                const Work& work) {
+  if (auto valid = check(options); !valid) return valid.error();
   work.report(0.0, "finding the map's colours");
   const Raster<Rgb8> pixels = rgb8(picture);
   const MapColours colours = find_map_colours(pixels, options.colours);
@@ -191,7 +190,7 @@ Result<FoundStreetMap> street_map_from_picture(const Image& picture, const Stree
   const std::vector<LayerOfColour> layers = layers_of(colours, options.streets);
   if (work.cancelled()) return Work::interrupted();
   work.report(0.3, "joining streets");
-  const Raster<Rgb8> lettering = has_dark_land(colours) ? inverted(pixels) : pixels;
+  const Raster<Rgb8> lettering = has_dark_land(colours, options) ? inverted(pixels) : pixels;
   const std::vector<TextLine> text = find_text_lines(lettering, options.text);
   const CentreLines graph = join_streets(colours, layers, text, options.graph);
   if (!is_street_map(colours, layers, graph, options))
@@ -202,15 +201,18 @@ Result<FoundStreetMap> street_map_from_picture(const Image& picture, const Stree
   map.width_px = picture.width;
   map.height_px = picture.height;
   for (const CentreLine& line : graph.lines) {
-    const int reach = std::max(2, static_cast<int>(0.5 * line.radius_px));
+    const MapOutlineOptions& outlines = options.outlines;
+    const int reach = std::max(outlines.least_smoothing_points,
+                               static_cast<int>(outlines.smoothing_radii * line.radius_px));
     map.streets.push_back(
-        {{}, 2.0 * line.radius_px, simplified(smoothed(line.points, reach), options.line_error_px)});
+        {{}, 2.0 * line.radius_px, simplified(smoothed(line.points, reach), outlines.line_error_px)});
   }
   const std::vector<int> degrees = degrees_of(graph);
   for (std::size_t n = 0; n < degrees.size(); ++n)
     if (degrees[n] > 2) map.junctions.push_back({graph.nodes[n], degrees[n], false});
   for (std::size_t k = 0; k < layers.size(); ++k)
-    if (const auto kind = area_kind(layers[k].layer)) add_areas(colours, k, *kind, options, map.areas);
+    if (const auto kind = area_kind(layers[k].layer))
+      add_areas(colours, k, *kind, options.outlines, map.areas);
   work.report(0.4, "reading names");
   auto reading = read_text_lines(lettering, text, options.reading, work);
   if (!reading) return reading.error();

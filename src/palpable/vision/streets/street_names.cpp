@@ -51,19 +51,19 @@ struct Votes {
 };
 
 Votes votes_of(const StreetMap& map, const TextLine& line, const StreetNameOptions& options) {
-  constexpr std::size_t kStep = 3;
-  constexpr double kLeastCosine = 0.8;
+  const auto step = static_cast<std::size_t>(options.step_points);
+  const double least_cosine = std::cos(options.aside_deg * std::numbers::pi / 180.0);
   Votes votes;
   int all = 0;
   int on_street = 0;
   const auto& p = line.centre;
   const auto reach = static_cast<std::size_t>(line.height_px);
-  for (std::size_t i = 0; i < p.size(); i += kStep) {
+  for (std::size_t i = 0; i < p.size(); i += step) {
     const Vector2 along = between(p[i - std::min(i, reach)], p[std::min(p.size() - 1, i + reach)]);
     std::optional<std::size_t> best;
     double least = options.aside * line.height_px;
     for (std::size_t s = 0; s < map.streets.size(); ++s)
-      if (const double d = distance_along(map.streets[s], p[i], along, kLeastCosine); d < least) {
+      if (const double d = distance_along(map.streets[s], p[i], along, least_cosine); d < least) {
         least = d;
         best = s;
       }
@@ -76,11 +76,11 @@ Votes votes_of(const StreetMap& map, const TextLine& line, const StreetNameOptio
   return votes;
 }
 
-/// The direction out of a street at one of its ends, from its last few widths.
-Vector2 direction_out(const MapStreet& street, bool last) {
+/// The direction out of a street at one of its ends.
+Vector2 direction_out(const MapStreet& street, bool last, const StreetNameOptions& options) {
   const auto& p = street.points;
   const MapPoint end = last ? p.back() : p.front();
-  const double reach = std::max(8.0, 1.5 * street.width_px);
+  const double reach = std::max(options.least_end_px, options.end_widths * street.width_px);
   for (std::size_t k = 1; k < p.size(); ++k) {
     const MapPoint inner = last ? p[p.size() - 1 - k] : p[k];
     if (std::hypot(end.x - inner.x, end.y - inner.y) >= reach || k + 1 == p.size())
@@ -96,14 +96,14 @@ std::optional<std::size_t> continuation(const StreetMap& map, std::size_t street
                                         const StreetNameOptions& options) {
   const MapStreet& from = map.streets[street];
   const MapPoint end = last ? from.points.back() : from.points.front();
-  const Vector2 out = direction_out(from, last);
+  const Vector2 out = direction_out(from, last, options);
   std::optional<std::size_t> best;
   double straightest = std::cos(options.most_turn_deg * std::numbers::pi / 180.0);
   for (std::size_t k = 0; k < map.streets.size(); ++k)
     for (const bool other_last : {false, true}) {
       const MapStreet& to = map.streets[k];
       if (k == street || !same_place(other_last ? to.points.back() : to.points.front(), end)) continue;
-      const Vector2 in = direction_out(to, other_last);
+      const Vector2 in = direction_out(to, other_last, options);
       const double straight = cosine(out, {-in.x, -in.y});
       if (straight <= straightest) continue;
       straightest = straight;
@@ -197,8 +197,7 @@ void add_names(StreetMap& map, std::span<const TextLine> lines, std::span<const 
     int most = 0;
     for (const auto& [street, count] : votes.of_street) most = std::max(most, count);
     for (const auto& [street, count] : votes.of_street) {
-      // A few points at a junction belong to the street that crosses.
-      if (3 * count < most || read[i].confidence <= confidence[street]) continue;
+      if (count < options.crossing_part * most || read[i].confidence <= confidence[street]) continue;
       confidence[street] = read[i].confidence;
       map.streets[street].name = *name;
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/geometry/street_map.hpp"
+#include "palpable/core/parameters.hpp"
 #include "palpable/vision/text/read_text.hpp"
 #include "palpable/vision/text/text_lines.hpp"
 
@@ -14,18 +15,28 @@
 namespace palpable::vision {
 
 struct StreetNameOptions {
-  /// A name lies on a street if at least this part of it is nearer to the street's centre line than
-  /// `aside` of its height.
+  /// A name lies on a street if at least this part of it, 0 ... 1, is nearer to the street's centre line than
+  /// `aside` of its height, 0 ... 5, and its direction there differs by at most `aside_deg`, degrees, 0
+  /// ... 90. Every such point of it is looked at, 1 ... 20.
   double least_part_on_street = 0.6;
   double aside = 0.75;
+  double aside_deg = 36.87;
+  int step_points = 3;
+  /// Of several pieces of streets along a name, those that have fewer of its points than this part of the
+  /// most belong to a street that crosses. 0 ... 1.
+  double crossing_part = 1.0 / 3.0;
   /// A name goes on over a junction to the unnamed street that continues in the same direction within this
-  /// angle, degrees, and whose width differs by at most this part.
+  /// angle, degrees, 0 ... 180, and whose width differs by at most this part, 0 ... 1.
   double most_turn_deg = 30.0;
   double most_width_change = 0.35;
-  /// Without a gazetteer, names that are read with less confidence are labels of places, 0 ... 1.
+  /// The direction of a street at its end is that of this many widths of it, 0 ... 20, but at least this,
+  /// pixels, 1 ... 100.
+  double end_widths = 1.5;
+  double least_end_px = 8.0;
+  /// Without a gazetteer, names that are read with less confidence are labels of places. 0 ... 1.
   double least_confidence = 0.7;
   /// Without a gazetteer, lettering that ends nearer to the picture's border than this part of its height may
-  /// be cut off, and is a label.
+  /// be cut off, and is a label. 0 ... 5.
   double border_heights = 0.5;
   /// Names of the streets of the place, UTF-8; what is read becomes the most similar of them. Empty: none.
   std::vector<std::string> gazetteer;
@@ -33,6 +44,8 @@ struct StreetNameOptions {
   /// (core/text/edit_distance.hpp) as a part of the longer one's letters.
   double least_similarity = 0.7;
 };
+/// All but the gazetteer.
+std::vector<Parameter> parameters_of(StreetNameOptions& options);
 
 /// Whether words can be a whole name of a street: they begin with a capital or a digit, and have no marks but
 /// those of names. Fragments of names seldom are so. UTF-8.

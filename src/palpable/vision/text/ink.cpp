@@ -13,10 +13,8 @@ namespace {
 cv::Mat ellipse_of(int side) { return cv::getStructuringElement(cv::MORPH_ELLIPSE, {side, side}); }
 
 /// Whether a piece is a thin line longer than a letter: its pixels hardly more than its length.
-bool is_thin_line(int pixels, double size_px) {
-  constexpr double kLongest_px = 14.0;
-  constexpr double kThickest_px = 2.2;
-  return size_px > kLongest_px && pixels < kThickest_px * size_px;
+bool is_thin_line(int pixels, double size_px, const TextLineOptions& options) {
+  return size_px > options.thin_line_length_px && pixels < options.thin_line_px * size_px;
 }
 
 }  // namespace
@@ -37,7 +35,7 @@ std::vector<Ink> pieces_of_ink(const Raster<Rgb8>& picture, const TextLineOption
   const cv::Mat contrast = darkness_of(picture, options.thickest_stroke_px);
   // Letters that nearly touch are separated by the grey between them.
   cv::Mat strongest;
-  cv::dilate(contrast, strongest, ellipse_of(options.thickest_stroke_px + 2));
+  cv::dilate(contrast, strongest, ellipse_of(options.thickest_stroke_px + options.separation_margin_px));
   cv::Mat scaled;
   strongest.convertTo(scaled, CV_8U, options.separation);
   const cv::Mat is_ink = (contrast > options.contrast) & (contrast > scaled);
@@ -48,7 +46,7 @@ std::vector<Ink> pieces_of_ink(const Raster<Rgb8>& picture, const TextLineOption
   for (int i = 1; i < n; ++i) {
     const double size = std::max(stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
     if (size < options.smallest_letter_px || size > options.largest_letter_px) continue;
-    if (is_thin_line(stats.at<int>(i, cv::CC_STAT_AREA), size)) continue;
+    if (is_thin_line(stats.at<int>(i, cv::CC_STAT_AREA), size, options)) continue;
     index[static_cast<std::size_t>(i)] = static_cast<int>(out.size());
     out.push_back({{centres.at<double>(i, 0), centres.at<double>(i, 1)}, size, {}, {}});
   }

@@ -93,18 +93,15 @@ Result<void> run_to_end(const std::vector<std::string>& command, double most_sec
 }
 
 /// The picture's dark lettering as black on white, whatever is behind it: grey levels 0 ... 255.
-cv::Mat lettering_of(const Raster<Rgb8>& picture) {
-  const TextLineOptions options;
-  constexpr int kNear_px = 15;
+cv::Mat lettering_of(const Raster<Rgb8>& picture, const ReadTextOptions& options) {
   const auto disc = [](int k) { return cv::getStructuringElement(cv::MORPH_ELLIPSE, {k, k}); };
   const cv::Mat contrast = darkness_of(picture, options.thickest_stroke_px);
   cv::Mat strongest, out(contrast.size(), CV_8U);
-  cv::dilate(contrast, strongest, disc(kNear_px));
-  constexpr double kLeast = 60.0;
+  cv::dilate(contrast, strongest, disc(options.contrast_window_px));
   for (int y = 0; y < out.rows; ++y)
     for (int x = 0; x < out.cols; ++x) {
-      const double part =
-          contrast.at<std::uint8_t>(y, x) / std::max<double>(kLeast, strongest.at<std::uint8_t>(y, x));
+      const double part = contrast.at<std::uint8_t>(y, x) /
+                          std::max<double>(options.full_contrast, strongest.at<std::uint8_t>(y, x));
       out.at<std::uint8_t>(y, x) = cv::saturate_cast<std::uint8_t>(255.0 * (1.0 - part));
     }
   return out;
@@ -114,7 +111,7 @@ cv::Mat lettering_of(const Raster<Rgb8>& picture) {
 /// reversed.
 cv::Mat straightened(const cv::Mat& lettering, const TextLine& line, bool reversed,
                      const ReadTextOptions& options) {
-  const double scale = options.letter_px / std::max(4.0, line.height_px);
+  const double scale = options.letter_px / std::max(options.least_height_px, line.height_px);
   const double margin = options.margin * line.height_px;
   std::vector<MapPoint> p = line.centre;
   if (reversed) std::reverse(p.begin(), p.end());
@@ -143,7 +140,8 @@ cv::Mat straightened(const cv::Mat& lettering, const TextLine& line, bool revers
   cv::Mat out;
   cv::remap(lettering, out, map_x, map_y, cv::INTER_CUBIC, cv::BORDER_CONSTANT, cv::Scalar(255));
   if (options.smoothing > 0.0) cv::GaussianBlur(out, out, {}, options.smoothing * options.letter_px);
-  cv::copyMakeBorder(out, out, 8, 8, 16, 16, cv::BORDER_CONSTANT, cv::Scalar(255));
+  const int border = options.border_px;
+  cv::copyMakeBorder(out, out, border, border, 2 * border, 2 * border, cv::BORDER_CONSTANT, cv::Scalar(255));
   return out;
 }
 
@@ -166,7 +164,7 @@ std::size_t mark_at(std::string_view text, std::size_t at) {
 }
 
 /// Without marks before and after the words; empty if there are too few letters in it.
-std::string cleaned(const std::string& words) {
+std::string cleaned(const std::string& words, const ReadTextOptions& options) {
   const auto is_word = [](char c) {
     const auto u = static_cast<unsigned char>(c);
     return is_letter(u) || std::isdigit(u) != 0;
@@ -180,8 +178,9 @@ std::string cleaned(const std::string& words) {
   const std::string out = words.substr(first, last - first);
   const auto letters =
       std::count_if(out.begin(), out.end(), [](char c) { return is_letter(static_cast<unsigned char>(c)); });
-  constexpr std::ptrdiff_t kFewest = 3;
-  return letters < kFewest || 2 * letters < static_cast<std::ptrdiff_t>(out.size()) ? std::string() : out;
+  const bool is_text = letters >= options.fewest_letters &&
+                       static_cast<double>(letters) >= options.letter_part * static_cast<double>(out.size());
+  return is_text ? out : std::string();
 }
 
 /// Parses Tesseract's table: one page for each picture, its words with their confidences.
@@ -212,7 +211,7 @@ std::vector<ReadLine> lines_of_table(const fs::path& path, std::size_t count,
     characters[page - 1] += n;
   }
   for (std::size_t i = 0; i < count; ++i) {
-    out[i].text = cleaned(out[i].text);
+    out[i].text = cleaned(out[i].text, options);
     out[i].confidence = out[i].text.empty() ? 0.0 : out[i].confidence / characters[i];
     if (out[i].confidence < options.least_confidence) out[i] = {};
   }
@@ -341,7 +340,7 @@ Result<TextReading> read_text_lines(const Raster<Rgb8>& picture, std::span<const
         "tesseract-ocr-deu for German).");
     return out;
   }
-  const cv::Mat lettering = lettering_of(picture);
+  const cv::Mat lettering = lettering_of(picture, options);
   const auto leftwards = [](const TextLine& line) { return line.centre.back().x < line.centre.front().x; };
   std::vector<cv::Mat> pictures;
   for (const TextLine& line : lines)

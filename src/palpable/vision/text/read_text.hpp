@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/note.hpp"
+#include "palpable/core/parameters.hpp"
 #include "palpable/core/picture/image.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
@@ -14,24 +15,42 @@
 
 namespace palpable::vision {
 
+/// How lettering is read. Defaults were chosen on drawn maps (docs/maps.md).
 struct ReadTextOptions {
   /// Tesseract's languages, "eng+deu"; empty: all that are installed.
   std::string languages;
-  /// Height of the straightened letters, and the space around them in that height.
+  /// Strokes are thinner than this, pixels of the picture. 1 ... 99.
+  int thickest_stroke_px = 7;
+  /// Lettering is as dark as the darkest stroke within half of this, pixels. 1 ... 99.
+  int contrast_window_px = 15;
+  /// Strokes of less contrast are not black, grey levels. 1 ... 255.
+  double full_contrast = 60.0;
+  /// Height of the straightened letters, pixels. 12 ... 200.
   int letter_px = 42;
+  /// Lower lines are enlarged as if they were this high, pixels of the picture. 1 ... 100.
+  double least_height_px = 4.0;
+  /// Space around the letters, in their height, 0 ... 2, and white above and below it, pixels, 0 ... 100;
+  /// twice as much at the ends of the line.
   double margin = 0.35;
-  /// Enlarged letters are smoothed by this part of their height: the standard deviation.
+  int border_px = 8;
+  /// Enlarged letters are smoothed by this part of their height: the standard deviation. 0 ... 0.5.
   double smoothing = 0.033;
-  /// Each line is read at two more sizes, as parts of letter_px; two of the three readings must agree.
+  /// Each line is read at two more sizes, as parts of letter_px; two of the three readings must agree. 1 ...
+  /// 4 and 0.3 ... 1.
   double larger = 1.3;
   double smaller = 0.62;
-  /// Lines that are read with less confidence are dropped, 0 ... 1.
+  /// Fewest letters in what is read, and the least part of it that is letters. 1 ... 20 and 0 ... 1.
+  int fewest_letters = 3;
+  double letter_part = 0.5;
+  /// Lines that are read with less confidence are dropped. 0 ... 1.
   double least_confidence = 0.4;
-  /// Lines that are read with less confidence are also read upside down.
+  /// Lines that are read with less confidence are also read upside down. 0 ... 1.
   double sure = 0.8;
-  /// Longest time for reading all lines, s.
+  /// Longest time for reading all lines, s. 1 ... 3600.
   double most_seconds = 60.0;
 };
+/// All but the languages.
+std::vector<Parameter> parameters_of(ReadTextOptions& options);
 
 /// What a line says.
 struct ReadLine {

@@ -64,12 +64,14 @@ std::vector<Link> near_pairs(const std::vector<Ink>& inks, const TextLineOptions
     for (std::size_t j = i + 1; j < order.size(); ++j) {
       const Ink& a = at(order[i]);
       const Ink& b = at(order[j]);
-      if (b.centre.x - a.centre.x > 2.0 * options.largest_letter_px) break;
+      if (b.centre.x - a.centre.x > options.most_distance * options.largest_letter_px) break;
       const double larger = std::max(a.size_px, b.size_px);
       const double smaller = std::min(a.size_px, b.size_px);
-      if (cv::norm(a.centre - b.centre) > 2.2 * larger || larger > 4.0 * smaller) continue;
+      if (cv::norm(a.centre - b.centre) > options.most_distance * larger ||
+          larger > options.most_size_ratio * smaller)
+        continue;
       if (cv::norm(a.colour - b.colour) > options.most_colour_difference) continue;
-      if (gap_between(a, b) <= options.largest_gap * std::max(0.7 * larger, smaller))
+      if (gap_between(a, b) <= options.largest_gap * std::max(options.gap_size_part * larger, smaller))
         links.push_back({order[i], order[j]});
     }
   return links;
@@ -110,8 +112,9 @@ void keep_links_along(const std::vector<Ink>& inks, std::vector<Link>& links,
       return std::abs(to.dot(direction[static_cast<std::size_t>(k)].along)) >= least * length;
     };
     // A dot or an accent lies beside its letter, not along the line.
-    const bool dot = std::min(a.size_px, b.size_px) < 0.5 * std::max(a.size_px, b.size_px) &&
-                     length < 0.8 * std::max(a.size_px, b.size_px);
+    const double larger = std::max(a.size_px, b.size_px);
+    const bool dot = std::min(a.size_px, b.size_px) < options.mark_size * larger &&
+                     length < options.mark_distance * larger;
     return !dot && !along(link.a) && !along(link.b);
   });
 }
@@ -148,7 +151,7 @@ struct InkLine {
 };
 
 /// Fits the line's middle and height to its ink.
-void fit_line(InkLine& ink) {
+void fit_line(InkLine& ink, const TextLineOptions& options) {
   const cv::Point2d along = direction_of(ink.pixels).along;
   const cv::Point2d across(-along.y, along.x);
   cv::Point2d origin(0, 0);
@@ -164,14 +167,14 @@ void fit_line(InkLine& ink) {
     vs.push_back(points.back().y);
   }
   const double length = quantile_of(us, 1.0) - quantile_of(us, 0.0);
-  const double thickness = quantile_of(vs, 0.98) - quantile_of(vs, 0.02);
-  constexpr double kLong = 4.0;
-  const std::array<double, 4> c = curve_of(points, length > kLong * thickness);
+  const double least = options.height_outliers, most = 1.0 - options.height_outliers;
+  const double thickness = quantile_of(vs, most) - quantile_of(vs, least);
+  const std::array<double, 4> c = curve_of(points, length > options.bending_length * thickness);
   const auto middle = [&c](double u) { return c[0] + u * (c[1] + u * (c[2] + u * c[3])); };
   std::vector<double> residuals;
   for (const cv::Point2d& p : points) residuals.push_back(p.y - middle(p.x));
-  const double low = quantile_of(residuals, 0.02);
-  const double high = quantile_of(residuals, 0.98);
+  const double low = quantile_of(residuals, least);
+  const double high = quantile_of(residuals, most);
   ink.line.height_px = high - low + 1.0;
   ink.line.centre.clear();
   const double first = quantile_of(us, 0.0);
@@ -183,7 +186,7 @@ void fit_line(InkLine& ink) {
   }
 }
 
-InkLine line_of(const std::vector<const Ink*>& pieces) {
+InkLine line_of(const std::vector<const Ink*>& pieces, const TextLineOptions& options) {
   InkLine out;
   out.line.letters = static_cast<int>(pieces.size());
   cv::Vec3d colour(0, 0, 0);
@@ -194,15 +197,16 @@ InkLine line_of(const std::vector<const Ink*>& pieces) {
   colour *= 1.0 / static_cast<double>(pieces.size());
   out.line.colour = {cv::saturate_cast<std::uint8_t>(colour[0]), cv::saturate_cast<std::uint8_t>(colour[1]),
                      cv::saturate_cast<std::uint8_t>(colour[2])};
-  fit_line(out);
+  fit_line(out, options);
   return out;
 }
 
 MapPoint end_of(const TextLine& line, bool last) { return last ? line.centre.back() : line.centre.front(); }
 
-/// The direction out of a line at one of its ends, from the last height of it.
-cv::Point2d direction_at(const TextLine& line, bool last) {
-  const std::size_t back = std::min(line.centre.size() - 1, static_cast<std::size_t>(1.5 * line.height_px));
+/// The direction out of a line at one of its ends.
+cv::Point2d direction_at(const TextLine& line, bool last, const TextLineOptions& options) {
+  const std::size_t back =
+      std::min(line.centre.size() - 1, static_cast<std::size_t>(options.word_end_heights * line.height_px));
   const MapPoint inner = line.centre[last ? line.centre.size() - 1 - back : back];
   const MapPoint end = end_of(line, last);
   const cv::Point2d d(end.x - inner.x, end.y - inner.y);
@@ -219,17 +223,15 @@ double word_gap(const TextLine& a, bool a_last, const TextLine& b, bool b_last,
   const cv::Point2d gap(end_of(b, b_last).x - from.x, end_of(b, b_last).y - from.y);
   const cv::Point2d far(end_of(b, !b_last).x - from.x, end_of(b, !b_last).y - from.y);
   const double length = cv::norm(gap);
-  constexpr double kHeights = 1.8;
-  const bool alike = height < kHeights * std::min(a.height_px, b.height_px) &&
+  const bool alike = height < options.word_height_ratio * std::min(a.height_px, b.height_px) &&
                      cv::norm(cv::Vec3d(a.colour.r - b.colour.r, a.colour.g - b.colour.g,
                                         a.colour.b - b.colour.b)) <= options.most_colour_difference;
   if (!alike || length > options.largest_word_gap * height) return -1.0;
-  const cv::Point2d along = direction_at(a, a_last);
+  const cv::Point2d along = direction_at(a, a_last, options);
   const double least = std::cos(options.most_turn_deg * std::numbers::pi / 180.0);
   const bool follows = along.dot(far) >= least * cv::norm(far) && along.dot(far) > along.dot(gap) &&
-                       along.dot(gap) > -0.3 * height;
-  constexpr double kAside = 0.6;
-  return follows && std::abs(along.cross(gap)) < kAside * height ? length : -1.0;
+                       along.dot(gap) > -options.word_overlap * height;
+  return follows && std::abs(along.cross(gap)) < options.word_aside * height ? length : -1.0;
 }
 
 /// Joins words that follow each other into one line, the nearest ones first.
@@ -251,7 +253,7 @@ void join_words(std::vector<InkLine>& lines, const TextLineOptions& options) {
     const InkLine& b = lines[best[1]];
     a.pixels.insert(a.pixels.end(), b.pixels.begin(), b.pixels.end());
     a.line.letters += b.line.letters;
-    fit_line(a);
+    fit_line(a, options);
     lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(best[1]));
   }
 }
@@ -274,11 +276,13 @@ std::vector<TextLine> find_text_lines(const Raster<Rgb8>& picture, const TextLin
     members[static_cast<std::size_t>(root(static_cast<int>(i)))].push_back(&inks[i]);
   std::vector<InkLine> words;
   for (const auto& pieces : members) {
-    if (pieces.empty() || (pieces.size() == 1 && pieces[0]->size_px < 2.0 * options.smallest_letter_px))
+    if (pieces.empty() ||
+        (pieces.size() == 1 && pieces[0]->size_px < options.lone_letter * options.smallest_letter_px))
       continue;
-    InkLine word = line_of(pieces);
+    InkLine word = line_of(pieces, options);
     // Dashes in a row are lower than letters.
-    if (word.line.height_px >= 1.2 * options.smallest_letter_px) words.push_back(std::move(word));
+    if (word.line.height_px >= options.least_word_height * options.smallest_letter_px)
+      words.push_back(std::move(word));
   }
   join_words(words, options);
   std::vector<TextLine> lines;

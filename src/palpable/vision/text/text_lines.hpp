@@ -3,35 +3,71 @@
 #pragma once
 
 #include "palpable/core/geometry/street_map.hpp"
+#include "palpable/core/parameters.hpp"
 #include "palpable/core/picture/image.hpp"
 
 #include <vector>
 
 namespace palpable::vision {
 
+/// How lettering is found. Defaults were chosen on drawn maps (docs/maps.md).
 struct TextLineOptions {
-  /// Least difference between lettering and what is around it, grey levels 0 ... 255.
+  /// Least difference between lettering and what is around it, grey levels. 1 ... 255.
   double contrast = 80.0;
-  /// Ink also has at least this part of the strongest difference nearby, which separates letters.
+  /// Ink also has at least this part of the strongest difference nearby, which separates letters. 0 ... 1.
   double separation = 0.55;
-  /// Largest distance between the mean colours of letters of one line (RGB, 0 ... 441).
+  /// Nearby is what is at most a stroke and this much away, pixels. 0 ... 50.
+  int separation_margin_px = 2;
+  /// Largest distance between the mean colours of letters of one line, RGB levels. 0 ... 442.
   double most_colour_difference = 70.0;
-  /// Sizes of a letter (the longer side of its box), pixels.
+  /// Least size of a letter (the longer side of its box), pixels. 1 ... 100, below largest_letter_px.
   double smallest_letter_px = 2.0;
+  /// Greatest size of a letter, pixels. 2 ... 1000.
   double largest_letter_px = 40.0;
-  /// Strokes are thinner than this, pixels.
+  /// Strokes are thinner than this, pixels. 1 ... 99.
   int thickest_stroke_px = 7;
-  /// Largest gap between neighbouring letters, in the size of the letters around.
+  /// Ink that is longer and on average thinner than this is the border of a street or building, pixels. 1 ...
+  /// 1000 and 0 ... 20.
+  double thin_line_length_px = 14.0;
+  double thin_line_px = 2.2;
+  /// Largest gap between neighbouring letters, in the size of the smaller one, which counts at least as this
+  /// part of the larger one. 0.1 ... 10 and 0 ... 1.
   double largest_gap = 0.9;
-  /// Largest gap between the words of a line, in heights.
-  double largest_word_gap = 1.1;
+  double gap_size_part = 0.7;
+  /// Largest distance between the middles of neighbouring letters, in the size of the larger one. 0.5 ... 10.
+  double most_distance = 2.2;
+  /// The larger one of neighbouring letters is at most this many times as large. 1 ... 20.
+  double most_size_ratio = 4.0;
+  /// Dots and accents are smaller than this part of their letter, and nearer to its middle than this part of
+  /// its size: their direction says nothing. 0 ... 1 and 0 ... 5.
+  double mark_size = 0.5;
+  double mark_distance = 0.8;
   /// Letters belong to one line if the direction between them differs by less than this from the direction of
-  /// the letters around them, degrees.
+  /// the letters around them, degrees. 0 ... 90.
   double most_turn_deg = 35.0;
-  /// Fewest pieces of ink in a line, and its least length in its heights.
+  /// Share of the ink on each side of a line's middle that its height leaves out. 0 ... 0.2.
+  double height_outliers = 0.02;
+  /// Lines longer than this many of their thicknesses may bend in two directions. 0 ... 100.
+  double bending_length = 4.0;
+  /// Largest gap between the words of a line, in heights. 0 ... 10.
+  double largest_word_gap = 1.1;
+  /// The higher one of two words of a line is less than this many times as high. 1 ... 10.
+  double word_height_ratio = 1.8;
+  /// The direction of a word at its end is that of this many heights of it. 0.1 ... 10.
+  double word_end_heights = 1.5;
+  /// Largest distance of the next word from that direction, and the part by which it may overlap, in heights.
+  /// 0 ... 5 each.
+  double word_aside = 0.6;
+  double word_overlap = 0.3;
+  /// A single piece of ink is a word from this size on, and a word is at least this high, in
+  /// smallest_letter_px. 0 ... 10 each.
+  double lone_letter = 2.0;
+  double least_word_height = 1.2;
+  /// Fewest pieces of ink in a line, and its least length in its heights. 1 ... 100 and 0 ... 100.
   int fewest_letters = 2;
   double least_length = 1.8;
 };
+std::vector<Parameter> parameters_of(TextLineOptions& options);
 
 /// A line of lettering.
 struct TextLine {
