@@ -175,7 +175,7 @@ std::optional<Piece> piece_of(const Lines& lines, std::span<const Pixel> pixels,
     farthest = std::max(farthest, far);
     if (far < nearest) nearest = far, out.nearest = q;
   }
-  if (farthest < options.far_px - 2.0) return std::nullopt;
+  if (farthest < options.far_px - options.end_gap_px) return std::nullopt;
   double xx = 0.0, xy = 0.0, yy = 0.0;
   for (const PicturePoint q : places) {
     const double dx = q.x - out.middle.x, dy = q.y - out.middle.y;

@@ -24,6 +24,7 @@ std::vector<Parameter> parameters_of(StandardContourOptions& o) {
       {"scale_weight_4px", &o.scale_weights[2], {kLeast, 1e3}, "", "weight of scale 4 px"},
       {"scale_weight_8px", &o.scale_weights[3], {kLeast, 1e3}, "", "weight of scale 8 px"},
       {"grain_factor", &o.grain_factor, {0, 10}, "", "factor by which grain lowers a scale's weight"},
+      {"energy_quantile", &o.energy_quantile, {0.5, 1}, "", "high energy that the median is compared with"},
       {"least_scale_share", &o.least_scale_share, {kLeast, 1}, "", "least share of a scale's weight"},
       {"tensor_blur_px", &o.tensor_blur_px, {0.5, 32}, "px", "blur of the structure tensor"},
       {"half_contrast", &o.half_contrast, {kLeast, 1}, "", "energy that maps to strength one half"},
@@ -49,7 +50,9 @@ std::vector<Parameter> parameters_of(BestContourOptions& o) {
           {"boundary_difference", &o.boundary_difference, {0, 10}, "spreads", "least boundary in grain"},
           {"grain_trust", &o.grain_trust, {0, 1}, "", "below it boxes alone decide"},
           {"clear_trust", &o.clear_trust, {0, 1}, "", "above it the standard method decides"},
-          {"smooth_px", &o.smooth_px, {0.5, 8}, "px", "blur of each direction's response"}};
+          {"smooth_px", &o.smooth_px, {0.5, 8}, "px", "blur of each direction's response"},
+          {"least_response", &o.least_response, {kLeast, 0.1}, "", "response that no height falls below"},
+          {"direction_share", &o.direction_share, {0, 1}, "", "above it directions are the standard ones"}};
 }
 
 std::vector<Parameter> parameters_of(CornerOptions& o) {
@@ -57,6 +60,7 @@ std::vector<Parameter> parameters_of(CornerOptions& o) {
           {"far_px", &o.far_px, {1, 32}, "px", "farthest pixel of a piece beside a corner"},
           {"least_pixels", &o.least_pixels, {3, 32}, "px", "least pixels of a piece"},
           {"straight_px", &o.straight_px, {kLeast, 4}, "px", "greatest RMS distance from a straight line"},
+          {"end_gap_px", &o.end_gap_px, {0, 32}, "px", "how much shorter than far_px a piece may be"},
           {"bend_share", &o.bend_share, {kLeast, 1}, "", "greatest bend over the corner's turn"},
           {"least_turn", &o.least_turn, {0, std::numbers::pi}, "rad", "least turn of a corner"},
           {"most_turn", &o.most_turn, {0, std::numbers::pi}, "rad", "greatest turn of a corner"},

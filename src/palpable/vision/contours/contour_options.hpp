@@ -39,9 +39,10 @@ struct StandardContourOptions {
   float second_derivative_weight = 1.0F;
   /// Weights of the four scales, finest first: the finest keeps corners in place. Each > 0.
   std::array<float, 4> scale_weights{0.4F, 0.2F, 0.2F, 0.2F};
-  /// A scale's weight is multiplied by 1 - grain_factor · median / 95th percentile of its energy: energy
-  /// everywhere means grain or texture. 0 … 10.
+  /// A scale's weight is multiplied by 1 - grain_factor · median / energy_quantile of its energy: energy
+  /// everywhere means grain or texture. 0 … 10 and 0.5 … 1.
   float grain_factor = 2.0F;
+  double energy_quantile = 0.95;
   /// Least value of that factor. > 0 … 1.
   float least_scale_share = 0.05F;
   /// Gaussian that averages the structure tensor of scale 2, px. 0.5 … 32.
@@ -83,6 +84,11 @@ struct BestContourOptions {
   float clear_trust = 0.70F;
   /// Gaussian over each direction's responses, px, so that a line is one ridge. 0.5 … 8.
   double smooth_px = 1.0;
+  /// Added to responses before their logarithms are taken: a lower one at one height cannot remove a
+  /// boundary. 1e-6 … 0.1.
+  float least_response = 1e-3F;
+  /// Where the standard method has more than this share of the decision, its directions are used. 0 … 1.
+  float direction_share = 0.5F;
 };
 
 /// Restores corners that blurring has rounded off (contour_corners.hpp).
@@ -96,6 +102,8 @@ struct CornerOptions {
   int least_pixels = 5;
   /// A piece is straight if its RMS distance from a line is at most this. > 0 … 4 px.
   double straight_px = 0.25;
+  /// It must reach to within this distance of far_px. 0 … 32 px.
+  double end_gap_px = 2.0;
   /// And if its bend is at most this share of the corner's turn (an arc bends by a third). > 0 … 1.
   double bend_share = 1.0 / 6.0;
   /// Least turn of the line that is a corner, radians. 0 … π, below most_turn.

@@ -15,9 +15,6 @@
 namespace palpable::vision {
 namespace {
 
-/// Added before logarithms are taken.
-constexpr float kFloor = 1e-3F;
-
 cv::Mat as_mat(const Raster<float>& r) {
   return {r.height(), r.width(), CV_32F, const_cast<float*>(r.data())};
 }
@@ -82,7 +79,7 @@ cv::Mat response_along(const std::vector<WeightedChannel>& channels, double degr
     for (const auto& [values, squares] : turned)
       add_difference(values, squares, height * std::hypot(size.width, size.height), options, sum);
     cv::sqrt(sum, sum);
-    sum = sum / (sum + options.half_difference) + kFloor;
+    sum = sum / (sum + options.half_difference) + options.least_response;
     cv::log(sum, sum);
     logarithms += sum;
   }
@@ -132,6 +129,7 @@ EdgeResponse best_edges(const Image& image, const ContourOptions& all, const Wor
   EdgeResponse out = standard_edges(image, all, quiet);
   const float clear = std::clamp(
       (out.fine_trust - options.grain_trust) / (options.clear_trust - options.grain_trust), 0.0F, 1.0F);
+  const float least = options.least_response;
   out.least_threshold = (1.0F - clear) * least_boundary(options);
   parallel_for(quiet, image.height, 16, [&](int begin, int end) {
     std::vector<float> here(responses.size());
@@ -140,8 +138,8 @@ EdgeResponse best_edges(const Image& image, const ContourOptions& all, const Wor
         for (std::size_t k = 0; k < here.size(); ++k) here[k] = responses[k].at<float>(y, x);
         const auto [strength, angle] = strongest(here);
         float& s = out.strength(x, y);
-        s = std::exp((1.0F - clear) * std::log(strength + kFloor) + clear * std::log(s + kFloor)) - kFloor;
-        if (clear > 0.5F) continue;
+        s = std::exp((1.0F - clear) * std::log(strength + least) + clear * std::log(s + least)) - least;
+        if (clear > options.direction_share) continue;
         out.tangent_x(x, y) = static_cast<float>(std::cos(angle));
         out.tangent_y(x, y) = static_cast<float>(std::sin(angle));
       }

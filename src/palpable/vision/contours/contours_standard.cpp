@@ -190,12 +190,14 @@ float weight_of(const Raster<float>& energy, const StandardContourOptions& optio
   const std::size_t step = std::max<std::size_t>(1, energy.count() / 20000);
   std::vector<float> sample;
   for (std::size_t i = 0; i < energy.count(); i += step) sample.push_back(energy.values()[i]);
-  const auto at = [&](std::size_t k) {
+  const auto at = [&](double quantile) {
+    const auto k =
+        std::min(sample.size() - 1, static_cast<std::size_t>(quantile * static_cast<double>(sample.size())));
     std::nth_element(sample.begin(), sample.begin() + static_cast<std::ptrdiff_t>(k), sample.end());
     return sample[k];
   };
-  const float middle = at(sample.size() / 2);
-  const float high = at(sample.size() * 95 / 100);
+  const float middle = at(0.5);
+  const float high = at(options.energy_quantile);
   return high > 0.0F ? std::max(options.least_scale_share, 1.0F - options.grain_factor * middle / high)
                      : 1.0F;
 }

@@ -26,26 +26,26 @@ bool is_white(int side_mm, int x, int y) {
 using Quad = std::vector<cv::Point2f>;
 
 // Dark quadrilaterals: outlines of regions that are darker than their surroundings.
-std::vector<Quad> dark_quads(const cv::Mat& grey, double least_side_px) {
+std::vector<Quad> dark_quads(const cv::Mat& grey, const MarkerOptions& options) {
   std::vector<Quad> out;
   const int longest = std::max(grey.cols, grey.rows);
-  for (const int window : {longest / 40, longest / 16, longest / 6}) {
+  for (const double share : options.window_shares) {
+    // Odd, and more than one pixel.
+    const int window = std::max(2, static_cast<int>(share * longest)) | 1;
     cv::Mat dark;
-    constexpr double kDarker = 7.0;
-    cv::adaptiveThreshold(grey, dark, 255, cv::ADAPTIVE_THRESH_MEAN_C, cv::THRESH_BINARY_INV, window | 1,
-                          kDarker);
+    cv::adaptiveThreshold(grey, dark, 255, cv::ADAPTIVE_THRESH_MEAN_C, cv::THRESH_BINARY_INV, window,
+                          options.darker);
     std::vector<std::vector<cv::Point>> outlines;
     cv::findContours(dark, outlines, cv::RETR_LIST, cv::CHAIN_APPROX_NONE);
     for (const auto& outline : outlines) {
-      if (static_cast<double>(outline.size()) < 4 * least_side_px) continue;
+      if (static_cast<double>(outline.size()) < 4 * options.least_side_px) continue;
       std::vector<cv::Point> corners;
-      constexpr double kTolerance = 0.03;
-      cv::approxPolyDP(outline, corners, kTolerance * static_cast<double>(outline.size()), true);
+      cv::approxPolyDP(outline, corners, options.outline_error * static_cast<double>(outline.size()), true);
       if (corners.size() != 4 || !cv::isContourConvex(corners)) continue;
       Quad quad(corners.begin(), corners.end());
       double least = longest;
       for (std::size_t i = 0; i < 4; ++i) least = std::min(least, cv::norm(quad[i] - quad[(i + 1) % 4]));
-      if (least < least_side_px) continue;
+      if (least < options.least_side_px) continue;
       // Clockwise in the picture, whose y axis points down.
       if (cv::contourArea(quad, true) < 0) std::reverse(quad.begin(), quad.end());
       out.push_back(std::move(quad));
@@ -55,7 +55,8 @@ std::vector<Quad> dark_quads(const cv::Mat& grey, double least_side_px) {
 }
 
 // The cells of the square, white = 1; nullopt if its border is not black.
-std::optional<std::array<std::array<int, kCode>, kCode>> code_in(const cv::Mat& grey, const Quad& quad) {
+std::optional<std::array<std::array<int, kCode>, kCode>> code_in(const cv::Mat& grey, const Quad& quad,
+                                                                 const MarkerOptions& options) {
   constexpr int kCell_px = 8, kSide = kMarkerCells * kCell_px;
   const Quad square{
       {-0.5F, -0.5F}, {kSide - 0.5F, -0.5F}, {kSide - 0.5F, kSide - 0.5F}, {-0.5F, kSide - 0.5F}};
@@ -63,11 +64,10 @@ std::optional<std::array<std::array<int, kCode>, kCode>> code_in(const cv::Mat& 
   cv::warpPerspective(grey, flat, cv::getPerspectiveTransform(quad, square), {kSide, kSide});
   cv::threshold(flat, binary, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU);
   std::array<std::array<int, kCode>, kCode> code{};
+  const int rim = static_cast<int>(options.cell_rim * kCell_px);
   for (int y = 0; y < kMarkerCells; ++y)
     for (int x = 0; x < kMarkerCells; ++x) {
-      constexpr int kRim = 2;
-      const cv::Rect inner(x * kCell_px + kRim, y * kCell_px + kRim, kCell_px - 2 * kRim,
-                           kCell_px - 2 * kRim);
+      const cv::Rect inner(x * kCell_px + rim, y * kCell_px + rim, kCell_px - 2 * rim, kCell_px - 2 * rim);
       const int white = cv::mean(binary(inner))[0] > 127 ? 1 : 0;
       const bool border = x == 0 || y == 0 || x == kMarkerCells - 1 || y == kMarkerCells - 1;
       if (border && white != 0) return std::nullopt;
@@ -112,7 +112,7 @@ double grey_at(const cv::Mat& grey, const cv::Point2d& at) {
 // How far from `at` the edge from black to white lies along the outward direction, px: the centre of the
 // rise, which blur does not move. nullopt without an edge.
 std::optional<double> edge_from(const cv::Mat& grey, const cv::Point2d& at, const cv::Point2d& outward,
-                                double reach) {
+                                double reach, double least_rise) {
   constexpr double kStep = 0.5;
   double moment = 0.0, rise = 0.0;
   double before = grey_at(grey, at - reach * outward);
@@ -122,32 +122,33 @@ std::optional<double> edge_from(const cv::Mat& grey, const cv::Point2d& at, cons
     moment += up * (t - kStep / 2), rise += up;
     before = here;
   }
-  constexpr double kLeastRise = 25.0;
-  if (!(rise >= kLeastRise)) return std::nullopt;
+  if (!(rise >= least_rise)) return std::nullopt;
   return moment / rise;
 }
 
 // Moves each side onto its edge, by a line through points on it, and the corners to where the lines meet.
-bool refine(const cv::Mat& grey, Quad& quad) {
+bool refine(const cv::Mat& grey, Quad& quad, const MarkerOptions& options) {
   std::array<cv::Vec4d, 4> lines;
   for (std::size_t i = 0; i < 4; ++i) {
     const cv::Point2d from = quad[i], to = quad[(i + 1) % 4];
     const double length = cv::norm(to - from);
     const cv::Point2d along = (to - from) / length, outward(along.y, -along.x);
-    const double reach = 0.7 * length / kMarkerCells;
+    const double reach = options.edge_reach * length / kMarkerCells;
     std::vector<cv::Point2f> points;
-    constexpr int kSamples = 25;
-    for (int k = 0; k < kSamples; ++k) {
-      const cv::Point2d at = from + (0.12 + 0.76 * k / (kSamples - 1)) * (to - from);
-      if (const auto edge = edge_from(grey, at, outward, reach)) points.push_back(at + *edge * outward);
+    const int places = options.edge_places;
+    const double begin = options.edge_margin;
+    for (int k = 0; k < places; ++k) {
+      const cv::Point2d at = from + (begin + (1.0 - 2.0 * begin) * k / (places - 1)) * (to - from);
+      if (const auto edge = edge_from(grey, at, outward, reach, options.least_rise))
+        points.push_back(at + *edge * outward);
     }
-    if (points.size() < kSamples / 2) return false;
+    if (points.size() < static_cast<std::size_t>(places / 2)) return false;
     cv::fitLine(points, lines[i], cv::DIST_HUBER, 0, 0.01, 0.01);
   }
   for (std::size_t i = 0; i < 4; ++i) {
     const cv::Vec4d &a = lines[(i + 3) % 4], &b = lines[i];
     const double across = a[0] * b[1] - a[1] * b[0];
-    if (std::abs(across) < 0.1) return false;
+    if (std::abs(across) < options.least_corner_sine) return false;
     const double t = ((b[2] - a[2]) * b[1] - (b[3] - a[3]) * b[0]) / across;
     quad[i] = cv::Point2f(static_cast<float>(a[2] + t * a[0]), static_cast<float>(a[3] + t * a[1]));
   }
@@ -165,21 +166,33 @@ Raster<std::uint8_t> marker_cells(int side_mm) {
 }
 
 std::vector<Parameter> parameters_of(MarkerOptions& o) {
-  return {{"least_side_px", &o.least_side_px, {14, 200}, "px", "Least side of a marker in the picture"},
-          {"most_frames", &o.most_frames, {2, 1000}, "", "Frames in which markers are searched"},
-          {"outlier_px", &o.outlier_px, {0.1, 20}, "px", "Greatest error of a corner in a frame"},
-          {"most_difference",
-           &o.most_difference,
-           {0.005, 0.5},
-           "",
-           "Greatest difference between the sides of a marker, share"}};
+  return {
+      {"least_side_px", &o.least_side_px, {14, 200}, "px", "Least side of a marker in the picture"},
+      {"darker", &o.darker, {0, 100}, "levels", "How much darker than its window a marker is"},
+      {"window_share_small", o.window_shares.data(), {0.005, 1}, "", "Smallest window, of the longer side"},
+      {"window_share_middle", &o.window_shares[1], {0.005, 1}, "", "Middle window, of the longer side"},
+      {"window_share_large", &o.window_shares[2], {0.005, 1}, "", "Largest window, of the longer side"},
+      {"outline_error", &o.outline_error, {0.001, 0.2}, "", "Error of four sides, share of the outline"},
+      {"cell_rim", &o.cell_rim, {0, 0.45}, "cells", "Rim of a cell that does not count"},
+      {"edge_reach", &o.edge_reach, {0.1, 1}, "cells", "Where a side's edge is looked for"},
+      {"edge_places", &o.edge_places, {4, 200}, "", "Places on a side at which it is"},
+      {"edge_margin", &o.edge_margin, {0, 0.4}, "", "Share of a side at each end where it is not"},
+      {"least_rise", &o.least_rise, {1, 255}, "levels", "Contrast of an edge"},
+      {"least_corner_sine", &o.least_corner_sine, {0.01, 1}, "", "Sine of the angle between two sides"},
+      {"most_frames", &o.most_frames, {2, 1000}, "", "Frames in which markers are searched"},
+      {"outlier_px", &o.outlier_px, {0.1, 20}, "px", "Greatest error of a corner in a frame"},
+      {"most_difference",
+       &o.most_difference,
+       {0.005, 0.5},
+       "",
+       "Greatest difference between the sides of a marker, share"}};
 }
 
 std::vector<SeenMarker> find_markers(const Raster<std::uint8_t>& grey, const MarkerOptions& options) {
   const cv::Mat picture = grey_view_of(grey);
   std::vector<SeenMarker> out;
-  for (Quad& quad : dark_quads(picture, options.least_side_px)) {
-    const auto code = code_in(picture, quad);
+  for (Quad& quad : dark_quads(picture, options)) {
+    const auto code = code_in(picture, quad, options);
     const auto read = code ? read_code(*code) : std::nullopt;
     if (!read) continue;
     const bool again = std::any_of(out.begin(), out.end(), [&](const SeenMarker& other) {
@@ -190,7 +203,7 @@ std::vector<SeenMarker> find_markers(const Raster<std::uint8_t>& grey, const Mar
     });
     if (again) continue;
     // The second time from nearer, so that noise in the searched range counts less.
-    if (!refine(picture, quad) || !refine(picture, quad)) continue;
+    if (!refine(picture, quad, options) || !refine(picture, quad, options)) continue;
     SeenMarker marker{read->side_mm, {}};
     for (std::size_t i = 0; i < 4; ++i) {
       const cv::Point2f& corner = quad[(i + static_cast<std::size_t>(read->turns)) % 4];

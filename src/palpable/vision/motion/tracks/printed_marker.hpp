@@ -25,6 +25,24 @@ Raster<std::uint8_t> marker_cells(int side_mm);
 struct MarkerOptions {
   /// Least side of a marker in the picture, px, 14 … 200.
   double least_side_px = 18.0;
+  /// Dark is what is darker than the mean of a window by this much, grey levels, 0 … 100. The sides of the
+  /// three windows are these shares of the picture's longer side, each 0.005 … 1.
+  double darker = 7.0;
+  std::array<double, 3> window_shares{1.0 / 40, 1.0 / 16, 1.0 / 6};
+  /// Greatest distance of a dark region's outline from its four sides, share of the outline, 0.001 … 0.2.
+  double outline_error = 0.03;
+  /// The brightness of a cell is that of its inner part, without this share on each side, 0 … 0.45.
+  double cell_rim = 0.25;
+  /// An edge of the square is looked for this far on both sides, in cells, 0.1 … 1, at this many places of
+  /// each side, 4 … 200, which begin at this share of the side from its ends, 0 … 0.4.
+  double edge_reach = 0.7;
+  int edge_places = 25;
+  double edge_margin = 0.12;
+  /// From black to white it rises by at least this much, grey levels, 1 … 255. At least half of the places
+  /// must have one.
+  double least_rise = 25.0;
+  /// Least sine of the angle between two neighbouring sides, 0.01 … 1.
+  double least_corner_sine = 0.1;
   /// At most this many frames are searched, evenly spaced, 2 … 1000.
   int most_frames = 40;
   /// A corner that is farther from where its point is projected is not used, px, 0.1 … 20.
