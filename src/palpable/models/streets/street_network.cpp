@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/models/streets/street_network.hpp"
 
+#include "palpable/core/check.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,14 +20,6 @@ constexpr double kFullTurn = 2.0 * std::numbers::pi;
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 double distance_px(MapPoint a, MapPoint b) { return std::hypot(b.x - a.x, b.y - a.y); }
-
-/// Bearings are taken over this length, so that a short first segment does not count.
-constexpr double kBearingLength_px = 12.0;
-
-/// Bearing with which a line leaves its first point.
-double first_bearing(const std::vector<MapPoint>& line) {
-  return bearing_of(line.front(), place_along(line, kBearingLength_px));
-}
 
 std::vector<MapPoint> reversed(std::vector<MapPoint> line) {
   std::reverse(line.begin(), line.end());
@@ -61,34 +55,8 @@ void add_leg(StreetRoute& route, const std::string& name, const std::vector<MapP
   route.length_px += length;
 }
 
-/// The bearings of the legs of a finished route: over the whole leg, so that a short piece at its end does
-/// not count.
-void set_bearings(StreetRoute& route) {
-  for (std::size_t k = 0; k < route.legs.size(); ++k) {
-    const std::size_t last =
-        k + 1 < route.legs.size() ? route.legs[k + 1].first_point : route.line.size() - 1;
-    const auto begin = route.line.begin();
-    const std::vector<MapPoint> line(begin + static_cast<std::ptrdiff_t>(route.legs[k].first_point),
-                                     begin + static_cast<std::ptrdiff_t>(last) + 1);
-    const double back = first_bearing(reversed(line));
-    route.legs[k].first_bearing = first_bearing(line);
-    route.legs[k].last_bearing = back < std::numbers::pi ? back + std::numbers::pi : back - std::numbers::pi;
-  }
-}
-
 bool is_near(const std::vector<MapPoint>& line, MapPoint p, double reach_px) {
   return distance_px(nearest_on(line, p), p) <= reach_px;
-}
-
-/// Whether most of a line is near another one.
-bool is_beside(const std::vector<MapPoint>& line, const std::vector<MapPoint>& other, double beside_px) {
-  constexpr int kPlaces = 20;
-  constexpr double kMost = 0.7;
-  const double length = length_px_of(line);
-  int near = 0;
-  for (int i = 0; i < kPlaces; ++i)
-    near += is_near(other, place_along(line, (i + 0.5) / kPlaces * length), beside_px) ? 1 : 0;
-  return near >= kMost * kPlaces;
 }
 
 }  // namespace
@@ -146,11 +114,50 @@ MapPoint place_along(const std::vector<MapPoint>& line, double along_px) {
   return line.back();
 }
 
-StreetNetwork::StreetNetwork(std::shared_ptr<const StreetMap> map, double join_px) : map_(std::move(map)) {
+std::vector<Parameter> parameters_of(StreetNetworkOptions& o) {
+  return {{"join_px", &o.join_px, {0, 50}, "px", "ends this near are one node"},
+          {"bearing_px", &o.bearing_px, {1, 200}, "px", "length over which a bearing is taken"},
+          {"most_turn_deg", &o.most_turn_deg, {0, 180}, "degrees", "greatest turn of a street at a node"},
+          {"beside_part", &o.beside_part, {0, 1}, "", "part of a second carriageway beside the first"}};
+}
+
+double StreetNetwork::first_bearing(const std::vector<MapPoint>& line) const {
+  return bearing_of(line.front(), place_along(line, options_.bearing_px));
+}
+
+/// The bearings of the legs of a finished route: over the whole leg, so that a short piece at its end does
+/// not count.
+void StreetNetwork::set_bearings(StreetRoute& route) const {
+  for (std::size_t k = 0; k < route.legs.size(); ++k) {
+    const std::size_t last =
+        k + 1 < route.legs.size() ? route.legs[k + 1].first_point : route.line.size() - 1;
+    const auto begin = route.line.begin();
+    const std::vector<MapPoint> line(begin + static_cast<std::ptrdiff_t>(route.legs[k].first_point),
+                                     begin + static_cast<std::ptrdiff_t>(last) + 1);
+    const double back = first_bearing(reversed(line));
+    route.legs[k].first_bearing = first_bearing(line);
+    route.legs[k].last_bearing = back < std::numbers::pi ? back + std::numbers::pi : back - std::numbers::pi;
+  }
+}
+
+/// Whether enough of a line is near another one.
+bool StreetNetwork::is_beside(const std::vector<MapPoint>& line, const std::vector<MapPoint>& other,
+                              double beside_px) const {
+  constexpr int kPlaces = 20;
+  const double length = length_px_of(line);
+  int near = 0;
+  for (int i = 0; i < kPlaces; ++i)
+    near += is_near(other, place_along(line, (i + 0.5) / kPlaces * length), beside_px) ? 1 : 0;
+  return near >= options_.beside_part * kPlaces;
+}
+
+StreetNetwork::StreetNetwork(std::shared_ptr<const StreetMap> map, const StreetNetworkOptions& options)
+    : map_(std::move(map)), options_(options) {
+  PALPABLE_CHECK(check_ranges(options_));
   for (const MapStreet& street : map_->streets) {
     const std::size_t piece = ends_.size();
     lengths_px_.push_back(length_px_of(street.points));
-    ends_.emplace_back(node_at(street.points.front(), join_px), node_at(street.points.back(), join_px));
+    ends_.emplace_back(node_at(street.points.front()), node_at(street.points.back()));
     nodes_[ends_.back().first].pieces.push_back(piece);
     nodes_[ends_.back().first].bearings.push_back(first_bearing(street.points));
     nodes_[ends_.back().second].pieces.push_back(piece);
@@ -168,13 +175,13 @@ StreetNetwork::StreetNetwork(std::shared_ptr<const StreetMap> map, double join_p
     }
     for (const MapJunction& junction : map_->junctions)
       node.roundabout =
-          node.roundabout || (junction.roundabout && distance_px(junction.at, node.at) <= join_px);
+          node.roundabout || (junction.roundabout && distance_px(junction.at, node.at) <= options_.join_px);
   }
 }
 
-std::size_t StreetNetwork::node_at(MapPoint at, double join_px) {
+std::size_t StreetNetwork::node_at(MapPoint at) {
   for (std::size_t i = 0; i < nodes_.size(); ++i)
-    if (distance_px(nodes_[i].at, at) <= join_px) return i;
+    if (distance_px(nodes_[i].at, at) <= options_.join_px) return i;
   nodes_.push_back({at, {}, {}, false});
   return nodes_.size() - 1;
 }
@@ -277,7 +284,7 @@ StreetRun StreetNetwork::run_from(std::size_t piece, std::size_t from, std::vect
     const double bearing = std::remainder(first_bearing(reversed(line)) + std::numbers::pi, kFullTurn);
     const std::string& name = map_->streets[piece].name;
     piece = kNone;
-    double least = 0.75 * std::numbers::pi;
+    double least = options_.most_turn_deg / 180.0 * std::numbers::pi;
     for (std::size_t k = 0; k < nodes_[node].pieces.size(); ++k) {
       const std::size_t next = nodes_[node].pieces[k];
       const double turn = turn_between(bearing, nodes_[node].bearings[k]);

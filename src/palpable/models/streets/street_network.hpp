@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/geometry/street_map.hpp"
+#include "palpable/core/parameters.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -74,11 +75,26 @@ struct NamedStreet {
   std::vector<StreetRun> runs;
 };
 
+/// When pieces of streets hang together, and are one street. Initial values, not tuned.
+struct StreetNetworkOptions {
+  /// Ends that are at most this far apart are one node, pixels. 0 ... 50.
+  double join_px = 2.0;
+  /// Bearings are taken over this length, pixels, so that a short first segment does not count. 1 ... 200.
+  double bearing_px = 12.0;
+  /// A street goes on, over a node, to the piece of its name that turns least, and by less than this,
+  /// degrees. 0
+  /// ... 180.
+  double most_turn_deg = 135.0;
+  /// A part of a street is its second carriageway if this part of it has another one beside it. 0 ... 1.
+  double beside_part = 0.7;
+};
+std::vector<Parameter> parameters_of(StreetNetworkOptions& options);
+
 /// How pieces of streets hang together. Immutable; any thread.
 class StreetNetwork {
  public:
-  /// Ends that are at most `join_px` apart are one node. `map` must not be null.
-  explicit StreetNetwork(std::shared_ptr<const StreetMap> map, double join_px = 2.0);
+  /// `map` must not be null, and the options must be in range.
+  explicit StreetNetwork(std::shared_ptr<const StreetMap> map, const StreetNetworkOptions& options = {});
 
   const StreetMap& map() const noexcept { return *map_; }
   const std::vector<StreetNode>& nodes() const noexcept { return nodes_; }
@@ -94,14 +110,20 @@ class StreetNetwork {
   std::optional<StreetRoute> route(const StreetPosition& from, const StreetPosition& to) const;
 
   /// Every street with a name, the longest first. Parts of a street within `beside_px` of another part of it
-  /// for most of their length count as its second carriageway.
+  /// for `beside_part` of their length count as its second carriageway.
   std::vector<NamedStreet> named_streets(double beside_px) const;
 
  private:
-  std::size_t node_at(MapPoint at, double join_px);
+  std::size_t node_at(MapPoint at);
+  /// Bearing with which a line leaves its first point.
+  double first_bearing(const std::vector<MapPoint>& line) const;
+  void set_bearings(StreetRoute& route) const;
+  bool is_beside(const std::vector<MapPoint>& line, const std::vector<MapPoint>& other,
+                 double beside_px) const;
   StreetRun run_from(std::size_t piece, std::size_t from, std::vector<bool>& used) const;
 
   std::shared_ptr<const StreetMap> map_;
+  StreetNetworkOptions options_;
   std::vector<StreetNode> nodes_;
   std::vector<std::pair<std::size_t, std::size_t>> ends_;
   std::vector<double> lengths_px_;

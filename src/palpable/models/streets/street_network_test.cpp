@@ -36,6 +36,19 @@ TEST(StreetNetwork, JoinsEndsAndSortsThemByBearing) {
   EXPECT_EQ(corner.pieces[2], 3U);
 }
 
+TEST(StreetNetwork, TakesBearingsOverALength) {
+  StreetMap map;
+  map.width_px = map.height_px = 100;
+  // Two pixels to the right, then up.
+  map.streets = {{"Hook Lane", 4.0, {{50, 80}, {52, 80}, {52, 20}}}};
+  const auto bearing_over = [&](double length_px) {
+    const StreetNetwork network(std::make_shared<const StreetMap>(map), {.bearing_px = length_px});
+    return network.nodes()[network.first_node(0)].bearings[0];
+  };
+  EXPECT_NEAR(bearing_over(1.0), 0.5 * std::numbers::pi, 1e-9);
+  EXPECT_NEAR(bearing_over(12.0), std::atan2(2.0, 10.0), 1e-9);
+}
+
 TEST(StreetNetwork, FindsTheNearestPlace) {
   const StreetNetwork network(square());
   const auto at = network.nearest({50, 15}, 20.0);
