@@ -100,6 +100,12 @@ class Lettering {
         side_(side),
         layout_(pango_cairo_create_layout(cr)),
         taken_(std::move(taken)) {
+    // Letters of maps lie at any angle and are not moved to whole pixels.
+    cairo_font_options_t* options = cairo_font_options_create();
+    cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+    cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+    pango_cairo_context_set_font_options(pango_layout_get_context(layout_), options);
+    cairo_font_options_destroy(options);
     PangoFontDescription* font = pango_font_description_from_string(style.font.c_str());
     pango_font_description_set_absolute_size(font, style.font_px * PANGO_SCALE);
     pango_layout_set_font_description(layout_, font);
@@ -126,29 +132,20 @@ class Lettering {
   }
 
  private:
+  /// From each letter to the next one, with the font's kerning.
   std::vector<double> widths_of(const std::vector<std::string>& letters) {
-    // Differences of whole prefixes keep the font's kerning.
+    std::string text;
+    for (const std::string& letter : letters) text += letter;
+    pango_layout_set_text(layout_, text.c_str(), -1);
     std::vector<double> widths;
-    std::string prefix;
-    double before = 0.0;
+    int first_byte = 0;
     for (const std::string& letter : letters) {
-      prefix += letter;
-      pango_layout_set_text(layout_, (prefix + ".").c_str(), -1);
       PangoRectangle box;
-      pango_layout_get_extents(layout_, nullptr, &box);
-      const double all = static_cast<double>(box.width) / PANGO_SCALE;
-      widths.push_back(all - before - (before == 0.0 ? dot_width() : 0.0));
-      before = before == 0.0 ? all : before + widths.back();
+      pango_layout_index_to_pos(layout_, first_byte, &box);
+      widths.push_back(static_cast<double>(box.width) / PANGO_SCALE);
+      first_byte += static_cast<int>(letter.size());
     }
     return widths;
-  }
-  double dot_width() {
-    PangoLayout* dot = pango_layout_copy(layout_);
-    pango_layout_set_text(dot, ".", -1);
-    PangoRectangle box;
-    pango_layout_get_extents(dot, nullptr, &box);
-    g_object_unref(dot);
-    return static_cast<double>(box.width) / PANGO_SCALE;
   }
 
   static MapPoint at(const Line& line, double u) {
