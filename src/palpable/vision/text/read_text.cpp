@@ -4,6 +4,7 @@
 
 #include "palpable/core/system/child_process.hpp"
 #include "palpable/vision/text/ink.hpp"
+#include "palpable/vision/text/numerals.hpp"
 
 #include <algorithm>
 #include <array>
@@ -211,7 +212,7 @@ std::vector<ReadLine> lines_of_table(const fs::path& path, std::size_t count,
     characters[page - 1] += n;
   }
   for (std::size_t i = 0; i < count; ++i) {
-    out[i].text = cleaned(out[i].text, options);
+    out[i].text = with_numerals(cleaned(out[i].text, options));
     out[i].confidence = out[i].text.empty() ? 0.0 : out[i].confidence / characters[i];
     if (out[i].confidence < options.least_confidence) out[i] = {};
   }
@@ -345,13 +346,16 @@ Result<TextReading> read_text_lines(const Raster<Rgb8>& picture, std::span<const
   std::vector<cv::Mat> pictures;
   for (const TextLine& line : lines)
     pictures.push_back(straightened(lettering, line, leftwards(line), options));
+  const auto unread = [&](const Error& error) -> Result<TextReading> {
+    if (error.code == ErrorCode::interrupted) return error;
+    TextReading none;
+    none.lines.resize(lines.size());
+    none.notes.emplace_back("Names were not read: " + error.message +
+                            "; check its language data (in Debian: tesseract-ocr-eng).");
+    return none;
+  };
   auto first = read_pictures(pictures, tesseract, languages, options, work);
-  if (!first && first.error().code == ErrorCode::interrupted) return first.error();
-  if (!first) {
-    out.notes.emplace_back("Names were not read: " + first.error().message +
-                           "; check its language data (in Debian: tesseract-ocr-eng).");
-    return out;
-  }
+  if (!first) return unread(first.error());
   std::vector<std::size_t> unsure;
   pictures.clear();
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -362,7 +366,7 @@ Result<TextReading> read_text_lines(const Raster<Rgb8>& picture, std::span<const
     pictures.push_back(straightened(lettering, lines[i], !leftwards(lines[i]), options));
   }
   auto second = read_pictures(pictures, tesseract, languages, options, work);
-  if (!second) return second.error();
+  if (!second) return unread(second.error());
   for (std::size_t k = 0; k < unsure.size(); ++k) {
     ReadLine& line = out.lines[unsure[k]];
     if ((*second)[k].confidence <= line.confidence) continue;
@@ -371,7 +375,7 @@ Result<TextReading> read_text_lines(const Raster<Rgb8>& picture, std::span<const
     line.reversed = reversed;
   }
   const auto agreed = keep_agreed(out.lines, lines, lettering, tesseract, languages, options, work);
-  if (!agreed) return agreed.error();
+  if (!agreed) return unread(agreed.error());
   return out;
 }
 

@@ -148,10 +148,12 @@ std::array<double, 4> curve_of(const std::vector<cv::Point2d>& points, bool bend
 struct InkLine {
   TextLine line;
   std::vector<cv::Point> pixels;
+  cv::Rect box;
 };
 
 /// Fits the line's middle and height to its ink.
 void fit_line(InkLine& ink, const TextLineOptions& options) {
+  ink.box = cv::boundingRect(ink.pixels);
   const cv::Point2d along = direction_of(ink.pixels).along;
   const cv::Point2d across(-along.y, along.x);
   cv::Point2d origin(0, 0);
@@ -213,19 +215,52 @@ cv::Point2d direction_at(const TextLine& line, bool last, const TextLineOptions&
   return d * (1.0 / std::max(1e-9, cv::norm(d)));
 }
 
+bool has_colour_of(const TextLine& a, const TextLine& b, const TextLineOptions& options) {
+  return cv::norm(cv::Vec3d(a.colour.r - b.colour.r, a.colour.g - b.colour.g, a.colour.b - b.colour.b)) <=
+         options.most_colour_difference;
+}
+
+/// Whether a word is too short, against the line `a`, to have a direction of its own.
+bool is_short_word(const InkLine& word, const TextLine& a, const TextLineOptions& options) {
+  return std::max(word.box.width, word.box.height) <= options.short_word_heights * a.height_px &&
+         static_cast<double>(a.centre.size()) > options.short_word_heights * a.height_px;
+}
+
+/// The gap between an end of a line and a short word that belongs to it; negative if it does not.
+double short_word_gap(const TextLine& a, bool a_last, const InkLine& word, const TextLineOptions& options) {
+  const cv::Point2d along = direction_at(a, a_last, options), from(end_of(a, a_last).x, end_of(a, a_last).y);
+  const cv::Point2d middle = 0.5 * cv::Point2d(word.box.tl() + word.box.br());
+  if (cv::norm(middle - from) > (options.largest_word_gap + options.short_word_heights) * a.height_px)
+    return -1.0;
+  double first = 1e9, left = 1e9, right = -1e9;
+  for (const cv::Point p : word.pixels) {
+    const cv::Point2d to = cv::Point2d(p) - from;
+    first = std::min(first, to.dot(along));
+    left = std::min(left, along.cross(to));
+    right = std::max(right, along.cross(to));
+  }
+  const double most = (0.5 + options.short_word_beyond) * a.height_px;
+  const bool is_in_line =
+      left >= -most && right <= most && right - left + 1.0 >= options.short_word_part * a.height_px;
+  const bool follows =
+      first > -options.word_overlap * a.height_px && first <= options.largest_word_gap * a.height_px;
+  return is_in_line && follows && has_colour_of(a, word.line, options) ? std::max(0.0, first) : -1.0;
+}
+
 /// The gap between two ends of lines that are words of one name; negative if they are not. The longer word
 /// decides the direction, in which the shorter one must lie.
-double word_gap(const TextLine& a, bool a_last, const TextLine& b, bool b_last,
+double word_gap(const InkLine& longer, bool a_last, const InkLine& shorter, bool b_last,
                 const TextLineOptions& options) {
-  if (a.centre.size() < b.centre.size()) return word_gap(b, b_last, a, a_last, options);
+  const TextLine &a = longer.line, &b = shorter.line;
+  if (a.centre.size() < b.centre.size()) return word_gap(shorter, b_last, longer, a_last, options);
+  if (is_short_word(shorter, a, options)) return short_word_gap(a, a_last, shorter, options);
   const double height = std::max(a.height_px, b.height_px);
   const MapPoint from = end_of(a, a_last);
   const cv::Point2d gap(end_of(b, b_last).x - from.x, end_of(b, b_last).y - from.y);
   const cv::Point2d far(end_of(b, !b_last).x - from.x, end_of(b, !b_last).y - from.y);
   const double length = cv::norm(gap);
-  const bool alike = height < options.word_height_ratio * std::min(a.height_px, b.height_px) &&
-                     cv::norm(cv::Vec3d(a.colour.r - b.colour.r, a.colour.g - b.colour.g,
-                                        a.colour.b - b.colour.b)) <= options.most_colour_difference;
+  const bool alike =
+      height < options.word_height_ratio * std::min(a.height_px, b.height_px) && has_colour_of(a, b, options);
   if (!alike || length > options.largest_word_gap * height) return -1.0;
   const cv::Point2d along = direction_at(a, a_last, options);
   const double least = std::cos(options.most_turn_deg * std::numbers::pi / 180.0);
@@ -243,7 +278,7 @@ void join_words(std::vector<InkLine>& lines, const TextLineOptions& options) {
       for (std::size_t j = i + 1; j < lines.size(); ++j)
         for (const bool i_last : {false, true})
           for (const bool j_last : {false, true})
-            if (const double gap = word_gap(lines[i].line, i_last, lines[j].line, j_last, options);
+            if (const double gap = word_gap(lines[i], i_last, lines[j], j_last, options);
                 gap >= 0.0 && gap < least) {
               least = gap;
               best = {i, j};
@@ -275,19 +310,21 @@ std::vector<TextLine> find_text_lines(const Raster<Rgb8>& picture, const TextLin
   for (std::size_t i = 0; i < inks.size(); ++i)
     members[static_cast<std::size_t>(root(static_cast<int>(i)))].push_back(&inks[i]);
   std::vector<InkLine> words;
+  const auto is_high = [&options](const TextLine& line) {
+    return line.height_px >= options.least_word_height * options.smallest_letter_px;
+  };
   for (const auto& pieces : members) {
     if (pieces.empty() ||
         (pieces.size() == 1 && pieces[0]->size_px < options.lone_letter * options.smallest_letter_px))
       continue;
     InkLine word = line_of(pieces, options);
-    // Dashes in a row are lower than letters.
-    if (word.line.height_px >= options.least_word_height * options.smallest_letter_px)
-      words.push_back(std::move(word));
+    // Dashes in a row are lower than letters. A single stroke may be an I or a 1.
+    if (pieces.size() == 1 || is_high(word.line)) words.push_back(std::move(word));
   }
   join_words(words, options);
   std::vector<TextLine> lines;
   for (InkLine& word : words)
-    if (word.line.letters >= options.fewest_letters &&
+    if (word.line.letters >= options.fewest_letters && is_high(word.line) &&
         static_cast<double>(word.line.centre.size()) >= options.least_length * word.line.height_px)
       lines.push_back(std::move(word.line));
   return lines;

@@ -59,6 +59,12 @@ struct TextLineOptions {
   /// 0 ... 5 each.
   double word_aside = 0.6;
   double word_overlap = 0.3;
+  /// A word that is at most this many heights of the longer word long and high has no direction of its own, 0
+  /// ... 5: "II" is higher than long. It belongs to the line if it is at least this part of it high, 0 ... 1,
+  /// and reaches beyond it by at most this part of its height, 0 ... 1.
+  double short_word_heights = 1.6;
+  double short_word_part = 0.5;
+  double short_word_beyond = 0.25;
   /// A single piece of ink is a word from this size on, and a word is at least this high, in
   /// smallest_letter_px. 0 ... 10 each.
   double lone_letter = 2.0;

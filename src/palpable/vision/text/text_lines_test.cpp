@@ -6,11 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 #include <string>
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
+#include <unistd.h>
 
 namespace palpable::vision {
 namespace {
@@ -50,6 +54,29 @@ TEST(TextLines, FollowTheDirectionOfWordsAtAnyAngle) {
   }
 }
 
+TEST(TextLines, ShortWordsBelongToTheirLine) {
+  // "II" alone is higher than long: its direction is across the line.
+  for (const char* words : {"Avenue Albert II", "I Market Place"})
+    for (const double angle : {0.0, 25.0, 90.0}) {
+      const auto lines = find_text_lines(words_at(words, angle));
+      ASSERT_EQ(lines.size(), 1U) << words << ' ' << angle;
+      int base = 0;
+      const double width = cv::getTextSize(words, cv::FONT_HERSHEY_DUPLEX, 0.6, 1, &base).width;
+      const MapPoint a = lines[0].centre.front(), b = lines[0].centre.back();
+      EXPECT_NEAR(std::hypot(b.x - a.x, b.y - a.y), width, 5.0) << words << ' ' << angle;
+    }
+}
+
+TEST(TextLines, MarksBesideALineAreNoWords) {
+  // A square of the letters' size two heights below the end of the line.
+  Raster<Rgb8> picture = words_at("Station Road", 0.0);
+  for (int y = 172; y < 182; ++y)
+    for (int x = 205; x < 209; ++x) picture(x, y) = {30, 30, 30};
+  const auto lines = find_text_lines(picture);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_NEAR(lines[0].height_px, 13.0, 4.0);
+}
+
 TEST(TextLines, LeaveOutDashesAndLongThinLines) {
   Raster<Rgb8> picture(200, 100, {230, 230, 230});
   for (int x = 10; x < 190; ++x) {
@@ -70,6 +97,33 @@ TEST(ReadText, ReadsTurnedWordsTheRightWayUp) {
     EXPECT_EQ(read->lines[0].text, "Station Road") << angle;
     EXPECT_GT(read->lines[0].confidence, 0.5) << angle;
   }
+}
+
+TEST(ReadText, AReaderThatFailsLaterLeavesAllUnread) {
+  // A program that reads one unsure word, and fails when it is asked again.
+  const auto folder = std::filesystem::temp_directory_path() /
+                      ("palpable-reader-" + std::to_string(static_cast<long>(::getpid())));
+  std::filesystem::create_directory(folder);
+  std::ofstream(folder / "tesseract")
+      << "#!/bin/sh\n"
+         "[ -e \"$0.called\" ] && exit 1\n"
+         ": > \"$0.called\"\n"
+         "printf '5\\t1\\t1\\t1\\t1\\t1\\t0\\t0\\t9\\t9\\t60\\tStation\\n' > \"$2.tsv\"\n";
+  std::filesystem::permissions(folder / "tesseract", std::filesystem::perms::owner_all);
+  const std::string before = std::getenv("PATH");
+  setenv("PATH", folder.c_str(), 1);
+  const Raster<Rgb8> picture = words_at("Station Road", 0.0);
+  ReadTextOptions options;
+  options.languages = "eng";
+  const auto read = read_text_lines(picture, find_text_lines(picture), options, Work{});
+  setenv("PATH", before.c_str(), 1);
+  const bool was_called = std::filesystem::exists(folder / "tesseract.called");
+  std::filesystem::remove_all(folder);
+  ASSERT_TRUE(was_called);
+  ASSERT_TRUE(read) << read.error().sentence();
+  ASSERT_EQ(read->lines.size(), 1U);
+  EXPECT_EQ(read->lines[0].text, "");
+  ASSERT_EQ(read->notes.size(), 1U);
 }
 
 TEST(ReadText, StopsWhenItIsCancelled) {
