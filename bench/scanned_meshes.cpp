@@ -157,6 +157,25 @@ Mesh terrain(std::uint32_t seed, int triangles) {
   return mesh;
 }
 
+/// A sculpted body with three balls that sink into it, such as the eyes of a head; no noise.
+Mesh overlapping_bodies(std::uint32_t seed, int triangles) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  const SpaceNoise noise(seed);
+  const double bumps = 2.0 + 3.0 * uniform(random), high = 0.3 / bumps;
+  const auto radius = [&](Vec3 d) { return 1.0 + high * noise.at(bumps * d); };
+  Mesh mesh = star(7 * triangles / 10, radius);
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 d = unit(Vec3{uniform(random) - 0.5, uniform(random) - 0.5, uniform(random) - 0.5});
+    const double size = 0.15 + 0.25 * uniform(random);
+    const Mesh ball = star(triangles / 10, [&](Vec3 /*direction*/) { return size; });
+    const auto first = static_cast<std::uint32_t>(mesh.vertices_m.size());
+    for (const Vec3 v : ball.vertices_m) mesh.vertices_m.push_back(v + radius(d) * d);
+    for (const auto& t : ball.triangles) mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  return mesh;
+}
+
 void scale_to(Mesh& mesh, double longest_m) {
   Vec3 least = mesh.vertices_m.front(), most = least;
   for (const Vec3 v : mesh.vertices_m) {
@@ -178,6 +197,8 @@ std::string_view name_of(ScannedKind kind) {
       return "bumpy superquadric";
     case ScannedKind::terrain:
       return "terrain";
+    case ScannedKind::overlapping_bodies:
+      return "overlapping bodies";
   }
   return "";
 }
@@ -193,6 +214,9 @@ Mesh scanned_mesh(ScannedKind kind, std::uint32_t seed, int triangles, double lo
       break;
     case ScannedKind::terrain:
       mesh = terrain(seed, triangles);
+      break;
+    case ScannedKind::overlapping_bodies:
+      mesh = overlapping_bodies(seed, triangles);
       break;
   }
   scale_to(mesh, longest_m);

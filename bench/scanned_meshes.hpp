@@ -17,11 +17,13 @@ enum class ScannedKind {
   /// A superquadric with many small bumps, and a little noise.
   bumpy_superquadric,
   /// A block with a fractal terrain on top.
-  terrain
+  terrain,
+  /// A smooth body into which three balls sink. It is cut along their intersections.
+  overlapping_bodies
 };
 std::string_view name_of(ScannedKind kind);
 
-/// A closed mesh of about `triangles` triangles oriented outwards; its longest side is `longest_m`.
+/// A mesh of closed bodies, about `triangles` triangles oriented outwards; its longest side is `longest_m`.
 /// Deterministic.
 Mesh scanned_mesh(ScannedKind kind, std::uint32_t seed, int triangles, double longest_m);
 

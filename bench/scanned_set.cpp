@@ -142,7 +142,8 @@ int main(int argc, char** argv) {
     first = 4;
   }
   if (argc == first)
-    for (const auto kind : {ScannedKind::noisy_ball, ScannedKind::bumpy_superquadric, ScannedKind::terrain})
+    for (const auto kind : {ScannedKind::noisy_ball, ScannedKind::bumpy_superquadric, ScannedKind::terrain,
+                            ScannedKind::overlapping_bodies})
       for (const std::uint32_t seed : {1U, 2U, 3U})
         measure(std::string(bench::name_of(kind)) + " " + std::to_string(seed),
                 bench::scanned_mesh(kind, seed, 20000, 0.05), 256, facets);

@@ -194,6 +194,24 @@ TEST(FieldFromSource, RefusesLongBeforeTheMemoryIsTaken) {
   EXPECT_LT(refused.count, whole.count / 5);
 }
 
+/// RMS difference of a field's distance from a solid's within a millimetre of the surface, at places at most
+/// `reach_m` from the origin along each axis.
+double rms_near_surface_m(const models::DistanceField& field, const DistanceSource& solid, double reach_m) {
+  std::mt19937_64 random(14);
+  std::uniform_real_distribution<double> uniform(-reach_m, reach_m);
+  DistanceSource::Hint hint;
+  double squares = 0.0;
+  constexpr int kPlaces = 3000;
+  for (int count = 0; count < kPlaces;) {
+    const double x = uniform(random), y = uniform(random), z = uniform(random);
+    const double distance_m = field.sample({x, y, z}).distance_m;
+    if (std::abs(distance_m) > 0.001) continue;
+    squares += std::pow(distance_m - solid.at({x, y, z}, hint).distance_m, 2);
+    ++count;
+  }
+  return std::sqrt(squares / kPlaces);
+}
+
 TEST(FieldFromSource, FollowsAScanOnlyAsCloselyAsItsFacetsAgree) {
   constexpr double kRadius_m = 0.006, kSide_m = 0.0006;
   constexpr FieldOptions kField{.resolution = 64, .max_error_m = 1e-5};
@@ -215,23 +233,38 @@ TEST(FieldFromSource, FollowsAScanOnlyAsCloselyAsItsFacetsAgree) {
   EXPECT_LT(2 * field->memory_bytes(), followed->memory_bytes());
   // It stays close to the facets.
   const auto facets = solid_from_mesh(noisy, 1e-4, {});
-  DistanceSource::Hint hint;
-  double squares = 0.0;
-  int count = 0;
-  while (count < 3000) {
-    const double x = uniform(random), y = uniform(random), z = uniform(random);
-    const Vec3 p = 1.1 * kRadius_m * Vec3{x, y, z};
-    const double distance_m = field->sample(p).distance_m;
-    if (std::abs(distance_m) > 0.001) continue;
-    squares += std::pow(distance_m - facets->distance->at(p, hint).distance_m, 2);
-    ++count;
-  }
-  EXPECT_LT(std::sqrt(squares / count), 8e-6);
+  EXPECT_LT(rms_near_surface_m(*field, *facets->distance, 1.1 * kRadius_m), 8e-6);
   // The facets of a smooth surface are consistent, so almost nothing is omitted.
   const Mesh fine = models::mesh_of(ball, 0.5 * kSide_m);
   const auto smooth = field_of(fine, as_chosen), smooth_closely = field_of(fine, closely);
   ASSERT_TRUE(smooth && smooth_closely);
   EXPECT_GT(10 * smooth->memory_bytes(), 8 * smooth_closely->memory_bytes());
+}
+
+TEST(FieldFromSource, FollowsOverlappingCurvedBodiesOnlyAsCloselyAsTheirFacets) {
+  constexpr double kRadius_m = 0.006, kSide_m = 0.0006;
+  constexpr FieldOptions kField{.resolution = 96, .max_error_m = 1e-5};
+  models::Superquadric ball;
+  ball.size_m = {kRadius_m, kRadius_m, kRadius_m};
+  Mesh beside = models::mesh_of(ball, kSide_m);
+  for (Vec3& v : beside.vertices_m) v += Vec3{0.5 * kRadius_m, 0.1 * kRadius_m, 0.2 * kRadius_m};
+  const Mesh balls = together(models::mesh_of(ball, kSide_m), beside);
+  const auto field_of = [&](const Mesh& mesh, const FacetOptions& facets) {
+    const auto solid = solid_from_mesh(mesh, 2.5 * kRadius_m / kField.resolution, {}, facets);
+    return field_from_source(*solid->distance, kField, {});
+  };
+  const FacetOptions as_chosen{.rounding_m = 1.5e-5};
+  FacetOptions closely = as_chosen;
+  closely.cut_rise_share = closely.cut_turn_share = 0.0;
+  const auto followed = field_of(balls, closely), field = field_of(balls, as_chosen);
+  ASSERT_TRUE(followed && field);
+  EXPECT_LT(2 * field->memory_bytes(), followed->memory_bytes());
+  const auto facets = solid_from_mesh(balls, 1e-4, {});
+  EXPECT_LT(rms_near_surface_m(*field, *facets->distance, 1.1 * kRadius_m), 8e-6);
+  // Edges and flat faces are the mesh's own shape.
+  const Mesh boxes = together(box_mesh({-0.006, -0.006, -0.006}, {0.004, 0.004, 0.004}),
+                              box_mesh({-0.001, -0.002, -0.003}, {0.006, 0.006, 0.006}));
+  EXPECT_EQ(field_of(boxes, as_chosen)->tree().words, field_of(boxes, closely)->tree().words);
 }
 
 }  // namespace

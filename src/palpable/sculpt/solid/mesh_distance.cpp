@@ -121,8 +121,8 @@ class Joints {
 
 class MeshDistance final : public DistanceSource {
  public:
-  MeshDistance(const Mesh& surface, const Mesh& whole)
-      : tree_(surface), joints_(surface), bounds_(bounds_of(surface)) {
+  MeshDistance(const Mesh& surface, const Mesh& whole, std::vector<FacetTolerance> tolerances)
+      : tree_(surface), joints_(surface), tolerances_(std::move(tolerances)), bounds_(bounds_of(surface)) {
     const Box box = bounds_of(whole);
     if (&surface != &whole) {
       whole_.emplace(whole);
@@ -136,6 +136,9 @@ class MeshDistance final : public DistanceSource {
   models::FieldSample at(Vec3 p, Hint& hint) const override {
     const NearestTriangle near = nearest_in_ball(tree_, p, hint);
     const models::FieldSample sample = sample_at(p, near, hint);
+    const FacetTolerance tolerance = tolerances_.empty() ? FacetTolerance{} : tolerances_[near.triangle];
+    hint.coarse_m = static_cast<double>(tolerance.rise_m);
+    hint.coarse_turn = static_cast<double>(tolerance.turn);
     remember(near, p, sample.distance_m, hint);
     return sample;
   }
@@ -163,6 +166,7 @@ class MeshDistance final : public DistanceSource {
 
   TriangleTree tree_;
   Joints joints_;
+  std::vector<FacetTolerance> tolerances_;
   /// The original mesh, if it differs from the surface.
   std::optional<TriangleTree> whole_;
   /// Only the original mesh may have parts that are not of the solid.
@@ -176,8 +180,9 @@ class MeshDistance final : public DistanceSource {
 
 }  // namespace
 
-std::unique_ptr<DistanceSource> mesh_distance(const Mesh& surface, const Mesh& whole) {
-  return std::make_unique<MeshDistance>(surface, whole);
+std::unique_ptr<DistanceSource> mesh_distance(const Mesh& surface, const Mesh& whole,
+                                              std::vector<FacetTolerance> tolerances) {
+  return std::make_unique<MeshDistance>(surface, whole, std::move(tolerances));
 }
 
 }  // namespace palpable::sculpt

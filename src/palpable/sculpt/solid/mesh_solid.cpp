@@ -3,6 +3,7 @@
 #include "palpable/sculpt/solid/mesh_solid.hpp"
 
 #include "palpable/sculpt/solid/mesh_distance.hpp"
+#include "palpable/sculpt/solid/small_facets.hpp"
 #include "palpable/sculpt/solid/smooth_surface.hpp"
 #include "palpable/sculpt/solid/surface_cut.hpp"
 #include "palpable/sculpt/triangles/hole_closing.hpp"
@@ -30,6 +31,21 @@ std::unique_ptr<DistanceSource> smoothed(const Mesh& whole, double finest_m, con
   repair.rounded = count;
   repair.rounded_m = facets.rounding_m;
   return smooth;
+}
+
+/// How closely a field has to follow each triangle of a surface that is not smoothed; empty if few of its
+/// facets are those of a curved one.
+std::vector<FacetTolerance> tolerances_of(const Mesh& surface, double finest_m, const FacetOptions& facets) {
+  if (!(facets.rounding_m > 0.0)) return {};
+  std::vector<FacetTolerance> all =
+      facet_tolerances(surface, {facets.rounding_m, facets.most_cells_to_edge * finest_m});
+  const auto count = std::count_if(all.begin(), all.end(), [](FacetTolerance t) { return t.turn > 0.0F; });
+  if (static_cast<double>(count) < facets.least_share * static_cast<double>(all.size())) return {};
+  for (FacetTolerance& t : all) {
+    t.rise_m *= static_cast<float>(facets.cut_rise_share);
+    t.turn *= static_cast<float>(facets.cut_turn_share);
+  }
+  return all;
 }
 
 /// Thickens walls and sheets. `sheet_candidates`: how many of the first triangles of `whole` are sheets where
@@ -105,7 +121,7 @@ Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work&
   if (work.cancelled()) return Work::interrupted();
   solid.repair.inner = surface.inner;
   if (!surface.mesh.triangles.empty())
-    solid.distance = mesh_distance(surface.mesh, whole);
+    solid.distance = mesh_distance(surface.mesh, whole, tolerances_of(surface.mesh, finest_m, facets));
   else if (repair.sheet_count == 0)
     return invalid_input("is a mesh that encloses no volume");
   // Triangles that close holes are not sheets.

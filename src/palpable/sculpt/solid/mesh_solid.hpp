@@ -30,6 +30,9 @@ struct FacetOptions {
   double coarse_share = 0.1;
   double noise_turn_share = 5.0;
   double noise_rise_share = 0.3;
+  /// The share of a facet's rise and turn that a field may omit where bodies overlap: their surface is cut
+  /// along itself and not smoothed. 0 ... 10.
+  double cut_rise_share = 0.5, cut_turn_share = 1.0;
 };
 
 struct MeshSolid {

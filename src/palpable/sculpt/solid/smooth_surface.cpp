@@ -4,6 +4,7 @@
 
 #include "palpable/sculpt/solid/inside_test.hpp"
 #include "palpable/sculpt/solid/nearest_in_balls.hpp"
+#include "palpable/sculpt/solid/small_facets.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,26 +42,6 @@ struct SmoothSurface::Patch {
 };
 
 namespace {
-
-/// Neighbouring facets whose normals differ by more than 20 degrees meet in a sharp edge: cosine of that
-/// angle.
-constexpr double kSmoothCosine = 0.9397;
-
-/// The radius of the greatest circle in a triangle.
-double inradius_m(const std::array<Vec3, 3>& t) {
-  const double around_m = norm(t[1] - t[0]) + norm(t[2] - t[1]) + norm(t[0] - t[2]);
-  return norm(cross(t[1] - t[0], t[2] - t[0])) / around_m;
-}
-
-/// The height of a uniformly curved surface above two triangles that turn by `turn` over a common edge: h
-/// turn / 3 above the centre of equilateral ones, h turn / 8 for long strips.
-double bulge_over_edge_m(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b, double edge_m,
-                         double turn) {
-  const auto height_m = [&](const std::array<Vec3, 3>& t) {
-    return norm(cross(t[1] - t[0], t[2] - t[0])) / edge_m;
-  };
-  return std::max(height_m(a), height_m(b)) * turn / 3.0;
-}
 
 double angle_between(Vec3 a, Vec3 b) { return std::acos(std::clamp(dot(unit(a), unit(b)), -1.0, 1.0)); }
 
