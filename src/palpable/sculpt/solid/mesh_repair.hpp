@@ -3,15 +3,27 @@
 #pragma once
 
 #include "palpable/core/geometry/mesh.hpp"
+#include "palpable/sculpt/triangles/box.hpp"
 #include "palpable/sculpt/triangles/hole_closing.hpp"
 #include "palpable/sculpt/triangles/open_sheets.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace palpable::sculpt {
+
+/// A hole that was closed.
+struct ClosedHole {
+  /// The bounding box of its rim.
+  Box rim;
+  /// The area of the triangles that close it, and the direction in which they face, of length 1; zero for a
+  /// lid that faces everywhere.
+  double area_m2 = 0.0;
+  Vec3 facing;
+};
 
 /// Defects of a mesh that were found and repaired.
 struct MeshRepair {
@@ -31,6 +43,9 @@ struct MeshRepair {
   std::size_t turned_parts = 0;
   /// Holes that were closed by triangles between the vertices of their rims.
   std::size_t closed_holes = 0;
+  /// The largest of them by area, at most kListedHoles, the largest first.
+  std::vector<ClosedHole> largest_holes;
+  static constexpr std::size_t kListedHoles = 3;
   /// Triangles with the solid on both sides or on none: not part of its surface.
   std::size_t inner = 0;
   /// Number of facets that were smoothed, and the greatest distance of the smooth surface from them.
@@ -48,7 +63,10 @@ struct MeshRepair {
   std::size_t ground = 0;
   double wall_m = 0.0;
   double thickened_m = 0.0;
-  /// One sentence each, for the user.
+  /// Counts holes that are closed by their lids.
+  void add_closed(std::span<const Vec3> vertices_m, std::span<const Hole> holes);
+  /// One sentence each, for the user. Places are in mm in the mesh's frame; directions are named as in a
+  /// scene (x right, y up, z towards the user).
   std::vector<std::string> notes() const;
 };
 

@@ -4,7 +4,10 @@
 #include "palpable/sculpt/solid/mesh_repair.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <span>
 #include <string>
 
 namespace palpable::sculpt {
@@ -33,7 +36,58 @@ std::string note_on_two_sided(const MeshRepair& repair) {
   return note;
 }
 
+std::string facing_of(Vec3 direction) {
+  const std::array<double, 3> along{direction.x, direction.y, direction.z};
+  constexpr std::array kNames{std::array{"left", "right"}, std::array{"down", "up"},
+                              std::array{"to the back", "to the front"}};
+  const auto axis = static_cast<std::size_t>(
+      std::max_element(along.begin(), along.end(),
+                       [](double a, double b) { return std::abs(a) < std::abs(b); }) -
+      along.begin());
+  // A direction between two axes has no simple name.
+  constexpr double kMostly = 0.8;
+  return std::abs(along[axis]) < kMostly ? "" : std::string(", faces ") + kNames[axis][along[axis] > 0.0];
+}
+
+std::string note_on_holes(const MeshRepair& repair) {
+  const auto mm = [](double metres) { return figure(1e3 * metres, 3); };
+  const auto described = [&](const ClosedHole& hole) {
+    const Vec3 size = hole.rim.size_m(), middle = 0.5 * (hole.rim.least_m + hole.rim.most_m);
+    return mm(size.x) + " x " + mm(size.y) + " x " + mm(size.z) + " mm, its middle at (" + mm(middle.x) +
+           ", " + mm(middle.y) + ", " + mm(middle.z) + ") mm" + facing_of(hole.facing);
+  };
+  const std::size_t listed = repair.largest_holes.size();
+  std::string note = repair.closed_holes == 1
+                         ? "One hole in the mesh was closed, and the space behind it is solid"
+                         : std::to_string(repair.closed_holes) + " holes in the mesh were closed";
+  if (listed > 0)
+    note += repair.closed_holes == 1 ? ": " : listed < repair.closed_holes ? ". The largest: " : ": ";
+  for (std::size_t i = 0; i < listed; ++i) note += (i > 0 ? "; " : "") + described(repair.largest_holes[i]);
+  return note + ".";
+}
+
 }  // namespace
+
+void MeshRepair::add_closed(std::span<const Vec3> vertices_m, std::span<const Hole> holes) {
+  closed_holes += holes.size();
+  for (const Hole& hole : holes) {
+    if (hole.lid.empty()) continue;
+    const Vec3 first = vertices_m[hole.lid[0][0]];
+    ClosedHole closed{{first, first}, 0.0, {}};
+    Vec3 sum;
+    for (const auto& t : hole.lid) {
+      const Vec3 a = vertices_m[t[0]], doubled = cross(vertices_m[t[1]] - a, vertices_m[t[2]] - a);
+      closed.area_m2 += 0.5 * norm(doubled);
+      sum += doubled;
+      for (const std::uint32_t v : t) closed.rim.grow(vertices_m[v]);
+    }
+    if (norm(sum) > 0.0) closed.facing = unit(sum);
+    const auto at = std::upper_bound(largest_holes.begin(), largest_holes.end(), closed,
+                                     [](const auto& a, const auto& b) { return a.area_m2 > b.area_m2; });
+    largest_holes.insert(at, closed);
+    if (largest_holes.size() > kListedHoles) largest_holes.pop_back();
+  }
+}
 
 std::vector<std::string> MeshRepair::notes() const {
   std::vector<std::string> notes;
@@ -49,7 +103,7 @@ std::vector<std::string> MeshRepair::notes() const {
   if (two_sided > 0) notes.push_back(note_on_two_sided(*this));
   add(turned_parts, "One part of the mesh was turned to face outwards.",
       " parts of the mesh were turned to face outwards.");
-  add(closed_holes, "One hole in the mesh was closed.", " holes in the mesh were closed.");
+  if (closed_holes > 0) notes.push_back(note_on_holes(*this));
   add(inner, "One triangle inside the solid was left out.", " triangles inside the solid were left out.");
   if (rounded > 0)
     notes.push_back(std::to_string(rounded) + " small facets were smoothed, by at most " +

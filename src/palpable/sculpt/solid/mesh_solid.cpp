@@ -94,7 +94,8 @@ Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work&
     return solid;
   }
   const std::size_t first_added = whole.triangles.size();
-  solid.repair.closed_holes = add_lids(whole, repair.holes);
+  add_lids(whole, repair.holes);
+  solid.repair.add_closed(whole.vertices_m, repair.holes);
   // Freed before the distance source builds its own tree: for millions of triangles it takes gigabytes.
   std::optional<TriangleTree> tree(whole);
   // The orientation by rays may be wrong for parts that were still open.
@@ -102,7 +103,9 @@ Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work&
     const std::size_t turned = turn_inside_out_parts(whole, *tree);
     if (turned > 0) {
       // A part that shares walls with others leaves their common rims open when it is turned.
-      solid.repair.closed_holes += close_holes(whole);
+      const std::vector<Hole> holes = holes_of(whole.vertices_m, whole.triangles);
+      add_lids(whole, holes);
+      solid.repair.add_closed(whole.vertices_m, holes);
       tree.emplace(whole);
     }
     solid.repair.turned_parts += turned;

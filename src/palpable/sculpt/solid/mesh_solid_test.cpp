@@ -66,6 +66,35 @@ TEST(MeshSolid, ClosesAnOpenMesh) {
   EXPECT_NEAR(solid->distance->at({1.5, 0.1, 0.2}, hint).distance_m, 0.5, 1e-6);
 }
 
+TEST(MeshSolid, SaysWhereAClosedHoleIsAndHowLarge) {
+  // A court: walls and a floor of 40 x 20 x 30 mm, open above.
+  Mesh mesh = box_mesh({-0.02, 0.0, -0.01}, {0.02, 0.02, 0.02});
+  std::erase_if(mesh.triangles, [&](const auto& t) {
+    return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return mesh.vertices_m[v].y > 0.01; });
+  });
+  ASSERT_EQ(mesh.triangles.size(), 10U);
+  const auto solid = solid_from_mesh(mesh, 0.0005, {});
+  ASSERT_TRUE(solid);
+  EXPECT_EQ(
+      solid->repair.notes(),
+      std::vector<std::string>{"One hole in the mesh was closed, and the space behind it is solid: 40 x 0 x "
+                               "30 mm, its middle at (0, 20, 5) mm, faces up."});
+}
+
+TEST(MeshSolid, ListsTheLargestOfManyClosedHoles) {
+  MeshRepair repair;
+  const std::vector<Vec3> places{{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}, {0, 0.001, 0}};
+  const auto hole = [](std::uint32_t last) { return Hole{{}, {{0, 1, last}}}; };
+  repair.add_closed(places, std::vector<Hole>{hole(3), hole(3), hole(2), hole(3), hole(3)});
+  EXPECT_EQ(repair.closed_holes, 5U);
+  ASSERT_EQ(repair.largest_holes.size(), 3U);
+  EXPECT_DOUBLE_EQ(repair.largest_holes[0].area_m2, 5e-5);
+  EXPECT_EQ(repair.notes().front().substr(0, 108),
+            "5 holes in the mesh were closed. The largest: 10 x 10 x 0 mm, its middle at (5, 5, 0) mm, faces "
+            "to the "
+            "front");
+}
+
 TEST(MeshSolid, ClosesHousesWithoutFloorsThatShareAWall) {
   const auto house = [](double from, double to) {
     Mesh mesh = box_mesh({from, 0, 0}, {to, 1, 1});
