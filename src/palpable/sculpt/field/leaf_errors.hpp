@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -92,15 +93,21 @@ class LeafErrors {
     return std::max({value / a.value_m, std::sqrt(turned2) / a.gradient, longer});
   }
 
-  /// The greatest error of the distance, over all places; infinite as error(). Gives up at `enough_m`.
-  double greatest_m(const LeafFit& leaf, double enough_m) const {
+  /// The greatest error of the distance, over all places; infinite as error(). Gives up at `enough_m`. Begins
+  /// with the place where the last leaf was farthest off: most leaves of a cell fail at the same place.
+  double greatest_m(const LeafFit& leaf, double enough_m) {
     double greatest = 0.0;
-    for (std::size_t k = 0; k < kFitPlaces && greatest < enough_m; ++k) {
+    const std::size_t first = worst_place_;
+    for (std::size_t i = 0; i < kFitPlaces && greatest < enough_m; ++i) {
+      const std::size_t k = (first + i) % kFitPlaces;
       const Vec3 u = fit_place(k);
       const Vec3 x = samples_.centre_m + samples_.half_m * u;
       const double distance = models::leaf_at(leaf.words.data(), x, u, samples_.half_m, round_m_).distance_m;
       if (!std::isfinite(distance)) return std::numeric_limits<double>::infinity();
-      greatest = std::max(greatest, std::abs(distance - samples_.at[k].distance_m));
+      const double error = std::abs(distance - samples_.at[k].distance_m);
+      if (error <= greatest) continue;
+      greatest = error;
+      worst_place_ = k;
     }
     return greatest;
   }
@@ -127,6 +134,7 @@ class LeafErrors {
   const FitBounds& bounds_;
   double round_m_;
   double side_;
+  std::size_t worst_place_ = 0;
 };
 
 }  // namespace palpable::sculpt
