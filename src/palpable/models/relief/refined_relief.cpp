@@ -74,7 +74,8 @@ void subdivide_cell(const Relief& relief, ReliefCells::Cell cell, int per_pixel,
 RefinedRelief::RefinedRelief(const std::shared_ptr<const Relief>& relief, ReliefCells cells)
     : cells_(std::move(cells)),
       bounded_(relief, bounds_of_cells(cells_)),
-      index_(relief->samples_m().width() - 2, relief->samples_m().height() - 2, -1),
+      width_(relief->samples_m().width() - 2),
+      height_(relief->samples_m().height() - 2),
       steepest_slope_(relief->steepest_slope()),
       middle_x_px_(0.5 * (relief->samples_m().width() - 1)),
       middle_y_px_(0.5 * (relief->samples_m().height() - 1)),
@@ -82,17 +83,28 @@ RefinedRelief::RefinedRelief(const std::shared_ptr<const Relief>& relief, Relief
       fine_per_m_(cells_.per_pixel / relief->pixel_m()) {
   const auto side = static_cast<std::size_t>(cells_.per_pixel + 3);
   PALPABLE_CHECK(cells_.values.size() == cells_.cells.size() * side * side);
+  bits_.resize((static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) + 63) / 64);
+  std::size_t next = 0;
   for (std::size_t k = 0; k < cells_.cells.size(); ++k) {
     const ReliefCells::Cell cell = cells_.cells[k];
-    PALPABLE_CHECK(cell.x >= 1 && cell.y >= 1 && index_.contains(cell.x, cell.y));
-    index_(cell.x, cell.y) = static_cast<std::int32_t>(k);
+    PALPABLE_CHECK(cell.x >= 1 && cell.y >= 1 && cell.x < width_ && cell.y < height_);
+    const std::size_t at = static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(width_) +
+                           static_cast<std::size_t>(cell.x);
+    PALPABLE_CHECK(at >= next);
+    next = at + 1;
+    bits_[at / 64].refined |= std::uint64_t{1} << (at % 64);
     steepest_slope_ =
         std::max(steepest_slope_, double{bounds_of_cell(cells_, k).bounds.steepest} * pixels_per_m_);
+  }
+  std::size_t before = 0;
+  for (CellBits& bits : bits_) {
+    bits.before = static_cast<std::uint32_t>(before);
+    before += set_bits(bits.refined);
   }
 }
 
 std::size_t RefinedRelief::memory_bytes() const {
-  return bounded_.memory_bytes() + index_.count() * sizeof(std::int32_t) +
+  return bounded_.memory_bytes() + bits_.size() * sizeof(CellBits) +
          cells_.cells.size() * sizeof(ReliefCells::Cell) + cells_.values.size() * sizeof(float);
 }
 

@@ -17,7 +17,7 @@ namespace palpable::models {
 struct ReliefCells {
   /// Fine pixels per pixel of the relief, at least 4.
   int per_pixel = 4;
-  /// The refined cells. Only those with 1 <= x < width - 2 and 1 <= y < height - 2 may be.
+  /// The refined cells, row by row. Only those with 1 <= x < width - 2 and 1 <= y < height - 2 may be.
   struct Cell {
     int x = 0;
     int y = 0;
@@ -61,8 +61,16 @@ class RefinedRelief {
 
   ReliefCells cells_;
   BoundedRelief bounded_;
-  /// Index of a cell in `cells_`, -1 if it is not refined.
-  Raster<std::int32_t> index_;
+  /// 64 cells of the relief, row by row: which of them are refined, and how many were before them. It is
+  /// small, so that it stays in the cache.
+  struct CellBits {
+    std::uint64_t refined = 0;
+    std::uint32_t before = 0;
+  };
+  std::vector<CellBits> bits_;
+  /// Only cells left of and above these can be refined.
+  int width_ = 0;
+  int height_ = 0;
   double steepest_slope_ = 0.0;
   double middle_x_px_ = 0.0;
   double middle_y_px_ = 0.0;
@@ -70,22 +78,34 @@ class RefinedRelief {
   double fine_per_m_ = 0.0;
 };
 
+/// std::popcount() is a call on processors without such an instruction, which the build does not require.
+inline std::size_t set_bits(std::uint64_t v) noexcept {
+  v -= (v >> 1U) & 0x5555555555555555U;
+  v = (v & 0x3333333333333333U) + ((v >> 2U) & 0x3333333333333333U);
+  v = (v + (v >> 4U)) & 0x0F0F0F0F0F0F0F0FU;
+  return (v * 0x0101010101010101U) >> 56U;
+}
+
 inline bool RefinedRelief::place_in_cell(double x_m, double y_m, SplinePlace& place) const noexcept {
   const double x_px = middle_x_px_ + x_m * pixels_per_m_;
   const double y_px = middle_y_px_ - y_m * pixels_per_m_;
   // Written so that NaN goes to the relief, which handles it. Border cells are not refined.
-  if (!(x_px >= 1.0 && x_px < index_.width() && y_px >= 1.0 && y_px < index_.height())) return false;
+  if (!(x_px >= 1.0 && x_px < width_ && y_px >= 1.0 && y_px < height_)) return false;
   const int x = static_cast<int>(x_px);
   const int y = static_cast<int>(y_px);
-  const std::int32_t k = index_(x, y);
-  if (k < 0) return false;
+  const std::size_t cell =
+      static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+  const CellBits& bits = bits_[cell / 64];
+  const std::uint64_t here = std::uint64_t{1} << (cell % 64);
+  if ((bits.refined & here) == 0) return false;
+  const std::size_t k = bits.before + set_bits(bits.refined & (here - 1));
   const auto n = static_cast<std::size_t>(cells_.per_pixel);
   const double right = (x_px - x) * cells_.per_pixel;
   const double down = (y_px - y) * cells_.per_pixel;
   const int i = static_cast<int>(right);
   const int j = static_cast<int>(down);
   const std::size_t stride = n + 3;
-  const float* const tile = cells_.values.data() + static_cast<std::size_t>(k) * stride * stride;
+  const float* const tile = cells_.values.data() + k * stride * stride;
   place = {tile + static_cast<std::size_t>(j) * stride + static_cast<std::size_t>(i), stride, right - i,
            down - j};
   return true;
