@@ -67,10 +67,11 @@ void print_errors(const CorrectedField& corrected, double share) {
     const double radius_m = kRadius_m + 0.002 - 0.012 * uniform(random);
     const Vec3 place = radius_m * Vec3{sine * std::cos(angle), sine * std::sin(angle), cosine};
     DistanceSource::Hint hint;
-    const models::FieldSample truth = corrected.solid->at(place, hint), is = corrected.field.sample(place);
+    const models::DistanceSample truth = corrected.solid->at(place, hint);
+    const models::FieldSample is = corrected.field.sample({place});
     const bool near = truth.distance_m > -0.003 && truth.distance_m < 0.001;
     (near ? near_m : deep_m).push_back(std::abs(is.distance_m - truth.distance_m));
-    (near ? near_turn : deep_turn).push_back(norm(is.gradient - truth.gradient));
+    (near ? near_turn : deep_turn).push_back(norm(is.gradient.v - truth.gradient));
   }
   const auto of = [](std::vector<double>& all, double quantile) {
     std::sort(all.begin(), all.end());

@@ -93,12 +93,12 @@ void measure(const Distance& field, const sculpt::DistanceSource& source) {
   for (int i = 0; i < 4'000'000; ++i) {
     const double x = uniform(random), y = uniform(random), z = uniform(random);
     const Vec3 p = field.origin_m() + Vec3{x * size.x, y * size.y, z * size.z};
-    const models::FieldSample felt = field.sample(p);
+    const models::FieldSample felt = field.sample({p});
     if (!(felt.distance_m < 0.001)) continue;
     const bool is_deep = felt.distance_m <= -0.003;
     constexpr int kDeepOneOf = 8;
     if (is_deep && i % kDeepOneOf != 0) continue;
-    const models::FieldSample truth = source.at(p, hint);
+    const models::DistanceSample truth = source.at(p, hint);
     const double error_m = std::abs(felt.distance_m - truth.distance_m);
     if (is_deep) {
       deep.values.push_back(error_m);
@@ -106,8 +106,8 @@ void measure(const Distance& field, const sculpt::DistanceSource& source) {
     }
     if (is_smooth(source, p, truth.gradient, field.cell_m(), hint)) {
       smooth.values.push_back(error_m);
-      length.values.push_back(std::abs(norm(felt.gradient) - 1.0));
-      turned.values.push_back(std::acos(std::clamp(dot(unit(felt.gradient), truth.gradient), -1.0, 1.0)));
+      length.values.push_back(std::abs(norm(felt.gradient.v) - 1.0));
+      turned.values.push_back(std::acos(std::clamp(dot(unit(felt.gradient.v), truth.gradient), -1.0, 1.0)));
     } else {
       edges.values.push_back(error_m);
     }
@@ -146,8 +146,8 @@ double query_ns(const Distance& field) {
   for (double& run : runs) {
     const auto begin = Clock::now();
     for (const Vec3 p : path) {
-      const models::FieldSample s = field.sample(p);
-      sum += s.distance_m + s.gradient.x;
+      const models::FieldSample s = field.sample({p});
+      sum += s.distance_m + s.gradient.v.x;
     }
     run = 1e9 * seconds_since(begin) / kPlaces;
   }
@@ -175,15 +175,15 @@ void print_cold(const models::DistanceField& field) {
     const double x = uniform(random), y = uniform(random), z = uniform(random);
     const Vec3 size = field.size_m();
     const Vec3 p = field.origin_m() + Vec3{x * size.x, y * size.y, z * size.z};
-    if (std::abs(field.sample(p).distance_m) > 0.001) continue;
+    if (std::abs(field.sample({p}).distance_m) > 0.001) continue;
     forget(field.tree().roots);
     forget(field.tree().nodes);
     forget(field.tree().words);
     __builtin_ia32_mfence();
     const auto before = Clock::now();
     const auto begin = Clock::now();
-    const models::FieldSample s = field.sample(p);
-    sum += s.distance_m + s.gradient.x;
+    const models::FieldSample s = field.sample({p});
+    sum += s.distance_m + s.gradient.v.x;
     const auto end = Clock::now();
     nothing_ns.push_back(1e9 * std::chrono::duration<double>(begin - before).count());
     times_ns.push_back(1e9 * std::chrono::duration<double>(end - begin).count());

@@ -14,8 +14,8 @@ namespace palpable::bench {
 template <models::DistanceSurface Distance>
 Vec3 under_surface(const Distance& field, Vec3 p) {
   for (int step = 0; step < 4; ++step) {
-    const models::FieldSample s = field.sample(p);
-    p -= (s.distance_m + 0.0005) * unit(s.gradient);
+    const models::FieldSample s = field.sample({p});
+    p -= (s.distance_m + 0.0005) * unit(s.gradient.v);
   }
   return p;
 }

@@ -45,12 +45,12 @@ void print_errors(const models::DistanceField& field, const sculpt::DistanceSour
     const double x = uniform(random), y = uniform(random), z = uniform(random);
     const Vec3 size = field.size_m();
     const Vec3 p = field.origin_m() + Vec3{x * size.x, y * size.y, z * size.z};
-    const models::FieldSample s = field.sample(p);
+    const models::FieldSample s = field.sample({p});
     if (!(s.distance_m < 0.001 && s.distance_m > -0.003)) continue;
-    const models::FieldSample truth = facets.at(p, hint);
+    const models::DistanceSample truth = facets.at(p, hint);
     const double error = s.distance_m - truth.distance_m;
     squares += error * error;
-    turned += squared_norm(unit(s.gradient) - truth.gradient);
+    turned += squared_norm(unit(s.gradient.v) - truth.gradient);
     errors.push_back(std::abs(error));
   }
   std::sort(errors.begin(), errors.end());
@@ -81,8 +81,8 @@ void print_times(const models::DistanceField& field, double speed_m_per_s) {
   for (const Vec3 p : path) {
     const auto before = Clock::now();
     const auto begin = Clock::now();
-    const models::FieldSample s = field.sample(p);
-    sum += s.distance_m + s.gradient.x;
+    const models::FieldSample s = field.sample({p});
+    sum += s.distance_m + s.gradient.v.x;
     const auto end = Clock::now();
     empty_ns.push_back(1e9 * std::chrono::duration<double>(begin - before).count());
     times_ns.push_back(1e9 * std::chrono::duration<double>(end - begin).count());
@@ -111,7 +111,7 @@ void print_lengths(const models::DistanceField& field, const sculpt::DistanceSou
   for (int count = 0; count < 20000;) {
     const double x = uniform(random), y = uniform(random), z = uniform(random);
     const Vec3 size = field.size_m(), p = field.origin_m() + Vec3{x * size.x, y * size.y, z * size.z};
-    const models::FieldSample s = field.sample(p);
+    const models::FieldSample s = field.sample({p});
     if (!(s.distance_m < 0.001 && s.distance_m > -0.003)) continue;
     ++count;
     std::array<Vec3, 6> around;
@@ -126,7 +126,7 @@ void print_lengths(const models::DistanceField& field, const sculpt::DistanceSou
     std::size_t k = 0;
     while (turn > kTurns[k]) ++k;
     ++places[k];
-    longer[k] += norm(s.gradient) > 1.05 ? 1 : 0;
+    longer[k] += norm(s.gradient.v) > 1.05 ? 1 : 0;
   }
   for (std::size_t k = 0; k < kTurns.size(); ++k)
     if (places[k] > 0)

@@ -67,7 +67,7 @@ Places places_near(const sculpt::DistanceSource& source) {
            uniform(box.least_m.z, box.most_m.z)};
     const Vec3 way = unit({uniform(-1.0, 1.0), uniform(-1.0, 1.0), uniform(-1.0, 1.0)});
     for (int step = 0; step < 50 && places.at.size() < kCount; ++step) {
-      const models::FieldSample s = source.at(p, hint);
+      const models::DistanceSample s = source.at(p, hint);
       p -= (s.distance_m - uniform(-kBand_m, kBand_m)) * s.gradient;
       places.at.push_back(p);
       places.distance_m.push_back(source.at(p, hint).distance_m);
@@ -224,10 +224,10 @@ int compare(const char* path) {
       "| | resident, MB | on disk, MB | error, um: median / 99 %% / most | value / with slope, ns "
       "| build, s |\n|---|---|---|---|---|---|\n");
   print_row(
-      "ours", row, places, [&](Vec3 p) { return distance->sample(p).distance_m; },
+      "ours", row, places, [&](Vec3 p) { return distance->sample({p}).distance_m; },
       [&](Vec3 p) {
-        const models::FieldSample s = distance->sample(p);
-        return s.distance_m + s.gradient.x + s.gradient.y + s.gradient.z;
+        const models::FieldSample s = distance->sample({p});
+        return s.distance_m + s.gradient.v.x + s.gradient.v.y + s.gradient.v.z;
       });
   print_grid("OpenVDB, narrow band", "NanoVDB 8 bit, narrow band", *mesh, source, places, voxel_m,
              3.0 * voxel_m);

@@ -32,7 +32,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (int i = 0; i < 64; ++i) {
     const Vec3 p =
         grid.origin_m + 0.0007 * Vec3{1.0 * (i % 4) * 5.0, 1.0 * (i / 4 % 4) * 3.0, 1.0 * (i / 16) * 3.0};
-    const models::FieldSample s = field->sample(p);
+    const models::FieldSample s = field->sample({p});
     if (!std::isfinite(s.distance_m)) std::abort();
   }
   const auto again = formats::tree_from(grid, formats::streams_of(grid, field->tree()));

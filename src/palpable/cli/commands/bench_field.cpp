@@ -14,7 +14,7 @@ namespace {
 
 class TwoBalls final : public sculpt::DistanceSource {
  public:
-  models::FieldSample at(Vec3 p, Hint& /*hint*/) const override {
+  models::DistanceSample at(Vec3 p, Hint& /*hint*/) const override {
     const Vec3 a = p - Vec3{-kApart_m, 0.0, 0.0}, b = p - Vec3{kApart_m, 0.0, 0.0};
     const Vec3 nearer = squared_norm(a) < squared_norm(b) ? a : b;
     const double length = norm(nearer);
@@ -45,9 +45,9 @@ class Asking final : public haptics::Touchable {
   explicit Asking(const models::DistanceField& field) : field_(field) {}
   haptics::LawOutput evaluate(const haptics::Hand& hand,
                               haptics::TouchState& /*state*/) const noexcept override {
-    const models::FieldSample s = field_.sample(hand.position.v);
+    const models::FieldSample s = field_.sample(hand.position);
     haptics::LawOutput output;
-    output.force_N.v = s.gradient;
+    output.force_N = s.gradient;
     output.stored_J = s.distance_m;
     output.contact = s.distance_m < 0.0;
     return output;
@@ -89,8 +89,8 @@ std::vector<haptics::PathSample> own_field_path(const models::DistanceField& fie
     hand += std::min(1.0, kFastest_m_per_s * kTick_s / std::max(norm(way), 1e-9)) * way;
     constexpr int kSteps = 12;
     for (int step = 0; step < kSteps; ++step) {
-      const models::FieldSample s = field.sample(hand);
-      hand -= (s.distance_m + kUnder_m) * unit(s.gradient);
+      const models::FieldSample s = field.sample({hand});
+      hand -= (s.distance_m + kUnder_m) * unit(s.gradient.v);
     }
     path.push_back({t, {hand}});
   }

@@ -25,29 +25,29 @@ using Value = std::optional<models::ClosestPoint>;
 
 /// The field's value; its gradient leads to the nearest surface point.
 template <models::DistanceSurface Distance>
-Value ask(const Distance& field, Vec3 place_m) {
-  if (!is_finite(place_m) || !field.contains(place_m)) return std::nullopt;
-  const models::FieldSample s = field.sample(place_m);
-  const Vec3 normal = unit(s.gradient);
-  return models::ClosestPoint{{place_m - s.distance_m * normal}, s.distance_m, {normal}};
+Value ask(const Distance& field, Point<SceneFrame> place) {
+  if (!is_finite(place) || !field.contains(place)) return std::nullopt;
+  const models::FieldSample s = field.sample(place);
+  const Vector<SceneFrame> normal{unit(s.gradient.v)};
+  return models::ClosestPoint{place - s.distance_m * normal, s.distance_m, normal};
 }
 
 /// A grid knows distances only inside, and up to half its spacing outside.
-Value ask(const models::OccupancyGrid& grid, Vec3 place_m) {
-  if (!is_finite(place_m)) return std::nullopt;
-  const models::GridSample s = grid.sample(place_m);
-  if (s.normal == Vec3{}) return std::nullopt;
-  return models::ClosestPoint{{place_m + s.depth_m * s.normal}, -s.depth_m, {s.normal}};
+Value ask(const models::OccupancyGrid& grid, Point<SceneFrame> place) {
+  if (!is_finite(place)) return std::nullopt;
+  const models::GridSample s = grid.sample(place);
+  if (s.normal == Vector<SceneFrame>{}) return std::nullopt;
+  return models::ClosestPoint{place + s.depth_m * s.normal, -s.depth_m, s.normal};
 }
 
-Value ask(const models::Scene& scene, Vec3 place_m) {
+Value ask(const models::Scene& scene, Point<SceneFrame> place) {
   if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model))
-    return ask((*field)->distance, place_m);
+    return ask((*field)->distance, place);
   if (const auto* dense = std::get_if<std::shared_ptr<const models::FieldOnLattice>>(&scene.model))
-    return ask((*dense)->distance, place_m);
+    return ask((*dense)->distance, place);
   if (const auto* grid = std::get_if<std::shared_ptr<const models::Grid>>(&scene.model))
-    return ask((*grid)->occupancy, place_m);
-  return models::closest_point(*models::relief_of(scene), {place_m});
+    return ask((*grid)->occupancy, place);
+  return models::closest_point(*models::relief_of(scene), place);
 }
 
 std::vector<Value> ask(const models::Scene& scene, const NumberTable& points, const Work& work) {
@@ -55,7 +55,7 @@ std::vector<Value> ask(const models::Scene& scene, const NumberTable& points, co
   parallel_for(work, static_cast<int>(points.rows()), 256, [&](int begin, int end) {
     for (int i = begin; i < end && !work.cancelled(); ++i) {
       const auto row = points.row(static_cast<std::size_t>(i));
-      values[static_cast<std::size_t>(i)] = ask(scene, {row[0], row[1], row[2]});
+      values[static_cast<std::size_t>(i)] = ask(scene, {{row[0], row[1], row[2]}});
     }
   });
   return values;

@@ -51,11 +51,11 @@ Raster<Rgb8> distances(const Distance& field, double y_m, const Plot& plot) {
   for (int j = 0; j < picture.height(); ++j)
     for (int i = 0; i < picture.width(); ++i) {
       const double x_m = plot.left / kMm + (i + 0.5) * step_m, z_m = plot.top / kMm - (j + 0.5) * step_m;
-      const models::FieldSample s = field.sample({x_m, y_m, z_m});
+      const models::FieldSample s = field.sample({{x_m, y_m, z_m}});
       const double d = s.distance_m;
       // Lines have the same width where the surface crosses the plane obliquely.
       constexpr double kLeastSlope = 0.1;
-      const double width_m = step_m * std::max(kLeastSlope, std::hypot(s.gradient.x, s.gradient.z));
+      const double width_m = step_m * std::max(kLeastSlope, std::hypot(s.gradient.v.x, s.gradient.v.z));
       Rgb8 colour = distance_colour(d / (kColourLines * spacing_m));
       const double line = std::round(d / spacing_m);
       const bool near = std::abs(line) <= kColourLines;
@@ -95,13 +95,13 @@ void draw_forces(Canvas& canvas, const Distance& field, double y_m, const Plot& 
   const double spacing_mm = (plot.right - plot.left) / kArrowsAcross;
   for (double z = plot.bottom + 0.5 * spacing_mm; z < plot.top; z += spacing_mm)
     for (double x = plot.left + 0.5 * spacing_mm; x < plot.right; x += spacing_mm) {
-      const models::FieldSample s = field.sample({x / kMm, y_m, z / kMm});
+      const models::FieldSample s = field.sample({{x / kMm, y_m, z / kMm}});
       // Deeper than the lines reach no hand gets.
       const double lines = -s.distance_m * kMm / line_spacing_mm(plot);
       if (lines <= 0.0 || lines > kColourLines) continue;
       const double length = std::min(kLongest_px, lines * kPixelsALine);
       const CanvasPoint from = plot.at(x, z);
-      canvas.arrow(from, {from.x + length * s.gradient.x, from.y - length * s.gradient.z},
+      canvas.arrow(from, {from.x + length * s.gradient.v.x, from.y - length * s.gradient.v.z},
                    {{150, 20, 40}, 1.6});
     }
 }

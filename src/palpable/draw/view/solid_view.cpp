@@ -84,13 +84,13 @@ double surface_along(const Distance& field, const View& view, Vec3 ray, Vec3 lea
   const double shortest_m = 0.1 * field.cell_m();
   double before = span->first;
   for (double t = span->first; t <= span->second;) {
-    const double distance_m = field.sample(view.centre + t * ray).distance_m;
+    const double distance_m = field.sample({view.centre + t * ray}).distance_m;
     if (distance_m <= 0.0) {
       constexpr int kHalvings = 8;
       double inside = t;
       for (int k = 0; k < kHalvings; ++k) {
         const double middle = 0.5 * (before + inside);
-        (field.sample(view.centre + middle * ray).distance_m > 0.0 ? before : inside) = middle;
+        (field.sample({view.centre + middle * ray}).distance_m > 0.0 ? before : inside) = middle;
       }
       return 0.5 * (before + inside);
     }
@@ -107,7 +107,7 @@ double ambient_occlusion(const Distance& field, Vec3 place, Vec3 normal, double 
   double hidden = 0.0, weight = 0.5;
   for (int k = 1; k <= kSteps; ++k, weight *= 0.5) {
     const double away_m = reach_m * k / kSteps;
-    hidden += weight * std::max(0.0, away_m - field.sample(place + away_m * normal).distance_m) / away_m;
+    hidden += weight * std::max(0.0, away_m - field.sample({place + away_m * normal}).distance_m) / away_m;
   }
   return std::clamp(1.0 - 1.2 * hidden, 0.25, 1.0);
 }
@@ -135,7 +135,7 @@ Rendered rendered(const Distance& field, const View& view, Vec3 least, Vec3 most
         if (t == static_cast<double>(kNothing)) continue;
         out.depth_m(i, j) = static_cast<float>(t);
         const Vec3 place = view.centre + t * ray;
-        const Vec3 normal = unit(field.sample(place).gradient);
+        const Vec3 normal = unit(field.sample({place}).gradient.v);
         const double lit = 0.35 + 0.75 * std::max(0.0, dot(normal, light));
         const double rim = std::clamp(0.55 + 1.5 * std::abs(dot(normal, ray)), 0.0, 1.0);
         const double shade = lit * rim * ambient_occlusion(field, place, normal, 0.12 * radius_m);

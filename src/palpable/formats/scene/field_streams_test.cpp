@@ -110,7 +110,7 @@ TEST(FieldCodec, ReadsFieldsFromBeforeCompactLeaves) {
   const auto& back = std::get<std::shared_ptr<const models::Field>>(*model)->distance;
   for (int k = 0; k < 500; ++k) {
     const Vec3 p{-0.01 + 0.00003 * k, 0.00001 * k, 0.002 + 0.000012 * k};
-    ASSERT_EQ(back.sample(p).distance_m, field->distance.sample(p).distance_m);
+    ASSERT_EQ(back.sample({p}).distance_m, field->distance.sample({p}).distance_m);
   }
   description["layout"] = 3;
   EXPECT_FALSE(read_field(description, members));

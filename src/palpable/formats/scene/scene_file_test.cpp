@@ -219,8 +219,8 @@ TEST(SceneFile, KeepsAFieldsDistancesExactly) {
   for (int i = 0; i < 1000; ++i) {
     const Vec3 p{-0.008 + 0.016 * (i % 10) / 9.0, -0.004 + 0.008 * (i / 10 % 10) / 9.0,
                  0.008 * (i / 100) / 9.0};
-    ASSERT_EQ(after.distance.sample(p).distance_m, before.distance.sample(p).distance_m);
-    ASSERT_EQ(after.distance.sample(p).gradient, before.distance.sample(p).gradient);
+    ASSERT_EQ(after.distance.sample({p}).distance_m, before.distance.sample({p}).distance_m);
+    ASSERT_EQ(after.distance.sample({p}).gradient, before.distance.sample({p}).gradient);
   }
 }
 

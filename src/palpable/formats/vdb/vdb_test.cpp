@@ -43,7 +43,7 @@ void expect_half_space(const LevelSet& set, double inside_m) {
       const Vec3 at{block.corner[0] + 1.0 * (i / 64), block.corner[1] + 1.0 * (i / 8 % 8),
                     block.corner[2] + 1.0 * (i % 8)};
       const Vec3 p = set.origin_m + at.x * set.steps_m[0] + at.y * set.steps_m[1] + at.z * set.steps_m[2];
-      const double expected = std::clamp(field.sample(p).distance_m, -inside_m, width_m);
+      const double expected = std::clamp(field.sample({p}).distance_m, -inside_m, width_m);
       // Half floats have 11 significant bits.
       ASSERT_NEAR(static_cast<double>(block.values[static_cast<std::size_t>(i)]), expected,
                   1e-7 + std::abs(expected) / 2048.0);

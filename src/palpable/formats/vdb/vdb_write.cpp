@@ -58,7 +58,7 @@ std::vector<int> blocks_in_band(const Distance& field, const Blocks& blocks, Vdb
     for (int i = begin; i < end && !work.cancelled(); ++i) {
       const Vec3 middle{3.5, 3.5, 3.5};
       const double distance_m =
-          field.sample(blocks.place(blocks.corner(i)) + blocks.voxel_m * middle).distance_m;
+          field.sample({blocks.place(blocks.corner(i)) + blocks.voxel_m * middle}).distance_m;
       // Half of a block's diagonal, and a margin for the field's error.
       const double reach_m = (norm(middle) + kHalfWidth_voxels + 1.0) * blocks.voxel_m;
       const bool near = band == VdbBand::full ? distance_m < reach_m : std::abs(distance_m) < reach_m;
@@ -77,7 +77,7 @@ std::unique_ptr<Leaf> leaf_of(const Distance& field, const Blocks& blocks, int b
   const auto width_m = static_cast<float>(kHalfWidth_voxels * blocks.voxel_m);
   auto leaf = std::make_unique<Leaf>(blocks.corner(block), width_m, false);
   for (openvdb::Index i = 0; i < Leaf::SIZE; ++i) {
-    const auto d = static_cast<float>(field.sample(blocks.place(leaf->offsetToGlobalCoord(i))).distance_m);
+    const auto d = static_cast<float>(field.sample({blocks.place(leaf->offsetToGlobalCoord(i))}).distance_m);
     const bool active = d < width_m && (band == VdbBand::full || d > -width_m);
     if (active)
       leaf->setValueOn(i, d);

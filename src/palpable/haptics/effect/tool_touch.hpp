@@ -46,10 +46,10 @@ Wrench tool_wrench(const Surface& surface, std::span<const ToolPlace> places,
   Wrench wrench;
   for (const ToolPlace& tool : places) {
     const Point<SceneFrame> place = scene_from_tool * tool.place;
-    const models::FieldSample s = surface.sample(place.v);
+    const models::FieldSample s = surface.sample(place);
     if (!(s.distance_m < 0.0)) continue;
     const double stiffness = tool.share * stiffness_N_per_m;
-    const Vector<SceneFrame> force{-stiffness * s.distance_m * s.gradient};
+    const Vector<SceneFrame> force = -stiffness * s.distance_m * s.gradient;
     wrench.contact = true;
     wrench.force_N += force;
     wrench.torque_Nm += cross(place - Point<SceneFrame>{scene_from_tool.translation_m}, force);

@@ -17,14 +17,14 @@ constexpr double kStiffness_N_per_m = 800.0;
 
 class Ball {
  public:
-  models::FieldSample sample(Vec3 p) const noexcept { return {norm(p) - 0.02, unit(p)}; }
+  models::FieldSample sample(Point<SceneFrame> p) const noexcept { return {norm(p.v) - 0.02, {unit(p.v)}}; }
   double cell_m() const noexcept { return 2e-4; }
 };
 
 /// The solid below z = 0.
 class Floor {
  public:
-  models::FieldSample sample(Vec3 p) const noexcept { return {p.z, {0.0, 0.0, 1.0}}; }
+  models::FieldSample sample(Point<SceneFrame> p) const noexcept { return {p.v.z, {{0.0, 0.0, 1.0}}}; }
   double cell_m() const noexcept { return 2e-4; }
 };
 

@@ -42,8 +42,8 @@ SlippedHands slip_off(const Touchable& touchable, double top_m, Height height_ov
 
 TEST(Crest, OfASolidHoldsNoHandInTheAirBesideIt) {
   for (const double friction : {0.0, 0.5, 1.0}) {
-    const SlippedHands hands =
-        slip_off(SolidTouchable<Walls>(friction), 0.009, [](Vec3 p) { return Walls().sample(p).distance_m; });
+    const SlippedHands hands = slip_off(SolidTouchable<Walls>(friction), 0.009,
+                                        [](Vec3 p) { return Walls().sample({p}).distance_m; });
     EXPECT_GT(hands.in_air, 500);
     EXPECT_EQ(hands.held, 0) << friction;
   }

@@ -6,6 +6,7 @@
 #include "palpable/haptics/proxy/hand_over.hpp"
 #include "palpable/haptics/proxy/proxy_force.hpp"
 #include "palpable/haptics/proxy/surface_proxy.hpp"
+#include "palpable/models/field/distance_sample.hpp"
 #include "palpable/models/field/distance_surface.hpp"
 
 #include <algorithm>
@@ -147,10 +148,10 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     return {length_m > kTolerance_m ? stretched / length_m : proxy.normal, 1.0};
   }
 
-  models::FieldSample sample(Vec3 place_m) const noexcept {
-    models::FieldSample s = this->surface().sample(place_m);
-    s.distance_m -= radius_m_;
-    return s;
+  /// The distance of the probe's ball at a place of the scene.
+  models::DistanceSample sample(Vec3 place_m) const noexcept {
+    const models::FieldSample s = this->surface().sample({place_m});
+    return {s.distance_m - radius_m_, s.gradient.v};
   }
 
   /// Moves a point near the surface onto it along the gradient (Newton's method). `normal`: in, the normal at
@@ -160,7 +161,7 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     double off_m = 0.0;
     while (evaluations > 0) {
       --evaluations;
-      const models::FieldSample s = sample(place_m);
+      const models::DistanceSample s = sample(place_m);
       const double length2 = squared_norm(s.gradient);
       if (!(length2 > 0.01)) return false;
       place_m -= (s.distance_m / length2) * s.gradient;
@@ -249,7 +250,7 @@ class FieldProxyLaw : public ContactLaw<Surface> {
       --evaluations;
       const double next = std::min(1.0, clear + piece);
       const Vec3 b = from + next * way;
-      const models::FieldSample s = sample(b);
+      const models::DistanceSample s = sample(b);
       const double stretch_m = (next - clear) * length_m;
       const bool is_short = piece <= shortest;
       if (s.distance_m >= 0.0 && (is_short || stretch_m < kSafe * (proxy.clearance_m + s.distance_m))) {
@@ -266,7 +267,7 @@ class FieldProxyLaw : public ContactLaw<Surface> {
   }
 
   /// Finds the contact between a, outside, and b, inside (with the sample `at_b`), at most half a cell apart.
-  void meet(Vec3 a, Vec3 b, const models::FieldSample& at_b, bool from_the_start,
+  void meet(Vec3 a, Vec3 b, const models::DistanceSample& at_b, bool from_the_start,
             FieldProxy& proxy) const noexcept {
     // A path that begins on the surface leaves it first: there the rise replaces the distance.
     const double rise_m = dot(proxy.normal, b - a);
@@ -288,7 +289,7 @@ class FieldProxyLaw : public ContactLaw<Surface> {
   /// in the air. A hand on the far side of a thin wall is not beside the proxy.
   bool is_beside(Vec3 hand_m, FieldProxy& proxy) const noexcept {
     if (norm(hand_m - proxy.inside_at_m) < kSafe * proxy.inside_m) return false;
-    const models::FieldSample s = sample(hand_m);
+    const models::DistanceSample s = sample(hand_m);
     proxy.inside_at_m = hand_m;
     proxy.inside_m = std::max(0.0, -s.distance_m);
     return s.distance_m > 0.0 && dot(s.gradient, proxy.normal) > kFarFace;

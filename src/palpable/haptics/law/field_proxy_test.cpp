@@ -17,12 +17,12 @@ namespace {
 /// A wall of 2 mm thickness across z. Its medial surface is smooth, as in a field.
 class Wall {
  public:
-  models::FieldSample sample(Vec3 p) const noexcept {
+  models::FieldSample sample(Point<SceneFrame> p) const noexcept {
     constexpr double kRound_m = 1e-4;
-    const double height = std::abs(p.z);
+    const double z_m = p.v.z, height = std::abs(z_m);
     const double away = height < kRound_m ? 0.5 * (height * height / kRound_m + kRound_m) : height;
-    const double slope = height < kRound_m ? p.z / kRound_m : (p.z > 0.0 ? 1.0 : -1.0);
-    return {away - 0.001, {0.0, 0.0, slope}};
+    const double slope = height < kRound_m ? z_m / kRound_m : (z_m > 0.0 ? 1.0 : -1.0);
+    return {away - 0.001, {{0.0, 0.0, slope}}};
   }
   double cell_m() const noexcept { return 2e-4; }
   std::size_t memory_bytes() const noexcept { return sizeof(*this); }
@@ -30,7 +30,7 @@ class Wall {
 
 class Ball {
  public:
-  models::FieldSample sample(Vec3 p) const noexcept { return {norm(p) - 0.02, unit(p)}; }
+  models::FieldSample sample(Point<SceneFrame> p) const noexcept { return {norm(p.v) - 0.02, {unit(p.v)}}; }
   double cell_m() const noexcept { return 2e-4; }
   std::size_t memory_bytes() const noexcept { return sizeof(*this); }
 };

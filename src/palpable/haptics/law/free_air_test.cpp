@@ -113,7 +113,7 @@ TEST(FreeAir, HasNoForceAndEndsInTheTickOfTheFirstContactRoundSolids) {
       Stroke stroke = random_stroke(random, 2.0);
       stroke.to.z -= 0.002;
       follow(
-          touchable, stroke, [&](Vec3 at) { return pebbles.sample(at).distance_m; }, findings);
+          touchable, stroke, [&](Vec3 at) { return pebbles.sample({at}).distance_m; }, findings);
     }
   }
   expect_free_air(findings);

@@ -23,16 +23,16 @@ class GridLaw : public ContactLaw<models::OccupancyGrid> {
   using ContactLaw::ContactLaw;
 
   LawOutput evaluate(const Hand& hand, State&) const noexcept {
-    const models::GridSample s = surface().sample(hand.position.v);
+    const models::GridSample s = surface().sample(hand.position);
     LawOutput output;
     output.label = materials().label_at(hand.position.v.x, hand.position.v.y);
     output.contact = s.depth_m > 0.0;
     if (!output.contact) return output;
     const Contact& contact = materials().contact(output.label);
     output.force_N.v =
-        damped_push(contact.stiffness_N_per_m * s.depth_m, s.normal, hand.velocity_m_per_s.v, contact);
+        damped_push(contact.stiffness_N_per_m * s.depth_m, s.normal.v, hand.velocity_m_per_s.v, contact);
     output.has_proxy = true;
-    output.proxy.v = hand.position.v + s.depth_m * s.normal;
+    output.proxy = hand.position + s.depth_m * s.normal;
     return output;
   }
 };

@@ -32,7 +32,7 @@ class PenaltyLaw : public ContactLaw<Surface> {
 
   LawOutput evaluate(const Hand& hand, State&) const noexcept {
     const Vec3 p = hand.position.v;
-    const models::FieldSample s = this->surface().sample(p);
+    const models::FieldSample s = this->surface().sample(hand.position);
     LawOutput output;
     output.label = this->materials().label_at(p.x, p.y);
     output.stored_J = 0.0;
@@ -43,8 +43,8 @@ class PenaltyLaw : public ContactLaw<Surface> {
     output.stored_J = 0.5 * contact.stiffness_N_per_m * penetration_m * penetration_m;
     const double length = norm(s.gradient);
     if (!(length > 0.0)) return output;
-    const Vec3 outward = s.gradient / length;
-    output.spring_N.v = (contact.stiffness_N_per_m * penetration_m) * s.gradient;
+    const Vec3 outward = s.gradient.v / length;
+    output.spring_N = (contact.stiffness_N_per_m * penetration_m) * s.gradient;
     const double spring_N =
         contact.stiffness_N_per_m * penetration_m * (shading_ + (1.0 - shading_) * length);
     const Vec3 velocity = hand.velocity_m_per_s.v;

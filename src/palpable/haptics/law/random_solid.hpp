@@ -40,12 +40,13 @@ class RandomSolid {
     }
   }
 
-  models::FieldSample sample(Vec3 p) const noexcept {
+  models::FieldSample sample(Point<SceneFrame> place) const noexcept {
+    const Vec3 p = place.v;
     constexpr double kStep_m = 1e-8;
     const auto slope = [&](Vec3 step) {
       return (distance_m(p + step) - distance_m(p - step)) / (2.0 * kStep_m);
     };
-    return {distance_m(p), {slope({kStep_m, 0, 0}), slope({0, kStep_m, 0}), slope({0, 0, kStep_m})}};
+    return {distance_m(p), {{slope({kStep_m, 0, 0}), slope({0, kStep_m, 0}), slope({0, 0, kStep_m})}}};
   }
   double cell_m() const noexcept { return cell_m_; }
   std::size_t memory_bytes() const noexcept { return sizeof(*this); }

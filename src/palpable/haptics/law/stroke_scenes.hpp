@@ -39,17 +39,18 @@ inline models::Scene rough_scene(double pixel_m, std::mt19937& random) {
 /// The union of a plate and balls of 3 mm on it.
 class Pebbles {
  public:
-  models::FieldSample sample(Vec3 p) const noexcept {
+  models::FieldSample sample(Point<SceneFrame> place) const noexcept {
+    const Vec3 p = place.v;
     const Vec3 middle{0.008 * std::round(p.x / 0.008), 0.008 * std::round(p.y / 0.008), 0.002};
     const Vec3 away = p - middle;
     const double ball = norm(away) - 0.003;
-    return ball < p.z ? models::FieldSample{ball, unit(away)} : models::FieldSample{p.z, {0.0, 0.0, 1.0}};
+    return ball < p.z ? models::FieldSample{ball, {unit(away)}} : models::FieldSample{p.z, {{0.0, 0.0, 1.0}}};
   }
   /// Whether the straight segment between two surface points passes through the middle of a ball. (A proxy
   /// that moves to a hand in free air may have passed around it.)
   static bool divides(Vec3 a, Vec3 b) {
     constexpr double kNear_m = 1e-4;
-    if (Pebbles().sample(b).distance_m > kNear_m) return false;
+    if (Pebbles().sample({b}).distance_m > kNear_m) return false;
     const Vec3 half = 0.5 * (a + b);
     const Vec3 middle{0.008 * std::round(half.x / 0.008), 0.008 * std::round(half.y / 0.008), 0.002};
     const Vec3 way = b - a;
@@ -63,18 +64,19 @@ class Pebbles {
 /// Walls 1 mm thick and 9 mm high on a plate, 8 mm apart.
 class Walls {
  public:
-  models::FieldSample sample(Vec3 p) const noexcept {
+  models::FieldSample sample(Point<SceneFrame> place) const noexcept {
+    const Vec3 p = place.v;
     const double from_middle = p.x - 0.008 * std::round(p.x / 0.008);
     const double side = from_middle < 0.0 ? -1.0 : 1.0;
     const double out_x = std::abs(from_middle) - 0.0005;
     const double out_z = p.z - 0.009;
     models::FieldSample wall{std::max(out_x, out_z), {}};
-    wall.gradient = out_x > out_z ? Vec3{side, 0.0, 0.0} : Vec3{0.0, 0.0, 1.0};
+    wall.gradient.v = out_x > out_z ? Vec3{side, 0.0, 0.0} : Vec3{0.0, 0.0, 1.0};
     if (out_x > 0.0 && out_z > 0.0) {
       wall.distance_m = std::hypot(out_x, out_z);
-      wall.gradient = (1.0 / wall.distance_m) * Vec3{side * out_x, 0.0, out_z};
+      wall.gradient.v = (1.0 / wall.distance_m) * Vec3{side * out_x, 0.0, out_z};
     }
-    return wall.distance_m < p.z ? wall : models::FieldSample{p.z, {0.0, 0.0, 1.0}};
+    return wall.distance_m < p.z ? wall : models::FieldSample{p.z, {{0.0, 0.0, 1.0}}};
   }
   /// Whether there is a wall between two points that rises 2 mm above both.
   static bool divides(Vec3 a, Vec3 b) {

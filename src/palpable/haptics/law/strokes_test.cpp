@@ -233,7 +233,7 @@ template <class Solid>
 Ground solid_ground(double friction, double radius_m = 0.0) {
   const Solid solid;
   return {std::make_shared<const SolidTouchable<Solid>>(friction, radius_m),
-          [=](Vec3 at) { return solid.sample(at).distance_m - radius_m; }, &Solid::divides,
+          [=](Vec3 at) { return solid.sample({at}).distance_m - radius_m; }, &Solid::divides,
           0.1 * solid.cell_m()};
 }
 

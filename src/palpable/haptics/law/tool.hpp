@@ -52,8 +52,8 @@ class ToolLaw : public ContactLaw<Surface> {
     const Transform<SceneFrame, ToolFrame> scene_from_tool{hand.rotation, hand.position.v, 1.0};
     LawOutput output;
     output.stored_J = 0.0;
-    const Vec3 end = (scene_from_tool * end_).v;
-    output.label = this->materials().label_at(end.x, end.y);
+    const Point<SceneFrame> end = scene_from_tool * end_;
+    output.label = this->materials().label_at(end.v.x, end.v.y);
     // The length of a field's gradient is hardly above 1: if the end's centre is this far outside, so are all
     // its points.
     constexpr double kClear = 1.5;
@@ -70,7 +70,7 @@ class ToolLaw : public ContactLaw<Surface> {
  private:
   void add_place(const Hand& hand, const ToolPlace& tool, Point<SceneFrame> place,
                  LawOutput& sum) const noexcept {
-    const models::FieldSample s = this->surface().sample(place.v);
+    const models::FieldSample s = this->surface().sample(place);
     const double length = norm(s.gradient);
     if (!(s.distance_m < 0.0) || !(length > 0.0)) return;
     const std::uint16_t label = this->materials().label_at(place.v.x, place.v.y);
@@ -81,8 +81,9 @@ class ToolLaw : public ContactLaw<Surface> {
     const double spring_N = -tool.share * contact.stiffness_N_per_m * s.distance_m;
     const Vector<SceneFrame> lever = place - hand.position;
     const Vector<SceneFrame> velocity = hand.velocity_m_per_s + cross(hand.angular_velocity_rad_per_s, lever);
-    const Vector<SceneFrame> spring{spring_N * s.gradient};
-    const Vector<SceneFrame> force{damped_push(spring_N * length, s.gradient / length, velocity.v, contact)};
+    const Vector<SceneFrame> spring = spring_N * s.gradient;
+    const Vector<SceneFrame> force{
+        damped_push(spring_N * length, s.gradient.v / length, velocity.v, contact)};
     sum.spring_N += spring;
     sum.spring_torque_Nm += cross(lever, spring);
     sum.force_N += force;

@@ -19,7 +19,7 @@ namespace palpable::haptics {
 /// The solid below z = 0. It is not in an unnamed namespace, so that its read_pages() is found.
 class FloorOfTools {
  public:
-  models::FieldSample sample(Vec3 p) const noexcept { return {p.z, {0.0, 0.0, 1.0}}; }
+  models::FieldSample sample(Point<SceneFrame> p) const noexcept { return {p.v.z, {{0.0, 0.0, 1.0}}}; }
   double cell_m() const noexcept { return 2e-4; }
   std::size_t memory_bytes() const noexcept { return 0; }
 };

@@ -33,7 +33,9 @@ namespace palpable::haptics {
 class LevelSolid {
  public:
   explicit LevelSolid(double ground_m = 0.005) : ground_m_(ground_m) {}
-  models::FieldSample sample(Vec3 p) const noexcept { return {p.z - ground_m_, {0.0, 0.0, 1.0}}; }
+  models::FieldSample sample(Point<SceneFrame> p) const noexcept {
+    return {p.v.z - ground_m_, {{0.0, 0.0, 1.0}}};
+  }
   double cell_m() const noexcept { return 2e-4; }
   std::size_t memory_bytes() const noexcept { return sizeof(*this); }
 

@@ -20,7 +20,7 @@ namespace {
 /// Level ground on z = 0.
 class Plate {
  public:
-  models::FieldSample sample(Vec3 p) const noexcept { return {p.z, {0.0, 0.0, 1.0}}; }
+  models::FieldSample sample(Point<SceneFrame> p) const noexcept { return {p.v.z, {{0.0, 0.0, 1.0}}}; }
   double cell_m() const noexcept { return 2e-4; }
   std::size_t memory_bytes() const noexcept { return sizeof(*this); }
 };

@@ -48,25 +48,25 @@ Result<DenseField> DenseField::from(const Lattice& lattice, DenseContent content
   return field;
 }
 
-bool DenseField::contains(Vec3 place_m) const noexcept {
-  const Vec3 p = place_m - lattice_.origin_m, size = lattice_.size_m();
+bool DenseField::contains(Point<SceneFrame> place) const noexcept {
+  const Vec3 p = place.v - lattice_.origin_m, size = lattice_.size_m();
   return p.x >= 0.0 && p.y >= 0.0 && p.z >= 0.0 && p.x <= size.x && p.y <= size.y && p.z <= size.z;
 }
 
-FieldSample DenseField::sample(Vec3 place_m) const noexcept {
-  const Vec3 size = lattice_.size_m(), p = place_m - lattice_.origin_m;
+FieldSample DenseField::sample(Point<SceneFrame> place) const noexcept {
+  const Vec3 size = lattice_.size_m(), p = place.v - lattice_.origin_m;
   const Vec3 held{std::clamp(p.x, 0.0, size.x), std::clamp(p.y, 0.0, size.y), std::clamp(p.z, 0.0, size.z)};
-  FieldSample s = inside(held / lattice_.spacing_m);
+  DistanceSample s = inside(held / lattice_.spacing_m);
   const Vec3 way = p - held;
   const double way_m = norm(way);
   if (way_m > 0.0) {
     s.distance_m += way_m;
     s.gradient = way / way_m;
   }
-  return s;
+  return {s.distance_m, {s.gradient}};
 }
 
-FieldSample DenseField::inside(Vec3 cells) const noexcept {
+DistanceSample DenseField::inside(Vec3 cells) const noexcept {
   const auto [x, u] = cell_of(cells.x, lattice_.counts[0]);
   const auto [y, v] = cell_of(cells.y, lattice_.counts[1]);
   const auto [z, w] = cell_of(cells.z, lattice_.counts[2]);
@@ -78,7 +78,7 @@ FieldSample DenseField::inside(Vec3 cells) const noexcept {
     return static_cast<double>(
         first[(corner & 1U ? floats : 0U) + (corner & 2U ? row : 0U) + (corner & 4U ? slice : 0U) + number]);
   };
-  FieldSample s;
+  DistanceSample s;
   if (content_ == DenseContent::distance_and_force) {
     for (unsigned corner = 0; corner < 8; ++corner) {
       const double share =

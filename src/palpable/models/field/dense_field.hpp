@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/result.hpp"
+#include "palpable/models/field/distance_sample.hpp"
 #include "palpable/models/field/distance_surface.hpp"
 #include "palpable/models/field/field_errors.hpp"
 
@@ -65,9 +66,9 @@ class DenseField {
 
   /// At any finite position. Outside the lattice: the distance at the nearest point of its box plus the
   /// distance to that point. Tick path.
-  FieldSample sample(Vec3 place_m) const noexcept;
+  FieldSample sample(Point<SceneFrame> place) const noexcept;
 
-  bool contains(Vec3 place_m) const noexcept;
+  bool contains(Point<SceneFrame> place) const noexcept;
   const Lattice& lattice() const noexcept { return lattice_; }
   DenseContent content() const noexcept { return content_; }
   const std::vector<float>& values() const noexcept { return values_; }
@@ -82,7 +83,7 @@ class DenseField {
 
  private:
   DenseField() = default;
-  FieldSample inside(Vec3 cells) const noexcept;
+  DistanceSample inside(Vec3 cells) const noexcept;
 
   Lattice lattice_;
   DenseContent content_ = DenseContent::distance;

@@ -51,9 +51,9 @@ TEST(DenseField, InterpolatesDistanceAndItsExactDerivative) {
     const Vec3 size = kLattice.size_m();
     const Vec3 p = kLattice.origin_m +
                    Vec3{uniform(random) * size.x, uniform(random) * size.y, uniform(random) * size.z};
-    const FieldSample s = field.sample(p);
+    const FieldSample s = field.sample({p});
     ASSERT_NEAR(s.distance_m, trilinear(p), 2e-9);
-    ASSERT_NEAR(norm(s.gradient - slope(p)), 0.0, 5e-6);
+    ASSERT_NEAR(norm(s.gradient.v - slope(p)), 0.0, 5e-6);
   }
 }
 
@@ -61,19 +61,19 @@ TEST(DenseField, InterpolatesTheForceThatIsStoredBesideTheDistance) {
   const DenseField field = field_with(DenseContent::distance_and_force);
   EXPECT_EQ(field.memory_bytes(), sizeof(DenseField) + 16 * kLattice.places());
   const Vec3 p{-0.0043, 0.0061, -0.0012};
-  const FieldSample s = field.sample(p);
+  const FieldSample s = field.sample({p});
   EXPECT_NEAR(s.distance_m, trilinear(p), 2e-9);
-  EXPECT_NEAR(norm(s.gradient - p), 0.0, 1e-9);
+  EXPECT_NEAR(norm(s.gradient.v - p), 0.0, 1e-9);
 }
 
 TEST(DenseField, AddsTheDistanceToItsBoxOutside) {
   const DenseField field = field_with(DenseContent::distance);
   const Vec3 corner = kLattice.origin_m + kLattice.size_m();
-  EXPECT_TRUE(field.contains(corner));
-  EXPECT_FALSE(field.contains(corner + Vec3{1e-6, 0.0, 0.0}));
-  const FieldSample s = field.sample(corner + Vec3{0.0, 0.5, 0.0});
+  EXPECT_TRUE(field.contains({corner}));
+  EXPECT_FALSE(field.contains({corner + Vec3{1e-6, 0.0, 0.0}}));
+  const FieldSample s = field.sample({corner + Vec3{0.0, 0.5, 0.0}});
   EXPECT_NEAR(s.distance_m, trilinear(corner) + 0.5, 1e-8);
-  EXPECT_EQ(s.gradient, (Vec3{0.0, 1.0, 0.0}));
+  EXPECT_EQ(s.gradient.v, (Vec3{0.0, 1.0, 0.0}));
 }
 
 TEST(DenseField, RefusesInconsistentInput) {

@@ -139,11 +139,11 @@ std::size_t only_axis_out_of(const DistanceField::Leaf& leaf, const std::array<W
 }
 
 /// The samples of the only two leaves under the window, that of the second weighted with `side`.
-FieldSample blended(const FieldSample& a, const FieldSample& b, const WindowSide& side, std::size_t axis,
-                    double cells_per_m) {
+DistanceSample blended(const DistanceSample& a, const DistanceSample& b, const WindowSide& side,
+                       std::size_t axis, double cells_per_m) {
   const double difference_m = b.distance_m - a.distance_m;
-  FieldSample sample{a.distance_m + side.share * difference_m,
-                     a.gradient + side.share * (b.gradient - a.gradient)};
+  DistanceSample sample{a.distance_m + side.share * difference_m,
+                        a.gradient + side.share * (b.gradient - a.gradient)};
   const double along = side.slope * difference_m * cells_per_m;
   (axis == 0 ? sample.gradient.x : axis == 1 ? sample.gradient.y : sample.gradient.z) += along;
   return sample;
@@ -214,8 +214,8 @@ std::size_t DistanceField::memory_bytes() const noexcept {
          sizeof(std::uint32_t) * (tree_.roots.size() + tree_.nodes.size() + tree_.words.size());
 }
 
-bool DistanceField::contains(Vec3 place_m) const noexcept {
-  const Vec3 p = place_m - grid_.origin_m;
+bool DistanceField::contains(Point<SceneFrame> place) const noexcept {
+  const Vec3 p = place.v - grid_.origin_m;
   const Vec3 size = grid_.size_m();
   return p.x >= 0.0 && p.y >= 0.0 && p.z >= 0.0 && p.x <= size.x && p.y <= size.y && p.z <= size.z;
 }
@@ -251,7 +251,7 @@ DistanceField::Leaf DistanceField::leaf_of(int x, int y, int z) const noexcept {
   return down_to(x, y, z, path);
 }
 
-FieldSample DistanceField::leaf_sample(const Leaf& leaf, Vec3 cells) const noexcept {
+DistanceSample DistanceField::leaf_sample(const Leaf& leaf, Vec3 cells) const noexcept {
   const double half = 0.5 * leaf.side;
   const double per_half = 1.0 / half;
   const Vec3 u{(cells.x - leaf.corner[0]) * per_half - 1.0, (cells.y - leaf.corner[1]) * per_half - 1.0,
@@ -259,8 +259,8 @@ FieldSample DistanceField::leaf_sample(const Leaf& leaf, Vec3 cells) const noexc
   return leaf_at(&tree_.words[leaf.words], grid_.cell_m * cells, u, half * grid_.cell_m, round_m_);
 }
 
-FieldSample DistanceField::sample(Vec3 place_m) const noexcept {
-  const Vec3 wanted = cells_per_m_ * (place_m - grid_.origin_m);
+FieldSample DistanceField::sample(Point<SceneFrame> place) const noexcept {
+  const Vec3 wanted = cells_per_m_ * (place.v - grid_.origin_m);
   const auto held = [](double v, int n) { return v > 0.0 ? (v < n ? v : static_cast<double>(n)) : 0.0; };
   const int nx = grid_.cells(0), ny = grid_.cells(1), nz = grid_.cells(2);
   const Vec3 cells{held(wanted.x, nx), held(wanted.y, ny), held(wanted.z, nz)};
@@ -271,19 +271,19 @@ FieldSample DistanceField::sample(Vec3 place_m) const noexcept {
   const auto inside = [&](double v, std::size_t axis) {
     return v - 0.5 >= home.corner[axis] && v + 0.5 <= home.corner[axis] + home.side;
   };
-  FieldSample sample = inside(cells.x, 0) && inside(cells.y, 1) && inside(cells.z, 2)
-                           ? leaf_sample(home, cells)
-                           : mixed(cells, home, path);
+  DistanceSample sample = inside(cells.x, 0) && inside(cells.y, 1) && inside(cells.z, 2)
+                              ? leaf_sample(home, cells)
+                              : mixed(cells, home, path);
   if (wanted != cells) {
     const Vec3 beyond = grid_.cell_m * (wanted - cells);
     const double length = norm(beyond);
     sample.distance_m += length;
     sample.gradient = unit(beyond);
   }
-  return sample;
+  return {sample.distance_m, {sample.gradient}};
 }
 
-FieldSample DistanceField::mixed(Vec3 cells, const Leaf& home, Descent& path) const noexcept {
+DistanceSample DistanceField::mixed(Vec3 cells, const Leaf& home, Descent& path) const noexcept {
   const std::array<WindowSides, 3> sides{WindowSides(cells.x, grid_.cells(0)),
                                          WindowSides(cells.y, grid_.cells(1)),
                                          WindowSides(cells.z, grid_.cells(2))};
@@ -335,10 +335,10 @@ FieldSample DistanceField::mixed(Vec3 cells, const Leaf& home, Descent& path) co
     part.along_z += xy * z.slope;
   }
   if (count == 1) return leaf_sample(*parts[0].leaf, cells);
-  FieldSample sample;
+  DistanceSample sample;
   for (std::size_t k = 0; k < count; ++k) {
     const Part& part = parts[k];
-    const FieldSample s = leaf_sample(*part.leaf, cells);
+    const DistanceSample s = leaf_sample(*part.leaf, cells);
     sample.distance_m += part.share * s.distance_m;
     sample.gradient += part.share * s.gradient +
                        (s.distance_m * cells_per_m_) * Vec3{part.along_x, part.along_y, part.along_z};

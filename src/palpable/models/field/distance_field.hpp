@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/result.hpp"
+#include "palpable/models/field/distance_sample.hpp"
 #include "palpable/models/field/distance_surface.hpp"
 #include "palpable/models/field/field_errors.hpp"
 
@@ -54,9 +55,9 @@ class DistanceField {
 
   /// At any finite position. Outside the grid: the distance at the nearest point of its box plus the distance
   /// to that point, which is continuous. Tick path.
-  FieldSample sample(Vec3 place_m) const noexcept;
+  FieldSample sample(Point<SceneFrame> place) const noexcept;
 
-  bool contains(Vec3 place_m) const noexcept;
+  bool contains(Point<SceneFrame> place) const noexcept;
   const FieldGrid& grid() const noexcept { return grid_; }
   const FieldTree& tree() const noexcept { return tree_; }
   const FieldErrors& errors() const noexcept { return errors_; }
@@ -81,13 +82,13 @@ class DistanceField {
 
  private:
   DistanceField() = default;
-  FieldSample leaf_sample(const Leaf& leaf, Vec3 cells) const noexcept;
+  DistanceSample leaf_sample(const Leaf& leaf, Vec3 cells) const noexcept;
   /// The path down to a finest cell: the entry at each level.
   struct Descent;
   /// The leaf that contains a finest cell; reuses the entries that its path shares with the previous one.
   Leaf down_to(int x, int y, int z, Descent& path) const noexcept;
   /// The sample where the window reaches beyond the leaf `home`, whose descent is `path`.
-  FieldSample mixed(Vec3 cells, const Leaf& home, Descent& path) const noexcept;
+  DistanceSample mixed(Vec3 cells, const Leaf& home, Descent& path) const noexcept;
 
   FieldGrid grid_;
   FieldTree tree_;

@@ -85,8 +85,8 @@ TEST(FieldLeaf, ACompactQuadraticEqualsItsCurvedPiece) {
     }
     const auto compact = words_of(q);
     const double x = uniform(random), y = uniform(random), z = uniform(random);
-    const FieldSample a = leaf_at(compact.data(), {}, {x, y, z}, 1e-4, 1e-4);
-    const FieldSample b = leaf_at(curved.data(), {}, {x, y, z}, 1e-4, 1e-4);
+    const DistanceSample a = leaf_at(compact.data(), {}, {x, y, z}, 1e-4, 1e-4);
+    const DistanceSample b = leaf_at(curved.data(), {}, {x, y, z}, 1e-4, 1e-4);
     ASSERT_NEAR(a.distance_m, b.distance_m, 1e-15);
     ASSERT_LT(norm(a.gradient - b.gradient), 1e-12);
   }
@@ -107,9 +107,9 @@ TEST(DistanceField, IsContinuousWithItsGradientForAnyLeaves) {
     if (i % 2 == 0)
       p.x = field->grid().origin_m.x + 0.0005 * std::round((p.x - field->grid().origin_m.x) / 0.0005);
     const Vec3 d = kStep_m * unit({uniform(random) - 0.5, uniform(random) - 0.5, uniform(random) - 0.5});
-    const FieldSample a = field->sample(p - d), b = field->sample(p + d);
+    const FieldSample a = field->sample({p - d}), b = field->sample({p + d});
     steepest = std::max(steepest, norm(a.gradient));
-    EXPECT_NEAR(b.distance_m - a.distance_m, dot(a.gradient + b.gradient, d), 1e-12);
+    EXPECT_NEAR(b.distance_m - a.distance_m, dot(a.gradient + b.gradient, {d}), 1e-12);
     // Leaves that differ by 20 mm within a cell of 1 mm give second derivatives of about 1e5 per metre.
     EXPECT_LT(norm(b.gradient - a.gradient), 1e6 * kStep_m);
   }
@@ -122,9 +122,9 @@ TEST(DistanceField, EqualsItsLeafAwayFromFaces) {
   tree.roots = {FieldTree::kLeaf, FieldTree::kLeaf};
   const auto field = DistanceField::from_tree(small_grid(), tree, {});
   ASSERT_TRUE(field);
-  const FieldSample s = field->sample({-0.009, 0.003, 0.006});
+  const FieldSample s = field->sample({{-0.009, 0.003, 0.006}});
   EXPECT_NEAR(s.distance_m, 0.6 * 0.003 + 0.8 * 0.004 - 0.002, 1e-9);
-  EXPECT_NEAR(s.gradient.y, 0.6, 1e-7);
+  EXPECT_NEAR(s.gradient.v.y, 0.6, 1e-7);
 }
 
 TEST(DistanceField, AddsTheDistanceToItsBoxOutside) {
@@ -133,8 +133,8 @@ TEST(DistanceField, AddsTheDistanceToItsBoxOutside) {
   tree.roots = {FieldTree::kLeaf, FieldTree::kLeaf};
   const auto field = DistanceField::from_tree(small_grid(), tree, {});
   ASSERT_TRUE(field);
-  EXPECT_NEAR(field->sample({0.0, 0.004, 1.01}).distance_m, 1.008, 1e-6);
-  EXPECT_FALSE(field->contains({0.0, 0.004, 1.01}));
+  EXPECT_NEAR(field->sample({{0.0, 0.004, 1.01}}).distance_m, 1.008, 1e-6);
+  EXPECT_FALSE(field->contains({{0.0, 0.004, 1.01}}));
 }
 
 TEST(DistanceField, RefusesTreesWithInvalidIndices) {

@@ -19,7 +19,7 @@ double crossing_m(const Distance& field, double x_m, double y_m, double outside_
   constexpr int kHalvings = 10;
   for (int k = 0; k < kHalvings; ++k) {
     const double middle_m = 0.5 * (outside_m + inside_m);
-    (field.sample({x_m, y_m, middle_m}).distance_m > 0.0 ? outside_m : inside_m) = middle_m;
+    (field.sample({{x_m, y_m, middle_m}}).distance_m > 0.0 ? outside_m : inside_m) = middle_m;
   }
   return 0.5 * (outside_m + inside_m);
 }
@@ -42,7 +42,7 @@ double height_m(const Distance& field, double x_m, double y_m, double lowest_m) 
   constexpr double kShare = 0.95;
   const double shortest_m = 0.25 * field.cell_m();
   for (double z_m = outside_m; z_m > lowest_m;) {
-    const double distance_m = field.sample({x_m, y_m, z_m}).distance_m;
+    const double distance_m = field.sample({{x_m, y_m, z_m}}).distance_m;
     if (distance_m <= 0.0) return crossing_m(field, x_m, y_m, outside_m, z_m);
     outside_m = z_m;
     z_m -= std::max(kShare * distance_m, shortest_m);
@@ -82,7 +82,7 @@ template <DistanceSurface Distance>
 double clear_above_m(const Distance& field, double x_m, double y_m, double radius_m, double lowest_m) {
   constexpr double kShare = 0.95;
   for (double z_m = field.origin_m().z + field.size_m().z; z_m > lowest_m;) {
-    const double clear_m = kShare * field.sample({x_m, y_m, z_m}).distance_m;
+    const double clear_m = kShare * field.sample({{x_m, y_m, z_m}}).distance_m;
     // Of a clear ball, the part within the disc's cylinder.
     const double down_m = clear_m > radius_m ? std::sqrt(clear_m * clear_m - radius_m * radius_m) : 0.0;
     if (down_m < field.cell_m()) return z_m;
@@ -99,7 +99,7 @@ double height_below_m(const Distance& field, double x_m, double y_m, double from
   const double shortest_m = 0.25 * field.cell_m();
   double above_m = from_m, above_distance_m = 0.0;
   for (double z_m = from_m; z_m > lowest_m;) {
-    const double distance_m = field.sample({x_m, y_m, z_m}).distance_m;
+    const double distance_m = field.sample({{x_m, y_m, z_m}}).distance_m;
     if (distance_m <= 0.0) {
       const double rise_m = above_distance_m - distance_m;
       return rise_m > 0.0 ? z_m + (above_m - z_m) * (-distance_m / rise_m) : z_m;

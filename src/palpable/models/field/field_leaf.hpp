@@ -3,7 +3,7 @@
 #pragma once
 
 #include "palpable/core/vec3.hpp"
-#include "palpable/models/field/distance_surface.hpp"
+#include "palpable/models/field/distance_sample.hpp"
 
 #include <array>
 #include <bit>
@@ -62,8 +62,8 @@ inline double convex_meeting(double a, double b, HalfAngle half, double round_m,
 }
 
 /// Two samples joined.
-inline FieldSample joined(const FieldSample& a, const FieldSample& b, Meeting meeting, HalfAngle half,
-                          double round_m) noexcept {
+inline DistanceSample joined(const DistanceSample& a, const DistanceSample& b, Meeting meeting,
+                             HalfAngle half, double round_m) noexcept {
   const double sign = meeting == Meeting::convex ? 1.0 : -1.0;
   double da = 0.0;
   double db = 0.0;
@@ -139,14 +139,14 @@ namespace detail {
 inline double f64(std::uint32_t word) noexcept { return static_cast<double>(std::bit_cast<float>(word)); }
 
 /// A plane n·x + d, x from the field's origin: nx, ny, nz, d as floats.
-inline FieldSample plane_at(const std::uint32_t* words, Vec3 x) noexcept {
+inline DistanceSample plane_at(const std::uint32_t* words, Vec3 x) noexcept {
   const Vec3 n{f64(words[0]), f64(words[1]), f64(words[2])};
   return {dot(n, x) + f64(words[3]), n};
 }
 
 /// half (c + l·u + u·Qu), u from the leaf's centre in halves of its side: c as a float, then l and Q (xx, yy,
 /// zz, xy, xz, yz) in steps of kStep.
-inline FieldSample curved_at(const std::uint32_t* words, Vec3 u, double half_m) noexcept {
+inline DistanceSample curved_at(const std::uint32_t* words, Vec3 u, double half_m) noexcept {
   const auto low = [&](int i) { return LeafHead::kStep * static_cast<std::int16_t>(words[1 + i] & 0xFFFFU); };
   const auto high = [&](int i) { return LeafHead::kStep * static_cast<std::int16_t>(words[1 + i] >> 16U); };
   const double lx = low(0), ly = high(0), lz = low(1), xx = high(1), yy = low(2), zz = high(2), xy = low(3),
@@ -188,7 +188,7 @@ inline CompactQuadratic compact_of(const std::uint32_t* words) noexcept {
 }
 
 /// A compact leaf's distance and gradient; u from the leaf's centre in halves of its side.
-inline FieldSample compact_at(const std::uint32_t* words, Vec3 u, double half_m) noexcept {
+inline DistanceSample compact_at(const std::uint32_t* words, Vec3 u, double half_m) noexcept {
   constexpr double kL = CompactQuadratic::kSlopeStep, kQ = CompactQuadratic::kBendStep;
   const auto slope = [&](std::size_t k) { return kL * detail::signed_bits(words[k], 0, 12); };
   const auto bend = [&](std::size_t k) { return kQ * detail::signed_bits(words[k], 12, 10); };
@@ -251,18 +251,18 @@ void visit_pieces(const std::uint32_t* words, Vec3 x, Vec3 u, double half_m, con
 }
 
 /// The first i pieces of a leaf, joined, with piece i.
-inline FieldSample joined_by(const std::uint32_t* words, int i, const FieldSample& before,
-                             const FieldSample& piece, double round_m) noexcept {
+inline DistanceSample joined_by(const std::uint32_t* words, int i, const DistanceSample& before,
+                                const DistanceSample& piece, double round_m) noexcept {
   const HalfAngle half{std::bit_cast<float>(words[2 * i - 1]), std::bit_cast<float>(words[2 * i])};
   return joined(before, piece, LeafHead{words[0]}.meeting(i - 1), half, round_m);
 }
 
 /// A leaf's distance and gradient; arguments as visit_pieces(). Tick path.
-inline FieldSample leaf_at(const std::uint32_t* words, Vec3 x, Vec3 u, double half_m,
-                           double round_m) noexcept {
+inline DistanceSample leaf_at(const std::uint32_t* words, Vec3 x, Vec3 u, double half_m,
+                              double round_m) noexcept {
   if (LeafHead{words[0]}.compact()) return compact_at(words, u, half_m);
-  FieldSample sample;
-  visit_pieces(words, x, u, half_m, [&](int i, const FieldSample& piece) {
+  DistanceSample sample;
+  visit_pieces(words, x, u, half_m, [&](int i, const DistanceSample& piece) {
     sample = i == 0 ? piece : joined_by(words, i, sample, piece, round_m);
   });
   return sample;

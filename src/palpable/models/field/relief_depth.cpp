@@ -45,7 +45,8 @@ Result<ReliefDepth> ReliefDepth::under(std::shared_ptr<const Relief> relief, con
   return depth;
 }
 
-FieldSample ReliefDepth::sample(Vec3 place_m) const noexcept {
+FieldSample ReliefDepth::sample(Point<SceneFrame> place) const noexcept {
+  const Vec3 place_m = place.v;
   HeightSample upper = relief_->sample(place_m.x, place_m.y);
   if (place_m.z >= upper.z_m) return over(upper, place_m.z, steepest_rate_);
   double upper_depth_m = 0.0;

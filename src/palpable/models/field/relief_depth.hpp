@@ -25,7 +25,7 @@ class ReliefDepth {
   static Result<ReliefDepth> under(std::shared_ptr<const Relief> relief, const Work& work);
 
   /// Minus the depth, and its gradient, at any finite position. Tick path.
-  FieldSample sample(Vec3 place_m) const noexcept;
+  FieldSample sample(Point<SceneFrame> place) const noexcept;
 
   double cell_m() const noexcept { return relief_->pixel_m(); }
   /// The greatest depth at which the value is a distance.

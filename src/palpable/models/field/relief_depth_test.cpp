@@ -38,7 +38,7 @@ TEST(ReliefDepth, IsNearTheDistanceToTheSurfaceDownToItsDeepest) {
     const Vec3 p{x, y, relief->sample(x, y).z_m - 0.004 * std::abs(unit(random))};
     const auto nearest = closest_point(*relief, {p});
     ASSERT_TRUE(nearest);
-    const double off_m = std::abs(depth.sample(p).distance_m - nearest->distance_m);
+    const double off_m = std::abs(depth.sample({p}).distance_m - nearest->distance_m);
     worst = std::max(worst, off_m / (20e-6 - nearest->distance_m));
   }
   EXPECT_LE(worst, 0.1);
@@ -52,7 +52,8 @@ TEST(ReliefDepth, IsContinuousAndNeverChangesMuchFasterThanADistance) {
   for (int k = 0; k < 20000; ++k) {
     const Vec3 p{0.01 * unit(random), 0.008 * unit(random), 0.006 + 0.008 * unit(random)};
     const Vec3 q = p + 1e-6 * Vec3{unit(random), unit(random), unit(random)};
-    ASSERT_LE(std::abs(depth.sample(p).distance_m - depth.sample(q).distance_m), 1.4 * norm(p - q) + 1e-9);
+    ASSERT_LE(std::abs(depth.sample({p}).distance_m - depth.sample({q}).distance_m),
+              1.4 * norm(p - q) + 1e-9);
   }
 }
 

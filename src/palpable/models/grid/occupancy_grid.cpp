@@ -238,9 +238,9 @@ bool OccupancyGrid::occupied(int x, int y, int z) const noexcept {
   return c != nullptr && c->occupied != 0;
 }
 
-GridSample OccupancyGrid::sample(Vec3 place_m) const noexcept {
+GridSample OccupancyGrid::sample(Point<SceneFrame> place) const noexcept {
   const double outside = -0.5 * spacing_m_;
-  const Vec3 q = (place_m - origin_m_) / spacing_m_;
+  const Vec3 q = (place.v - origin_m_) / spacing_m_;
   // Also false for NaN; one point beyond the lattice still interpolates its border.
   const bool near =
       q.x > -1.0 && q.y > -1.0 && q.z > -1.0 && q.x < counts_[0] && q.y < counts_[1] && q.z < counts_[2];
@@ -267,7 +267,7 @@ GridSample OccupancyGrid::sample(Vec3 place_m) const noexcept {
     depth += w / kDepthSteps * c->depth;
     normal += w * Vec3{double{1.0} * c->normal[0], double{1.0} * c->normal[1], double{1.0} * c->normal[2]};
   }
-  return {depth * spacing_m_, unit(normal)};
+  return {depth * spacing_m_, {unit(normal)}};
 }
 
 Occupancy OccupancyGrid::occupancy() const {

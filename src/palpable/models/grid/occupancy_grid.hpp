@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/frame.hpp"
 #include "palpable/core/result.hpp"
-#include "palpable/core/vec3.hpp"
 #include "palpable/core/work.hpp"
 
 #include <array>
@@ -37,7 +37,7 @@ struct GridSample {
   /// Above 0 inside; at least minus half a spacing outside.
   double depth_m = 0.0;
   /// Outward unit normal; 0 if no occupied point is near.
-  Vec3 normal;
+  Vector<SceneFrame> normal;
 };
 
 /// The model of Park & Howard 2012, section 5: a sparse lattice of occupied points filled from a depth map.
@@ -52,7 +52,7 @@ class OccupancyGrid {
   static Result<OccupancyGrid> from(const Occupancy& occupancy, const Work& work);
 
   /// At any finite position. Tick path.
-  GridSample sample(Vec3 place_m) const noexcept;
+  GridSample sample(Point<SceneFrame> place) const noexcept;
   bool occupied(int x, int y, int z) const noexcept;
   /// The original lattice.
   Occupancy occupancy() const;

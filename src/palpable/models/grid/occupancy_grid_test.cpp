@@ -35,20 +35,20 @@ TEST(OccupancyGrid, MeasuresDepthAndNormalWithinItsSpacing) {
     const double a = 0.7 * k, b = std::acos(1.0 - 2.0 * (k + 0.5) / 200);
     const Vec3 out{std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), std::cos(b)};
     for (const double depth_m : {0.002, 0.004, 0.007}) {
-      const GridSample s = grid.sample((0.0103 - depth_m) * out);
+      const GridSample s = grid.sample({(0.0103 - depth_m) * out});
       EXPECT_NEAR(s.depth_m, depth_m, 0.001);
-      EXPECT_GT(dot(s.normal, out), depth_m < 0.005 ? 0.8 : 0.7);
+      EXPECT_GT(dot(s.normal.v, out), depth_m < 0.005 ? 0.8 : 0.7);
     }
-    EXPECT_LT(grid.sample(0.0115 * out).depth_m, 0.0);
+    EXPECT_LT(grid.sample({0.0115 * out}).depth_m, 0.0);
   }
-  EXPECT_LT(grid.sample({0.5, 0.0, 0.0}).depth_m, 0.0);
+  EXPECT_LT(grid.sample({{0.5, 0.0, 0.0}}).depth_m, 0.0);
 }
 
 TEST(OccupancyGrid, IsContinuous) {
   const OccupancyGrid grid = grid_of(ball());
-  GridSample last = grid.sample({-0.014, 0.0013, 0.0007});
+  GridSample last = grid.sample({{-0.014, 0.0013, 0.0007}});
   for (int k = 1; k < 28000; ++k) {
-    const GridSample here = grid.sample({-0.014 + 1e-6 * k, 0.0013, 0.0007});
+    const GridSample here = grid.sample({{-0.014 + 1e-6 * k, 0.0013, 0.0007}});
     EXPECT_LE(std::abs(here.depth_m - last.depth_m), 2.1e-6);
     last = here;
   }

@@ -74,8 +74,8 @@ TEST(GridFromDisparity, IsSeenFromAboveAsItIsFilled) {
     const Vec3 place{model.occupancy.origin_m().x + x * model.occupancy.spacing_m(), 0.0, height_m};
     EXPECT_NEAR(place.x, (x - 0.5 * (above.width() - 1)) * model.from_above->pixel_m(), 1e-9);
     const double spacing_m = model.occupancy.spacing_m();
-    EXPECT_GT(model.occupancy.sample(place - Vec3{0.0, 0.0, 2.0 * spacing_m}).depth_m, 0.0);
-    EXPECT_LT(model.occupancy.sample(place + Vec3{0.0, 0.0, 2.0 * spacing_m}).depth_m, 0.0);
+    EXPECT_GT(model.occupancy.sample({place - Vec3{0.0, 0.0, 2.0 * spacing_m}}).depth_m, 0.0);
+    EXPECT_LT(model.occupancy.sample({place + Vec3{0.0, 0.0, 2.0 * spacing_m}}).depth_m, 0.0);
   }
   EXPECT_GT(seen, 5);
 }

@@ -113,7 +113,7 @@ InputErrors input_errors(const Distance& field, const std::vector<Vec3>& visible
   const double far_m = kFarCells * field.cell_m();
   std::vector<double> distances_m;
   for (const Vec3 place : visible_m) {
-    const double felt_m = field.sample(place).distance_m;
+    const double felt_m = field.sample({place}).distance_m;
     distances_m.push_back(std::abs(felt_m));
     if (felt_m > far_m) ++errors.lost, errors.lost_m = std::max(errors.lost_m, felt_m);
     if (felt_m < -far_m) ++errors.closed, errors.closed_m = std::max(errors.closed_m, -felt_m);

@@ -176,7 +176,7 @@ double distance_from(const models::Scene& scene, const VideoModel& model) {
   std::vector<double> distances;
   for (const Vec3& p : model.raised)
     distances.push_back(std::abs(
-        (*field)->distance.sample((scene.scene_from_input * Point<models::InputFrame>{p}).v).distance_m));
+        (*field)->distance.sample(scene.scene_from_input * Point<models::InputFrame>{p}).distance_m));
   return quantile_of(distances, 0.5);
 }
 

@@ -40,7 +40,7 @@ Result<CorrectedField> corrected_field(CorrectedField before, const Mesh& measur
     after.solid.emplace(after.surface.adapted());
   }
   const Box box = after.solid->bounds();
-  after.rebuilt = !after.field.contains(box.least_m) || !after.field.contains(box.most_m);
+  after.rebuilt = !after.field.contains({box.least_m}) || !after.field.contains({box.most_m});
   if (!after.rebuilt) {
     auto field = updated_field(after.field, *after.solid,
                                change_of(after.surface, after.field.cell_m(), correction), options, work);

@@ -52,7 +52,7 @@ double radius_along(const models::DistanceField& field, Vec3 direction) {
   double low = 0.5 * kRadius_m, high = 1.2 * kRadius_m;
   for (int step = 0; step < 40; ++step) {
     const double middle = 0.5 * (low + high);
-    (field.sample(middle * direction).distance_m < 0.0 ? low : high) = middle;
+    (field.sample({middle * direction}).distance_m < 0.0 ? low : high) = middle;
   }
   return 0.5 * (low + high);
 }
@@ -148,17 +148,17 @@ TEST(FieldCorrection, GivesTheCorrectedDistanceNearTheSurfaceAndBlendsSmoothlyIn
     const Vec3 p{0.0003, 0.0002, kRadius_m + 0.0005 - depth_m};
     DistanceSource::Hint hint;
     const double truth_m = solid_of(*after).at(p, hint).distance_m;
-    const models::FieldSample is = after->field.sample(p);
+    const models::FieldSample is = after->field.sample({p});
     if (depth_m < 0.0029) {
       EXPECT_NEAR(is.distance_m, truth_m, 1e-4) << depth_m;
     }
     if (depth_m > within_m) {
-      EXPECT_NEAR(is.distance_m, before.field.sample(p).distance_m, 4e-5) << depth_m;
+      EXPECT_NEAR(is.distance_m, before.field.sample({p}).distance_m, 4e-5) << depth_m;
     }
     // The depth increases along the whole path.
     if (depth_m > 0.0 && depth_m < 0.015) {
       EXPECT_LT(is.distance_m, last_m) << depth_m;
-      EXPECT_GT(is.gradient.z, 0.4) << depth_m;
+      EXPECT_GT(is.gradient.v.z, 0.4) << depth_m;
     }
     last_m = is.distance_m;
   }
@@ -170,7 +170,7 @@ TEST(FieldCorrection, GivesTheCorrectedDistanceEverywhereIfThatIsTheVolume) {
   ASSERT_TRUE(after) << after.error().sentence();
   const Vec3 p{0.0003, 0.0002, 0.008};
   DistanceSource::Hint hint;
-  EXPECT_NEAR(after->field.sample(p).distance_m, solid_of(*after).at(p, hint).distance_m, 2e-4);
+  EXPECT_NEAR(after->field.sample({p}).distance_m, solid_of(*after).at(p, hint).distance_m, 2e-4);
 }
 
 TEST(FieldCorrection, IsBuiltAgainIfManySmallCorrectionsAddUp) {

@@ -56,7 +56,7 @@ class ChangedTriangles {
   /// The difference of both distances changes by at most 2 per metre. The earlier field's distance is
   /// correct within its own bounds (leaf_fit.cpp), or within the error that an earlier blend may have left.
   bool is_far(Vec3 centre_m, double half_m) const {
-    const double distance_m = std::abs(field_.sample(centre_m).distance_m);
+    const double distance_m = std::abs(field_.sample({centre_m}).distance_m);
     const double error_m =
         field_.cell_m() + 5.0 * bounds_.bound_m + 10.0 * bounds_.bound_m / bounds_.outside_m * distance_m;
     return !within(centre_m, distance_m + error_m + change_.step_m + 2.0 * std::sqrt(3.0) * half_m);
@@ -77,7 +77,7 @@ Result<std::optional<DistanceField>> updated_field(const DistanceField& field, c
                                                    const SolidChange& change, const FieldOptions& options,
                                                    const Work& work) {
   const Box box = source.bounds();
-  if (!field.contains(box.least_m) || !field.contains(box.most_m))
+  if (!field.contains({box.least_m}) || !field.contains({box.most_m}))
     return Error{
         ErrorCode::failed, "the changed solid leaves the field's box: build the whole field again", {}};
   const models::FieldGrid& grid = field.grid();
@@ -103,7 +103,7 @@ Result<std::optional<DistanceField>> updated_field(const DistanceField& field, c
   earlier.changed_at = [&](Vec3 from_origin_m, double distance_m) {
     const Vec3 place_m = grid.origin_m + from_origin_m;
     // More than the rounding of an edge: a quick test that decides most moved places.
-    const double differs_m = std::abs(distance_m - field.sample(place_m).distance_m);
+    const double differs_m = std::abs(distance_m - field.sample({place_m}).distance_m);
     return differs_m > 0.5 * grid.cell_m ||
            (within(place_m, change.within_m) && nearest.changed_at(place_m, distance_m));
   };

@@ -48,7 +48,7 @@ TEST(UpdatedField, FollowsTheChangeAndKeepsTheRestBitByBit) {
     const Vec3 p = before->grid().origin_m + Vec3{x * size.x, y * size.y, z * size.z};
     DistanceSource::Hint hint;
     const double truth = after_solid->distance->at(p, hint).distance_m;
-    const models::FieldSample is = after->sample(p);
+    const models::FieldSample is = after->sample({p});
     if (truth > -0.003 && truth < 0.001) {
       ASSERT_NEAR(is.distance_m, truth, 0.4 * cell_m);
       ++near;

@@ -82,7 +82,7 @@ Result<Front> front_of(const DistanceSource& source, const Lattice& lattice, con
   std::vector<std::uint8_t> known(lattice.places());
   const double block_m = 0.5 * (kBlock - 1) * std::numbers::sqrt3 * lattice.spacing_m;
   const auto ask = [&](int x, int y, int z, DistanceSource::Hint& hint) {
-    const models::FieldSample s = source.at(lattice.place_m(x, y, z), hint);
+    const models::DistanceSample s = source.at(lattice.place_m(x, y, z), hint);
     if (!(std::abs(s.distance_m) <= kBand * lattice.spacing_m)) return;
     const std::size_t at = lattice.index(x, y, z);
     known[at] = 1;
@@ -150,7 +150,7 @@ Result<models::DenseField> dense_field_from_source(const DistanceSource& source,
   const FieldOptions near;
   const double longest_m = options.resolution * lattice->spacing_m;
   const models::FieldErrors errors = measured_errors(
-      [&](Vec3 p) { return field->sample(p).distance_m; },
+      [&](Vec3 p) { return field->sample({p}).distance_m; },
       {lattice->origin_m, lattice->origin_m + lattice->size_m()}, source,
       {std::max(near.inside_m, 0.03 * longest_m), std::max(near.outside_m, 0.01 * longest_m)}, work);
   field->set_errors(errors);

@@ -84,7 +84,7 @@ TEST(DenseFieldFromSource, KeepsTheSignWhereFacesRunAlongTheLattice) {
       const Vec3 p{uniform(random), uniform(random), uniform(random)};
       const double truth_m = box_distance(p, low, high);
       if (std::abs(truth_m) > 0.002) {
-        ASSERT_EQ(field.sample(p).distance_m < 0.0, truth_m < 0.0);
+        ASSERT_EQ(field.sample({p}).distance_m < 0.0, truth_m < 0.0);
       }
     }
   }
@@ -108,7 +108,7 @@ TEST(DenseFieldFromSource, RefusesWhatWouldNotFitBeforeAnythingIsAskedAndSaysWha
   /// A solid that must not be queried.
   class Untouched final : public DistanceSource {
    public:
-    models::FieldSample at(Vec3 /*p*/, Hint& /*hint*/) const override {
+    models::DistanceSample at(Vec3 /*p*/, Hint& /*hint*/) const override {
       ADD_FAILURE() << "asked before the size was known to fit";
       return {};
     }

@@ -17,8 +17,8 @@
 namespace palpable::sculpt {
 namespace {
 
+using models::DistanceSample;
 using models::FieldGrid;
-using models::FieldSample;
 using models::FieldTree;
 
 /// Copies an entry and its subtree.
@@ -154,11 +154,11 @@ class BranchBuilder {
     const bool has_edge = models::LeafHead{leaf.words[0]}.pieces() > 1;
     const double slack = has_edge ? 1.1 : 1.5;
     constexpr std::ptrdiff_t kFew = 4;
-    const bool is_near = std::any_of(samples.at.begin(), samples.at.end(), [&](const FieldSample& s) {
+    const bool is_near = std::any_of(samples.at.begin(), samples.at.end(), [&](const DistanceSample& s) {
       return s.distance_m > -bounds_.inside_m && s.distance_m < bounds_.outside_m;
     });
     const auto holds_at = [&](Vec3 u) {
-      const FieldSample truth = shared_.between(samples.centre_m + samples.half_m * u - place_of(root_));
+      const DistanceSample truth = shared_.between(samples.centre_m + samples.half_m * u - place_of(root_));
       return leaf_error(leaf, samples, u, truth, bounds_) <= slack;
     };
     const auto end = is_near ? kBetween.end() : kBetween.begin() + kFew;
@@ -186,7 +186,7 @@ class BranchBuilder {
   int smallest_side(const CellSamples& samples) const {
     double nearest_m = std::numeric_limits<double>::infinity();
     bool outside = true;
-    for (const FieldSample& s : samples.at) {
+    for (const DistanceSample& s : samples.at) {
       nearest_m = std::min(nearest_m, std::abs(s.distance_m));
       outside = outside && s.distance_m > 0.0;
     }

@@ -96,7 +96,7 @@ Result<DistanceField> field_from_source(const DistanceSource& source, const Fiel
   FieldTree tree = joiner.take();
   auto field = DistanceField::from_tree(grid, tree, {});
   if (!field) return field.error();
-  models::FieldErrors errors = measured_errors([&](Vec3 p) { return field->sample(p).distance_m; },
+  models::FieldErrors errors = measured_errors([&](Vec3 p) { return field->sample({p}).distance_m; },
                                                {grid.origin_m, grid.origin_m + grid.size_m()}, source,
                                                {bounds.inside_m, bounds.outside_m}, work);
   errors.bound_m = bounds.bound_m;

@@ -32,10 +32,10 @@ TEST(FieldFromSource, FollowsABall) {
   for (int i = 0; i < 20000; ++i) {
     const Vec3 n = unit({normal(random), normal(random), normal(random)});
     const double distance = uniform(random);
-    const models::FieldSample s = field->sample((0.03 + distance) * n);
+    const models::FieldSample s = field->sample({(0.03 + distance) * n});
     ASSERT_NEAR(s.distance_m, distance, 1e-5);
-    ASSERT_NEAR(norm(s.gradient), 1.0, 0.02);
-    ASSERT_GT(dot(unit(s.gradient), n), std::cos(1.0 / 57.3));
+    ASSERT_NEAR(norm(s.gradient.v), 1.0, 0.02);
+    ASSERT_GT(dot(unit(s.gradient.v), n), std::cos(1.0 / 57.3));
   }
 }
 
@@ -43,7 +43,7 @@ TEST(FieldFromSource, FollowsABall) {
 class Ring final : public DistanceSource {
  public:
   static constexpr double kRing_m = 0.03, kTube_m = 0.012;
-  models::FieldSample at(Vec3 p, Hint&) const override {
+  models::DistanceSample at(Vec3 p, Hint&) const override {
     const double across_m = std::hypot(p.x, p.y), out_m = across_m - kRing_m;
     const double length_m = std::max(std::hypot(out_m, p.z), 1e-12);
     const double by_across = across_m > 0.0 ? out_m / (length_m * across_m) : 0.0;
@@ -73,7 +73,7 @@ TEST(FieldFromSource, KeepsTheGradientsLengthNearOneWhereTheDistanceIsSmooth) {
     // The distance has a kink on the axis.
     if (std::hypot(p.x, p.y) < 0.004 || distance_m < -0.003) continue;
     Lengths& lengths = distance_m < 0.001 ? near : outside;
-    const double length = norm(field->sample(p).gradient);
+    const double length = norm(field->sample({p}).gradient);
     ++lengths.count;
     lengths.over += length > 1.05 ? 1 : 0;
     lengths.greatest = std::max(lengths.greatest, length);
@@ -100,7 +100,7 @@ TEST(FieldFromSource, HoldsABoxInFewExactLeaves) {
   double worst = 0.0;
   for (int i = 0; i < 30000; ++i) {
     const Vec3 p{0.021 * uniform(random), 0.016 * uniform(random), 0.011 * uniform(random)};
-    worst = std::max(worst, std::abs(field->sample(p).distance_m - box_distance(p, low, high)));
+    worst = std::max(worst, std::abs(field->sample({p}).distance_m - box_distance(p, low, high)));
   }
   // Edges and medial sheets among them.
   EXPECT_LT(worst, 0.4 * field->cell_m());
@@ -109,7 +109,7 @@ TEST(FieldFromSource, HoldsABoxInFewExactLeaves) {
 /// Next to a very narrow gap, the nearest faces face away from each other.
 class Ridge final : public DistanceSource {
  public:
-  models::FieldSample at(Vec3 p, Hint&) const override {
+  models::DistanceSample at(Vec3 p, Hint&) const override {
     return {0.001 + std::abs(p.x), {p.x < 0.0 ? -1.0 : 1.0, 0.0, 0.0}};
   }
   Box bounds() const override { return {{-0.01, -0.01, -0.01}, {0.01, 0.01, 0.01}}; }
@@ -122,7 +122,7 @@ TEST(FieldFromSource, GivesANumberWhereFacesStandBackToBack) {
   ASSERT_TRUE(field);
   for (int i = -90; i <= 90; ++i) {
     const double x = 1e-4 * i;
-    EXPECT_NEAR(field->sample({x, 0.002, -0.003}).distance_m, 0.001 + std::abs(x), 2e-4) << x;
+    EXPECT_NEAR(field->sample({{x, 0.002, -0.003}}).distance_m, 0.001 + std::abs(x), 2e-4) << x;
   }
 }
 
@@ -171,7 +171,7 @@ TEST(FieldFromSource, RefusesWhatWouldTakeTooMuchMemoryAndSaysWhatFits) {
 /// Counts its queries.
 class Asked final : public DistanceSource {
  public:
-  models::FieldSample at(Vec3 p, Hint& hint) const override {
+  models::DistanceSample at(Vec3 p, Hint& hint) const override {
     ++count;
     return ball_.at(p, hint);
   }
@@ -204,7 +204,7 @@ double rms_near_surface_m(const models::DistanceField& field, const DistanceSour
   constexpr int kPlaces = 3000;
   for (int count = 0; count < kPlaces;) {
     const double x = uniform(random), y = uniform(random), z = uniform(random);
-    const double distance_m = field.sample({x, y, z}).distance_m;
+    const double distance_m = field.sample({{x, y, z}}).distance_m;
     if (std::abs(distance_m) > 0.001) continue;
     squares += std::pow(distance_m - solid.at({x, y, z}, hint).distance_m, 2);
     ++count;

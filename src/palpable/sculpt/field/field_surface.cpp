@@ -20,13 +20,13 @@ std::vector<Vec3> seeds_of(const Distance& field, double block_m) {
     for (int y = 0; y < count(size.y); ++y)
       for (int x = 0; x < count(size.x); ++x) {
         Vec3 p = field.origin_m() + block_m * Vec3{x + 0.5, y + 0.5, z + 0.5};
-        models::FieldSample s = field.sample(p);
+        models::FieldSample s = field.sample({p});
         // Half a cube's diagonal.
         if (std::abs(s.distance_m) > 0.87 * block_m) continue;
         constexpr int kSteps = 4;
         for (int step = 0; step < kSteps; ++step) {
-          p -= s.distance_m * unit(s.gradient);
-          s = field.sample(p);
+          p -= s.distance_m * unit(s.gradient.v);
+          s = field.sample({p});
         }
         seeds.push_back(p);
       }
@@ -36,8 +36,12 @@ std::vector<Vec3> seeds_of(const Distance& field, double block_m) {
 template <models::DistanceSurface Distance>
 Result<Mesh> surface_of(const Distance& field, double spacing_m, const Work& work) {
   const auto seeds = seeds_of(field, 3.0 * spacing_m);
-  auto mesh = dual_contour([&](Vec3 p) { return field.sample(p); },
-                           {field.origin_m(), field.origin_m() + field.size_m()}, seeds, {spacing_m}, work);
+  const auto solid = [&](Vec3 p) {
+    const models::FieldSample s = field.sample({p});
+    return models::DistanceSample{s.distance_m, s.gradient.v};
+  };
+  auto mesh =
+      dual_contour(solid, {field.origin_m(), field.origin_m() + field.size_m()}, seeds, {spacing_m}, work);
   if (mesh && mesh->triangles.empty())
     return Error{ErrorCode::failed, "the field has no surface inside its box", {}};
   return mesh;

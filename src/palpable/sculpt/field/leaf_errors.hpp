@@ -65,12 +65,12 @@ class LeafErrors {
   };
 
   /// The greater of value and gradient error over their allowances at one place; adds to the squares.
-  double at(const LeafFit& leaf, Vec3 u, const models::FieldSample& truth, Squares& squares) const {
+  double at(const LeafFit& leaf, Vec3 u, const models::DistanceSample& truth, Squares& squares) const {
     const Vec3 x = samples_.centre_m + samples_.half_m * u;
     const std::uint32_t* words = leaf.words.data();
     const double sharp_round_m = 1e-3 * round_m_;
-    models::FieldSample s, sharp;
-    models::visit_pieces(words, x, u, samples_.half_m, [&](int i, const models::FieldSample& piece) {
+    models::DistanceSample s, sharp;
+    models::visit_pieces(words, x, u, samples_.half_m, [&](int i, const models::DistanceSample& piece) {
       sharp = i == 0 ? piece : models::joined_by(words, i, sharp, piece, sharp_round_m);
       s = i == 0 ? piece : models::joined_by(words, i, s, piece, round_m_);
     });

@@ -18,7 +18,7 @@
 namespace palpable::sculpt {
 namespace {
 
-using models::FieldSample;
+using models::DistanceSample;
 using models::HalfAngle;
 using models::LeafHead;
 using models::Meeting;
@@ -34,7 +34,7 @@ std::uint32_t word(double value) { return std::bit_cast<std::uint32_t>(static_ca
 
 /// The tangent plane of a sample, rounded so that leaves over the same face have the same words.
 Piece plane_through(const CellSamples& samples, std::size_t k, double cell_m) {
-  const FieldSample& s = samples.at[k];
+  const DistanceSample& s = samples.at[k];
   // Adding zero turns -0 into 0.
   const auto rounded = [](double v, double step) { return std::round(v / step) * step + 0.0; };
   constexpr double kDirectionStep = 1.0 / (1 << 20);
@@ -112,7 +112,7 @@ struct Extremes {
 };
 Extremes extremes_of(const CellSamples& samples) {
   Vec3 mean;
-  for (const FieldSample& s : samples.at) mean += s.gradient / static_cast<double>(kFitPlaces);
+  for (const DistanceSample& s : samples.at) mean += s.gradient / static_cast<double>(kFitPlaces);
   const auto farthest = [&](auto distance) {
     std::size_t best = 0;
     for (std::size_t k = 1; k < kFitPlaces; ++k)
@@ -299,7 +299,7 @@ LeafFit fit_leaf(const CellSamples& samples, const FitBounds& bounds, const Rece
   return Search(samples, bounds).run(recent);
 }
 
-double leaf_error(const LeafFit& leaf, const CellSamples& samples, Vec3 u, const FieldSample& truth,
+double leaf_error(const LeafFit& leaf, const CellSamples& samples, Vec3 u, const DistanceSample& truth,
                   const FitBounds& bounds) {
   LeafErrors::Squares squares;
   return LeafErrors(samples, bounds).at(leaf, u, truth, squares);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/models/field/distance_surface.hpp"
+#include "palpable/models/field/distance_sample.hpp"
 
 #include <array>
 #include <cstddef>
@@ -43,7 +43,7 @@ struct CellSamples {
   /// The cell's centre from the field's origin, and half its side.
   Vec3 centre_m;
   double half_m = 0.0;
-  std::array<models::FieldSample, kFitPlaces> at;
+  std::array<models::DistanceSample, kFitPlaces> at;
   /// Accuracy of the samples as an approximation of the surface (DistanceSource::Hint); a leaf need not be
   /// more accurate.
   double coarse_m = 0.0, coarse_turn = 0.0;
@@ -78,7 +78,7 @@ class RecentLeaves {
 LeafFit fit_leaf(const CellSamples& samples, const FitBounds& bounds, const RecentLeaves& recent);
 
 /// The relative error of a leaf at one more point, as in LeafFit::error.
-double leaf_error(const LeafFit& leaf, const CellSamples& samples, Vec3 u, const models::FieldSample& truth,
-                  const FitBounds& bounds);
+double leaf_error(const LeafFit& leaf, const CellSamples& samples, Vec3 u,
+                  const models::DistanceSample& truth, const FitBounds& bounds);
 
 }  // namespace palpable::sculpt

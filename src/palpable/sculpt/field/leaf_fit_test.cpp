@@ -15,20 +15,20 @@
 namespace palpable::sculpt {
 namespace {
 
-using models::FieldSample;
+using models::DistanceSample;
 
-const FieldSample& nearer(const FieldSample& a, const FieldSample& b) {
+const DistanceSample& nearer(const DistanceSample& a, const DistanceSample& b) {
   return a.distance_m < b.distance_m ? a : b;
 }
-const FieldSample& farther(const FieldSample& a, const FieldSample& b) {
+const DistanceSample& farther(const DistanceSample& a, const DistanceSample& b) {
   return a.distance_m < b.distance_m ? b : a;
 }
 
 /// The edge of two walls beside a corner of three: five faces in one cell.
 CellSamples where_five_faces_meet(std::mt19937_64& random, double cell_m) {
   std::normal_distribution<double> normal;
-  std::array<FieldSample, 5> faces;
-  for (FieldSample& face : faces) {
+  std::array<DistanceSample, 5> faces;
+  for (DistanceSample& face : faces) {
     const double x = normal(random), y = normal(random), z = normal(random);
     face = {0.15 * cell_m * normal(random), unit(Vec3{x, y, z})};
   }
@@ -36,8 +36,8 @@ CellSamples where_five_faces_meet(std::mt19937_64& random, double cell_m) {
   samples.half_m = 0.5 * cell_m;
   samples.centre_m = {10.5 * cell_m, 20.5 * cell_m, 30.5 * cell_m};
   for (std::size_t k = 0; k < kFitPlaces; ++k) {
-    std::array<FieldSample, 5> at = faces;
-    for (FieldSample& f : at) f.distance_m += samples.half_m * dot(f.gradient, fit_place(k));
+    std::array<DistanceSample, 5> at = faces;
+    for (DistanceSample& f : at) f.distance_m += samples.half_m * dot(f.gradient, fit_place(k));
     samples.at[k] = nearer(farther(at[0], at[1]), farther(at[2], nearer(at[3], at[4])));
   }
   return samples;
@@ -55,7 +55,7 @@ TEST(LeafFit, StaysNearTheTruthWhereManyFacesMeetInAFinestCell) {
     double error_m = 0.0;
     for (std::size_t k = 0; k < kFitPlaces; ++k) {
       const Vec3 u = fit_place(k);
-      const FieldSample felt =
+      const DistanceSample felt =
           models::leaf_at(leaf.words.data(), samples.centre_m + samples.half_m * u, u, samples.half_m,
                           models::DistanceField::kRounding * bounds.cell_m);
       error_m = std::max(error_m, std::abs(felt.distance_m - samples.at[k].distance_m));

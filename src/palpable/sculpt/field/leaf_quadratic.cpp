@@ -8,7 +8,7 @@
 namespace palpable::sculpt {
 namespace {
 
-using models::FieldSample;
+using models::DistanceSample;
 
 /// The weight of the gradient, relative to the value.
 constexpr double kGradientWeight = 0.25;
@@ -68,7 +68,7 @@ std::array<Quadratic, 4> rows_at(std::size_t k) {
   return {value_row(u), rows[0], rows[1], rows[2]};
 }
 std::array<double, 4> values_at(const CellSamples& samples, std::size_t k) {
-  const FieldSample& s = samples.at[k];
+  const DistanceSample& s = samples.at[k];
   return {s.distance_m / samples.half_m, s.gradient.x, s.gradient.y, s.gradient.z};
 }
 constexpr std::array<double, 4> kRowWeights{1.0, kGradientWeight, kGradientWeight, kGradientWeight};

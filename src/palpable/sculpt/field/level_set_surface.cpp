@@ -50,7 +50,7 @@ class Sampler {
   }
 
   /// Without a gradient: a grid has rounded its edges already, so gradients could only fold the surface.
-  models::FieldSample sample(Vec3 p) const { return {at(p), {}}; }
+  models::DistanceSample sample(Vec3 p) const { return {at(p), {}}; }
 
  private:
   /// There is no surface where there is no block: points there get the sign of the nearest sample of an

@@ -32,7 +32,7 @@ class SharedSamples {
     ++lattice_;
   }
   struct Answer {
-    models::FieldSample sample;
+    models::DistanceSample sample;
     /// Whether the nearest surface point belongs to the change since the earlier field.
     bool changed = false;
     double coarse_m = 0.0, coarse_turn = 0.0;
@@ -61,7 +61,7 @@ class SharedSamples {
   /// Since the start of the lattice.
   double greatest_difference_m() const { return hint_.greatest_difference_m; }
   /// The sample at any point relative to the lattice's first one.
-  models::FieldSample between(Vec3 from_first_m) { return source_.at(origin_m_ + from_first_m, hint_); }
+  models::DistanceSample between(Vec3 from_first_m) { return source_.at(origin_m_ + from_first_m, hint_); }
 
  private:
   /// Index in bricks of 4 x 4 x 4 points, so that the points of a cell are near each other in memory.

@@ -89,7 +89,7 @@ class CloudSolid {
         radius_m_(radius_m),
         options_(options) {}
 
-  models::FieldSample at(Vec3 p) const {
+  models::DistanceSample at(Vec3 p) const {
     double weights = 0.0, height_m = 0.0;
     Vec3 normal;
     int count = 0;

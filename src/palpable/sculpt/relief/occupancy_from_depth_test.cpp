@@ -49,8 +49,8 @@ TEST(OccupancyFromDepth, FillsAwayFromTheCameraAndCarvesWithMoreViews) {
   EXPECT_GT(count_of(*filled), 1.2 * points);
   const auto grid = models::OccupancyGrid::from(*carved, Work{});
   ASSERT_TRUE(grid.has_value());
-  EXPECT_NEAR(grid->sample({0.0, 0.0, 0.008}).depth_m, 0.002, 0.0006);
-  EXPECT_GT(grid->sample({0.0, 0.0, 0.008}).normal.z, 0.9);
+  EXPECT_NEAR(grid->sample({{0.0, 0.0, 0.008}}).depth_m, 0.002, 0.0006);
+  EXPECT_GT(grid->sample({{0.0, 0.0, 0.008}}).normal.v.z, 0.9);
 }
 
 TEST(OccupancyFromDepth, FillsUnderARelief) {
@@ -61,9 +61,9 @@ TEST(OccupancyFromDepth, FillsUnderARelief) {
   ASSERT_TRUE(o.has_value());
   const auto grid = models::OccupancyGrid::from(*o, Work{});
   ASSERT_TRUE(grid.has_value());
-  EXPECT_NEAR(grid->sample({0.001, 0.002, 0.003}).depth_m, 0.001, 0.0005);
-  EXPECT_GT(grid->sample({0.001, 0.002, 0.003}).normal.z, 0.99);
-  EXPECT_LT(grid->sample({0.001, 0.002, 0.005}).depth_m, 0.0);
+  EXPECT_NEAR(grid->sample({{0.001, 0.002, 0.003}}).depth_m, 0.001, 0.0005);
+  EXPECT_GT(grid->sample({{0.001, 0.002, 0.003}}).normal.v.z, 0.99);
+  EXPECT_LT(grid->sample({{0.001, 0.002, 0.005}}).depth_m, 0.0);
 }
 
 TEST(OccupancyFromDepth, RefusesInvalidBoxesAndMaps) {

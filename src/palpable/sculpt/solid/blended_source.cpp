@@ -17,17 +17,22 @@ constexpr double kLoose = 0.05;
 
 }  // namespace
 
-using models::FieldSample;
+using models::DistanceSample;
 
-FieldSample BlendedSource::at(Vec3 place_m, Hint& hint) const {
-  if (!around_.any_within(place_m, within_m_, kNoPart)) return earlier_.sample(place_m);
-  const FieldSample now = source_.at(place_m, hint);
+DistanceSample BlendedSource::earlier(Vec3 place_m) const {
+  const models::FieldSample s = earlier_.sample({place_m});
+  return {s.distance_m, s.gradient.v};
+}
+
+DistanceSample BlendedSource::at(Vec3 place_m, Hint& hint) const {
+  if (!around_.any_within(place_m, within_m_, kNoPart)) return earlier(place_m);
+  const DistanceSample now = source_.at(place_m, hint);
   const double depth_m = std::abs(now.distance_m);
   const double whole = now.distance_m < 0.0 ? whole_.inside : whole_.outside;
   // u <= whole, without a search for the nearest point of `around`.
   const double whole_from_m = within_m_ - depth_m * (1.0 - whole) / whole;
   if (whole_from_m > 0.0 && around_.any_within(place_m, whole_from_m, kNoPart)) return now;
-  const FieldSample old = earlier_.sample(place_m);
+  const DistanceSample old = earlier(place_m);
   const double difference_m = now.distance_m - old.distance_m;
   const NearestTriangle near = around_.nearest(place_m, hint.second_triangle);
   hint.second_triangle = near.triangle;

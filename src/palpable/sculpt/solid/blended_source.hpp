@@ -24,7 +24,7 @@ class BlendedSource final : public DistanceSource {
                 const TriangleTree& around, double within_m, Whole whole)
       : source_(source), earlier_(earlier), around_(around), within_m_(within_m), whole_(whole) {}
 
-  models::FieldSample at(Vec3 place_m, Hint& hint) const override;
+  models::DistanceSample at(Vec3 place_m, Hint& hint) const override;
   void enter(Vec3 centre_m, double radius_m, Hint& hint) const override {
     source_.enter(centre_m, radius_m, hint);
   }
@@ -32,6 +32,8 @@ class BlendedSource final : public DistanceSource {
   Box bounds() const override { return source_.bounds(); }
 
  private:
+  models::DistanceSample earlier(Vec3 place_m) const;
+
   const DistanceSource& source_;
   const models::DistanceField& earlier_;
   const TriangleTree& around_;

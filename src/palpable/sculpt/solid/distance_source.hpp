@@ -3,7 +3,7 @@
 #pragma once
 
 #include "palpable/core/vec3.hpp"
-#include "palpable/models/field/distance_surface.hpp"
+#include "palpable/models/field/distance_sample.hpp"
 #include "palpable/sculpt/triangles/box.hpp"
 #include "palpable/sculpt/triangles/triangle_shortlist.hpp"
 
@@ -53,7 +53,7 @@ class DistanceSource {
 
   /// Euclidean distance to the surface at any finite place, negative inside, and its gradient: a unit vector
   /// (on edges and medial sheets that of one side).
-  virtual models::FieldSample at(Vec3 place_m, Hint& hint) const = 0;
+  virtual models::DistanceSample at(Vec3 place_m, Hint& hint) const = 0;
   /// The bounding box of the solid's surface.
   virtual Box bounds() const = 0;
 

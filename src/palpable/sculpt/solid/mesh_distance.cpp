@@ -133,9 +133,9 @@ class MeshDistance final : public DistanceSource {
     normals_valid_within_m_ = touching_m_ / TriangleTree::kNearestSlack;
   }
 
-  models::FieldSample at(Vec3 p, Hint& hint) const override {
+  models::DistanceSample at(Vec3 p, Hint& hint) const override {
     const NearestTriangle near = nearest_in_ball(tree_, p, hint);
-    const models::FieldSample sample = sample_at(p, near, hint);
+    const models::DistanceSample sample = sample_at(p, near, hint);
     const FacetTolerance tolerance = tolerances_.empty() ? FacetTolerance{} : tolerances_[near.triangle];
     hint.coarse_m = static_cast<double>(tolerance.rise_m);
     hint.coarse_turn = static_cast<double>(tolerance.turn);
@@ -149,7 +149,7 @@ class MeshDistance final : public DistanceSource {
   Box bounds() const override { return bounds_; }
 
  private:
-  models::FieldSample sample_at(Vec3 p, const NearestTriangle& near, const Hint& hint) const {
+  models::DistanceSample sample_at(Vec3 p, const NearestTriangle& near, const Hint& hint) const {
     const Vec3 way = p - near.point_m;
     const Vec3 there = joints_.at(near.triangle, near.part);
     const double distance = std::sqrt(near.squared_distance_m2);

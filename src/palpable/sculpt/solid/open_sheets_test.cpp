@@ -146,7 +146,7 @@ TEST(OpenSheets, OfOneFaceOnAPlateAreWallsInTheField) {
         for (double x_m = -0.031; x_m < 0.031; x_m += 0.0007) {
           const Vec3 p{x_m, y_m, z_m};
           const double truth_m = std::min(scene.body_distance(p), scene.sheet_distance(p) - kFinest);
-          if (field->sample(p).distance_m < 0.0) worst_m = std::max(worst_m, truth_m);
+          if (field->sample({p}).distance_m < 0.0) worst_m = std::max(worst_m, truth_m);
         }
     // The field rounds edges within one finest cell.
     EXPECT_LT(worst_m, kFinest) << reversed;

@@ -250,7 +250,7 @@ Vec3 SmoothSurface::pseudo_normal(const NearestTriangle& near) const {
   return around_[mesh_.triangles[near.triangle][corner]];
 }
 
-models::FieldSample SmoothSurface::faceted(Vec3 p, const NearestTriangle& near, const Hint& hint) const {
+models::DistanceSample SmoothSurface::faceted(Vec3 p, const NearestTriangle& near, const Hint& hint) const {
   const Vec3 way = p - near.point_m;
   const Vec3 normal = pseudo_normal(near);
   if (near.part == TrianglePart::face) return {dot(way, normal), normal};
@@ -268,8 +268,8 @@ std::size_t SmoothSurface::rounded_facets() const {
   return count;
 }
 
-std::optional<models::FieldSample> SmoothSurface::projected(Vec3 p, const NearestTriangle& near,
-                                                            double faceted_m) const {
+std::optional<models::DistanceSample> SmoothSurface::projected(Vec3 p, const NearestTriangle& near,
+                                                               double faceted_m) const {
   std::uint32_t triangle = near.triangle;
   Vec3 from = near.point_m;
   double along = faceted_m;
@@ -291,7 +291,7 @@ std::optional<models::FieldSample> SmoothSurface::projected(Vec3 p, const Neares
       const double slack_m =
           patch.greatest_bulge_m() + 2.0 * TriangleTree::kNearestSlack * std::abs(faceted_m);
       if (!(std::abs(std::abs(distance_m) - std::abs(faceted_m)) <= slack_m)) return std::nullopt;
-      return models::FieldSample{distance_m, normal / length};
+      return models::DistanceSample{distance_m, normal / length};
     }
     const std::size_t side = (least + 1) % 3;
     if (!is_smooth(triangle, side)) return std::nullopt;
@@ -308,7 +308,7 @@ void SmoothSurface::enter(Vec3 centre_m, double radius_m, Hint& hint) const {
 }
 void SmoothSurface::leave(Hint& hint) const { leave_ball(hint); }
 
-models::FieldSample SmoothSurface::at(Vec3 place_m, Hint& hint) const {
+models::DistanceSample SmoothSurface::at(Vec3 place_m, Hint& hint) const {
   const NearestTriangle near = nearest_in_ball(tree_, place_m, hint);
   const Patch patch = patch_of(near.triangle);
   hint.coarse_m = rounding_.coarse_share * patch.greatest_bulge_m();
@@ -317,7 +317,7 @@ models::FieldSample SmoothSurface::at(Vec3 place_m, Hint& hint) const {
     hint.coarse_m += rounding_.noise_rise_share * static_cast<double>(noise_[near.triangle].rise_m);
     hint.coarse_turn += rounding_.noise_turn_share * static_cast<double>(noise_[near.triangle].turn);
   }
-  models::FieldSample sample = faceted(place_m, near, hint);
+  models::DistanceSample sample = faceted(place_m, near, hint);
   if (const auto smooth = projected(place_m, near, sample.distance_m)) sample = *smooth;
   remember(near, place_m, sample.distance_m, hint);
   return sample;

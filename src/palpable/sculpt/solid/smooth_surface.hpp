@@ -55,7 +55,7 @@ class SmoothSurface final : public DistanceSource {
   /// Moves vertices; updates only the triangles around them.
   void move(std::span<const Move> moves);
 
-  models::FieldSample at(Vec3 place_m, Hint& hint) const override;
+  models::DistanceSample at(Vec3 place_m, Hint& hint) const override;
   void enter(Vec3 centre_m, double radius_m, Hint& hint) const override;
   void leave(Hint& hint) const override;
   /// The bounding box of the triangles.
@@ -79,8 +79,9 @@ class SmoothSurface final : public DistanceSource {
     return (smooth_[triangle] >> side & 1U) != 0;
   }
   Vec3 pseudo_normal(const NearestTriangle& near) const;
-  models::FieldSample faceted(Vec3 p, const NearestTriangle& near, const Hint& hint) const;
-  std::optional<models::FieldSample> projected(Vec3 p, const NearestTriangle& near, double faceted_m) const;
+  models::DistanceSample faceted(Vec3 p, const NearestTriangle& near, const Hint& hint) const;
+  std::optional<models::DistanceSample> projected(Vec3 p, const NearestTriangle& near,
+                                                  double faceted_m) const;
 
   Rounding rounding_;
   Mesh mesh_;

@@ -39,7 +39,7 @@ TEST(SmoothSurface, IsTheBallThatItsFacetsApproximate) {
   double worst_facet_m = 0.0;
   for (int i = 0; i < 3000; ++i) {
     const Vec3 p = place_near(random);
-    const models::FieldSample s = smooth.at(p, hint);
+    const models::DistanceSample s = smooth.at(p, hint);
     ASSERT_NEAR(s.distance_m, norm(p) - kRadius_m, 2e-7);
     ASSERT_LT(norm(s.gradient - unit(p)), 1e-3);
     worst_facet_m =

@@ -124,9 +124,9 @@ TEST(SuperquadricSource, BecomesAFieldOfTheirUnion) {
   options.resolution = 32;
   const auto field = field_from_source(**source, options, {});
   ASSERT_TRUE(field) << field.error().sentence();
-  EXPECT_NEAR(field->sample({0.0, 0.0, 0.011}).distance_m, 0.001, 4e-5);
-  EXPECT_NEAR(field->sample({0.03, 0.008, 0.0}).distance_m, -0.002, 4e-5);
-  EXPECT_GT(dot(field->sample({0.03, 0.0099, 0.0}).gradient, {0, 1, 0}), 0.99);
+  EXPECT_NEAR(field->sample({{0.0, 0.0, 0.011}}).distance_m, 0.001, 4e-5);
+  EXPECT_NEAR(field->sample({{0.03, 0.008, 0.0}}).distance_m, -0.002, 4e-5);
+  EXPECT_GT(dot(field->sample({{0.03, 0.0099, 0.0}}).gradient.v, {0, 1, 0}), 0.99);
   models::Superquadric wrong = ball;
   wrong.e1 = 3.0;
   EXPECT_FALSE(distance_of(std::vector{wrong}));

@@ -17,7 +17,7 @@ class SuperquadricUnion final : public DistanceSource {
   SuperquadricUnion(std::vector<models::SuperquadricDistance> shapes, const Box& bounds)
       : shapes_(std::move(shapes)), bounds_(bounds) {}
 
-  models::FieldSample at(Vec3 p, Hint& /*hint*/) const override {
+  models::DistanceSample at(Vec3 p, Hint& /*hint*/) const override {
     const models::ClosestPoint near = models::closest_point(shapes_, {p});
     const Vec3 way = p - near.surface.v;
     const double length = norm(way);

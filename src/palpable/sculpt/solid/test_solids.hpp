@@ -14,7 +14,7 @@ namespace palpable::sculpt {
 class Ball final : public DistanceSource {
  public:
   explicit Ball(double radius_m) : radius_m_(radius_m) {}
-  models::FieldSample at(Vec3 p, Hint&) const override {
+  models::DistanceSample at(Vec3 p, Hint&) const override {
     return {norm(p) - radius_m_, norm(p) > 0.0 ? unit(p) : Vec3{1.0, 0.0, 0.0}};
   }
   Box bounds() const override {

@@ -48,7 +48,7 @@ double thickness_behind(const DistanceSource& solid, DistanceSource::Hint& hint,
   for (const Vec3 place : places_of(c)) {
     // Most walls are thick, so usually two points decide.
     if (thin + left-- < options.least_points) return least_m;
-    const models::FieldSample there = solid.at(place - depth_m * normal, hint);
+    const models::DistanceSample there = solid.at(place - depth_m * normal, hint);
     if (dot(there.gradient, normal) > -options.opposite_cosine) continue;
     const double thickness_m = depth_m - there.distance_m;
     if (thickness_m > (1.0 - options.least_lack) * least_m || thickness_m < 0.0) continue;
@@ -118,11 +118,11 @@ class ThickenedSource final : public DistanceSource {
     if (!rest.triangles.empty()) rest_.emplace(rest);
   }
 
-  models::FieldSample at(Vec3 p, Hint& hint) const override {
-    models::FieldSample solid = solid_->at(p, hint);
+  models::DistanceSample at(Vec3 p, Hint& hint) const override {
+    models::DistanceSample solid = solid_->at(p, hint);
     hint.of_parts.resize(layers_.size() + 1);
     constexpr double kFar_m = std::numeric_limits<double>::infinity();
-    models::FieldSample joined{kFar_m, {}}, under{-kFar_m, {}};
+    models::DistanceSample joined{kFar_m, {}}, under{-kFar_m, {}};
     double surface_m = kFar_m;
     for (std::size_t k = 0; k < layers_.size(); ++k) {
       const Layer& layer = layers_[k];
@@ -166,14 +166,14 @@ class ThickenedSource final : public DistanceSource {
  private:
   /// Inside the solid, near a layer of its surface at distance `surface_m`: `under` is the distance to the
   /// moved layers; the rest of the surface may be nearer.
-  models::FieldSample below_layers(Vec3 p, double surface_m, const models::FieldSample& solid,
-                                   const models::FieldSample& under, Hint& hint) const {
+  models::DistanceSample below_layers(Vec3 p, double surface_m, const models::DistanceSample& solid,
+                                      const models::DistanceSample& under, Hint& hint) const {
     if (!rest_) return under;
     const NearestTriangle near = nearest_in_ball(*rest_, p, hint);
     hint.triangle = near.triangle;
     const double rest_m = std::sqrt(near.squared_distance_m2);
     if (rest_m < surface_m) return solid;
-    return -rest_m > under.distance_m ? models::FieldSample{-rest_m, (near.point_m - p) / rest_m} : under;
+    return -rest_m > under.distance_m ? models::DistanceSample{-rest_m, (near.point_m - p) / rest_m} : under;
   }
 
   std::unique_ptr<DistanceSource> solid_;
@@ -302,7 +302,7 @@ Mesh sheets_outside(const DistanceSource& solid, const SheetCandidates& candidat
 /// All places are outside and far from it.
 class NoSolid final : public DistanceSource {
  public:
-  models::FieldSample at(Vec3, Hint&) const override { return {kEverywhere_m, {0.0, 0.0, 1.0}}; }
+  models::DistanceSample at(Vec3, Hint&) const override { return {kEverywhere_m, {0.0, 0.0, 1.0}}; }
   Box bounds() const override {
     return {{kEverywhere_m, kEverywhere_m, kEverywhere_m}, {-kEverywhere_m, -kEverywhere_m, -kEverywhere_m}};
   }

@@ -167,8 +167,8 @@ TEST(ThinWalls, AreWhereTheyAreInTheField) {
   ASSERT_TRUE(field);
   const double half_m = -distance_at(*solid, {0.0, 0.0, 0.02});
   for (const double x : {-0.015, -0.0033, 0.004, 0.0161}) {
-    EXPECT_NEAR(field->sample({x, half_m, 0.02}).distance_m, 0.0, 5e-6) << x;
-    EXPECT_LT(field->sample({x, 0.0, 0.02}).distance_m, -0.00012) << x;
+    EXPECT_NEAR(field->sample({{x, half_m, 0.02}}).distance_m, 0.0, 5e-6) << x;
+    EXPECT_LT(field->sample({{x, 0.0, 0.02}}).distance_m, -0.00012) << x;
   }
 }
 

@@ -228,7 +228,7 @@ class Contourer {
     const Vec3 a = place(crossing.from), way = place(to) - a;
     double low = 0.0, high = 1.0;
     double at_low = value_at(crossing.from), at_high = value_at(to);
-    models::FieldSample sample;
+    models::DistanceSample sample;
     constexpr int kSteps = 4;
     for (int step = 0; step < kSteps; ++step) {
       const double t = low + (high - low) * at_low / (at_low - at_high);

@@ -5,7 +5,7 @@
 #include "palpable/core/geometry/mesh.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
-#include "palpable/models/field/distance_surface.hpp"
+#include "palpable/models/field/distance_sample.hpp"
 #include "palpable/sculpt/triangles/box.hpp"
 
 #include <functional>
@@ -15,7 +15,7 @@ namespace palpable::sculpt {
 
 /// A solid as a function: negative inside, with a gradient. With a gradient of 0, for solids whose edges
 /// need not be sharp, each vertex is the mean of its edge crossings. Any thread.
-using SolidFunction = std::function<models::FieldSample(Vec3 place_m)>;
+using SolidFunction = std::function<models::DistanceSample(Vec3 place_m)>;
 
 struct DualContourOptions {
   /// Side of the cubes, with one vertex each, > 0.

@@ -208,7 +208,7 @@ Result<Answer> export_distances(const Distance& field, const ExportArguments& ar
     for (int j = 0; j < ny; ++j)
       for (int k = 0; k < nz; ++k)
         values.push_back(static_cast<float>(
-            field.sample(origin + spacing_m * Vec3{1.0 * i, 1.0 * j, 1.0 * k}).distance_m));
+            field.sample({origin + spacing_m * Vec3{1.0 * i, 1.0 * j, 1.0 * k}}).distance_m));
   }
   formats::NpyArray distances = formats::npy_array(std::span<const float>(values));
   distances.shape = {static_cast<std::size_t>(nx), static_cast<std::size_t>(ny),
