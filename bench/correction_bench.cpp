@@ -3,7 +3,7 @@
 // Correction of a field by a measured surface, step by step (docs/fields.md): a ball of 60 mm at 512 cells,
 // and patches of its surface measured 2 mm farther out. The preparation of the first of many corrections is
 // not timed.
-#include "palpable/models/field/superquadric_samples.hpp"
+#include "palpable/models/field/superquadric_mesh.hpp"
 #include "palpable/sculpt/correction/field_correction.hpp"
 #include "palpable/sculpt/correction/field_update.hpp"
 #include "palpable/sculpt/solid/mesh_distance.hpp"

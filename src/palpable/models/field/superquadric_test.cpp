@@ -4,7 +4,7 @@
 
 #include "palpable/core/geometry/mesh.hpp"
 #include "palpable/models/field/superquadric_distance.hpp"
-#include "palpable/models/field/superquadric_samples.hpp"
+#include "palpable/models/field/superquadric_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -201,20 +201,6 @@ TEST(SuperquadricSamples, FormAClosedMesh) {
   for (const auto& t : mesh.triangles)
     six_volumes += dot(mesh.vertices_m[t[0]], cross(mesh.vertices_m[t[1]], mesh.vertices_m[t[2]]));
   EXPECT_GT(six_volumes, 0.0);
-}
-
-TEST(SuperquadricSamples, AreEvenlySpaced) {
-  const Superquadric s = shape_of({1.5, 0.3, 0.5}, 0.2, 0.6);
-  const auto samples = even_samples(s, 0.1);
-  const Mesh fine = mesh_of(s, 0.03);
-  for (const Vec3 v : fine.vertices_m) {
-    const auto near = std::min_element(samples.begin(), samples.end(), [&](const auto& a, const auto& b) {
-      return squared_norm(a.place.v - v) < squared_norm(b.place.v - v);
-    });
-    EXPECT_LT(norm(near->place.v - v), 0.13);
-  }
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) EXPECT_GE(norm(samples[i].place.v - samples[j].place.v), 0.1);
 }
 
 }  // namespace

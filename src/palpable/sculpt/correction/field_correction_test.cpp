@@ -3,7 +3,7 @@
 #include "palpable/sculpt/correction/field_correction.hpp"
 
 #include "palpable/models/field/field_leaf.hpp"
-#include "palpable/models/field/superquadric_samples.hpp"
+#include "palpable/models/field/superquadric_mesh.hpp"
 #include "palpable/sculpt/solid/mesh_distance.hpp"
 #include "palpable/sculpt/solid/test_solids.hpp"
 

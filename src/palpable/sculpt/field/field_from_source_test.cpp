@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/field/field_from_source.hpp"
 
-#include "palpable/models/field/superquadric_samples.hpp"
+#include "palpable/models/field/superquadric_mesh.hpp"
 #include "palpable/sculpt/solid/mesh_solid.hpp"
 #include "palpable/sculpt/solid/test_solids.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/solid/smooth_surface.hpp"
 
-#include "palpable/models/field/superquadric_samples.hpp"
+#include "palpable/models/field/superquadric_mesh.hpp"
 #include "palpable/sculpt/solid/mesh_distance.hpp"
 #include "palpable/sculpt/solid/test_solids.hpp"
 

@@ -3,7 +3,7 @@
 #include "palpable/sculpt/solid/superquadric_source.hpp"
 
 #include "palpable/models/field/superquadric_distance.hpp"
-#include "palpable/models/field/superquadric_samples.hpp"
+#include "palpable/models/field/superquadric_mesh.hpp"
 
 #include <algorithm>
 #include <utility>

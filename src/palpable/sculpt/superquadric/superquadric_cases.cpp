@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/superquadric/superquadric_cases.hpp"
 
-#include "palpable/models/field/superquadric_samples.hpp"
+#include "palpable/models/field/superquadric_mesh.hpp"
 #include "palpable/sculpt/superquadric/label_outline.hpp"
 
 #include <algorithm>

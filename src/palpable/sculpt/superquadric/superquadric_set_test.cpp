@@ -3,8 +3,9 @@
 #include "palpable/sculpt/superquadric/superquadric_set.hpp"
 
 #include "palpable/models/field/superquadric_distance.hpp"
-#include "palpable/models/field/superquadric_samples.hpp"
+#include "palpable/models/field/superquadric_mesh.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -31,6 +32,15 @@ Superquadric box(Vec3 at, Vec3 half_m) {
   return s;
 }
 
+/// Evenly distributed points of a surface: no two are nearer than `spacing_m`.
+std::vector<Vec3> even_points(const Superquadric& shape, double spacing_m) {
+  std::vector<Vec3> points;
+  for (const Vec3 p : models::mesh_of(shape, 0.25 * spacing_m).vertices_m)
+    if (std::all_of(points.begin(), points.end(), [&](Vec3 q) { return norm(p - q) >= spacing_m; }))
+      points.push_back(p);
+  return points;
+}
+
 /// Noisy points of several shapes, without those inside another shape. If an eye is given, only points that
 /// face it.
 std::vector<Vec3> points_of(const std::vector<Superquadric>& shapes, double spacing_m, double noise_m,
@@ -41,11 +51,11 @@ std::vector<Vec3> points_of(const std::vector<Superquadric>& shapes, double spac
   std::normal_distribution<double> normal(0.0, noise_m);
   std::vector<Vec3> points;
   for (std::size_t k = 0; k < shapes.size(); ++k)
-    for (const auto& sample : models::even_samples(shapes[k], spacing_m)) {
-      bool seen = !eye || dot(*eye - sample.place.v, sample.normal.v) > 0.0;
+    for (const Vec3 place : even_points(shapes[k], spacing_m)) {
+      bool seen = !eye || dot(*eye - place, distances[k].closest_point({place}).normal.v) > 0.0;
       for (std::size_t other = 0; other < shapes.size(); ++other)
-        seen = seen && (other == k || distances[other].distance_m(sample.place) > 0.0);
-      if (seen) points.push_back(sample.place.v + Vec3{normal(random), normal(random), normal(random)});
+        seen = seen && (other == k || distances[other].distance_m({place}) > 0.0);
+      if (seen) points.push_back(place + Vec3{normal(random), normal(random), normal(random)});
     }
   return points;
 }

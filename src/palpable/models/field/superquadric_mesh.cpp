@@ -1,11 +1,10 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/models/field/superquadric_samples.hpp"
+#include "palpable/models/field/superquadric_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <unordered_map>
 
 namespace palpable::models {
@@ -81,34 +80,6 @@ BoxGrid::Quads box_grid(const Superquadric& shape, double spacing_m) {
 
 Vec3 scaled(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 
-/// Accepts points at least `spacing` away from all accepted ones (Poisson-disc sampling).
-class Spread {
- public:
-  explicit Spread(double spacing_m) : spacing_(spacing_m) {}
-
-  bool accept(Vec3 p) {
-    const Key cell = key(p);
-    for (std::int64_t dx = -1; dx <= 1; ++dx)
-      for (std::int64_t dy = -1; dy <= 1; ++dy)
-        for (std::int64_t dz = -1; dz <= 1; ++dz) {
-          const auto found = cells_.find({cell[0] + dx, cell[1] + dy, cell[2] + dz});
-          if (found == cells_.end()) continue;
-          for (const Vec3 other : found->second)
-            if (squared_norm(other - p) < spacing_ * spacing_) return false;
-        }
-    cells_[cell].push_back(p);
-    return true;
-  }
-
- private:
-  using Key = std::array<std::int64_t, 3>;
-  Key key(Vec3 p) const {
-    return {std::llround(p.x / spacing_), std::llround(p.y / spacing_), std::llround(p.z / spacing_)};
-  }
-  double spacing_;
-  std::map<Key, std::vector<Vec3>> cells_;
-};
-
 }  // namespace
 
 Vec3 surface_normal(const Superquadric& shape, Vec3 p) noexcept {
@@ -146,21 +117,6 @@ Mesh mesh_of(const Superquadric& shape, double spacing_m) {
     }
   }
   return mesh;
-}
-
-std::vector<SurfaceSample> even_samples(const Superquadric& shape, double spacing_m) {
-  // Candidates four times as dense, since their gaps add to the spacing.
-  const BoxGrid::Quads grid = box_grid(shape, 0.25 * spacing_m);
-  Spread spread(spacing_m);
-  std::vector<SurfaceSample> samples;
-  for (const Vec3 p : grid.points) {
-    const Vec3 straight = on_surface(shape, scaled(p, shape.size_m));
-    const Vec3 place = deform(shape, straight);
-    if (!spread.accept(place)) continue;
-    samples.push_back({shape.scene_from_shape * Point<ShapeFrame>{place},
-                       Vector<SceneFrame>{shape.scene_from_shape.rotate(surface_normal(shape, straight))}});
-  }
-  return samples;
 }
 
 }  // namespace palpable::models

@@ -5,15 +5,7 @@
 #include "palpable/core/geometry/mesh.hpp"
 #include "palpable/models/field/superquadric.hpp"
 
-#include <vector>
-
 namespace palpable::models {
-
-/// A surface point with its outward unit normal.
-struct SurfaceSample {
-  Point<SceneFrame> place;
-  Vector<SceneFrame> normal;
-};
 
 /// The outward unit normal of the deformed surface for the undeformed surface's point `p`, in the shape's
 /// frame.
@@ -23,9 +15,5 @@ Vec3 surface_normal(const Superquadric& shape, Vec3 p) noexcept;
 /// projected onto the surface from its centre. The spacing is increased to keep the mesh below a few million
 /// triangles.
 Mesh mesh_of(const Superquadric& shape, double spacing_m);
-
-/// Evenly distributed surface points: no two are nearer than `spacing_m`, and no point of the surface is
-/// farther than about 1.3 times that from one of them. Deterministic.
-std::vector<SurfaceSample> even_samples(const Superquadric& shape, double spacing_m);
 
 }  // namespace palpable::models
