@@ -48,7 +48,7 @@ std::vector<Vec3> walk_under_surface(const Distance& field, int places, double s
   for (int i = 0; i < places; ++i) {
     walk.push_back(p);
     const double x = normal(random), y = normal(random), z = normal(random);
-    const Vec3 outwards = unit(field.sample(p).gradient);
+    const Vec3 outwards = unit(field.sample({p}).gradient.v);
     direction += turn * Vec3{x, y, z};
     direction = unit(direction - dot(direction, outwards) * outwards);
     p = under_surface(field, p + 1e-3 * speed_m_per_s * direction);

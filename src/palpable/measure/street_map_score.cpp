@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/measure/street_map_score.hpp"
 
+#include "palpable/core/geometry/segment.hpp"
 #include "palpable/vision/streets/gazetteer.hpp"
 
 #include <algorithm>
@@ -78,11 +79,7 @@ double width_beside(const std::vector<MapPoint>& line, const StreetMap& found) {
     double width = 0.0;
     for (const MapStreet& street : found.streets)
       for (std::size_t i = 1; i < street.points.size(); ++i) {
-        const MapPoint a = street.points[i - 1];
-        const MapPoint d{street.points[i].x - a.x, street.points[i].y - a.y};
-        const double square = std::max(1e-9, d.x * d.x + d.y * d.y);
-        const double t = std::clamp(((p.x - a.x) * d.x + (p.y - a.y) * d.y) / square, 0.0, 1.0);
-        const double distance = std::hypot(p.x - a.x - t * d.x, p.y - a.y - t * d.y);
+        const double distance = distance_to_segment(p, street.points[i - 1], street.points[i]);
         if (distance >= least) continue;
         least = distance;
         width = street.width_px;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/tactile/map_sheet.hpp"
 
+#include "palpable/core/geometry/segment.hpp"
 #include "palpable/formats/tactile/braille_page.hpp"
 #include "palpable/formats/tactile/label_space.hpp"
 
@@ -61,12 +62,8 @@ std::vector<double> crossings_of(const Polyline& outline, double y) {
 
 double distance_to(const Polyline& line, Vec3 p) {
   double least = 1e9;
-  for (std::size_t i = 1; i < line.points.size(); ++i) {
-    const Vec3 a = line.points[i - 1], d = line.points[i] - a;
-    const double square = dot(d, d);
-    const double t = square > 0.0 ? std::clamp(dot(p - a, d) / square, 0.0, 1.0) : 0.0;
-    least = std::min(least, norm(p - a - t * d));
-  }
+  for (std::size_t i = 1; i < line.points.size(); ++i)
+    least = std::min(least, distance_to_segment(p, line.points[i - 1], line.points[i]));
   return least;
 }
 
@@ -149,66 +146,106 @@ std::vector<SheetStreet> scaled_streets(const MapSheet& sheet, double factor) {
   return streets;
 }
 
+/// A sheet's text; places in metres from its middle.
+class SheetSvg {
+ public:
+  SheetSvg(double width_m, double height_m)
+      : text_(svg_begin(kInMm * width_m, kInMm * height_m, "Street map")),
+        left_m_(-0.5 * width_m),
+        top_m_(0.5 * height_m) {}
+
+  void begin_lines(double line_m) {
+    text_ += fmt::format(
+        "<g fill=\"none\" stroke=\"black\" stroke-width=\"{:.3f}\" stroke-linejoin=\"round\" "
+        "stroke-linecap=\"round\">\n",
+        kInMm * line_m);
+  }
+  void begin_dots() { text_ += "<g fill=\"black\">\n"; }
+  void end_group() { text_ += "</g>\n"; }
+  void add_line(const Polyline& line) {
+    text_ += "<path d=\"";
+    for (std::size_t i = 0; i < line.points.size(); ++i)
+      text_ += fmt::format("{}{:.3f} {:.3f}", i == 0 ? 'M' : 'L', right_mm(line.points[i].x),
+                           down_mm(line.points[i].y));
+    text_ += "\"/>\n";
+  }
+  /// `first`: the centre of the dot at the upper left.
+  void add_key(const BrailleLine& key, Vec3 first, const MapSheetOptions& options) {
+    add_dots(text_, key, right_mm(first.x), down_mm(first.y), options);
+  }
+  std::string finish() && {
+    text_ += "</svg>\n";
+    return std::move(text_);
+  }
+
+ private:
+  double right_mm(double x) const { return kInMm * (x - left_m_); }
+  double down_mm(double y) const { return kInMm * (top_m_ - y); }
+
+  std::string text_;
+  double left_m_, top_m_;
+};
+
+void add_streets(const std::vector<SheetStreet>& streets, double street_m, SheetSvg& svg, LabelSpace& space) {
+  svg.begin_lines(street_m);
+  for (std::size_t i = 0; i < streets.size(); ++i)
+    for (const Polyline& line : streets[i].lines) {
+      svg.add_line(line);
+      space.add_line(line, 0.5 * street_m, i);
+    }
+  svg.end_group();
+}
+
+void add_waters(const std::vector<Polyline>& strokes, double gap_m, SheetSvg& svg, LabelSpace& space) {
+  constexpr double kStroke_m = 0.0008;
+  svg.begin_lines(kStroke_m);
+  for (const Polyline& stroke : strokes) {
+    svg.add_line(stroke);
+    space.block(0.5 * (stroke.points.front() + stroke.points.back()), length_of(stroke) + 2.0 * gap_m,
+                2.0 * gap_m);
+  }
+  svg.end_group();
+}
+
+/// Returns the streets whose keys found no room.
+std::vector<std::size_t> add_keys(const std::vector<SheetStreet>& streets, const MapSheetOptions& options,
+                                  SheetSvg& svg, LabelSpace& space) {
+  std::vector<std::size_t> without_room;
+  svg.begin_dots();
+  for (std::size_t i = 0; i < streets.size(); ++i) {
+    const BrailleLine& key = streets[i].key;
+    if (key.empty()) continue;
+    const double width_m =
+        static_cast<double>(key.size() - 1) * options.cell_m + options.dot_m + options.dot_diameter_m;
+    const double height_m = 2.0 * options.dot_m + options.dot_diameter_m;
+    const auto middle = space.take_room(streets[i].lines, 0.5 * options.street_m, i, width_m, height_m);
+    if (!middle) {
+      without_room.push_back(i);
+      continue;
+    }
+    const double edge_m = 0.5 * options.dot_diameter_m;
+    svg.add_key(key, {middle->x - 0.5 * width_m + edge_m, middle->y + 0.5 * height_m - edge_m, 0.0}, options);
+  }
+  svg.end_group();
+  return without_room;
+}
+
 }  // namespace
 
 Result<SheetDrawing> encode_map_sheet(const MapSheet& sheet, const MapSheetOptions& options) {
   if (auto checked = check(options); !checked) return checked.error();
-  const double factor = options.width_m / sheet.width_m;
-  const double width_m = options.width_m, height_m = factor * sheet.height_m;
+  const double factor = options.width_m / sheet.width_m, height_m = factor * sheet.height_m;
   const auto streets = scaled_streets(sheet, factor);
   std::vector<Polyline> waters;
   for (const Polyline& water : sheet.waters) waters.push_back(scaled(water, factor));
 
+  SheetSvg svg(options.width_m, height_m);
+  LabelSpace space(options.width_m, height_m, options.gap_m);
+  add_streets(streets, options.street_m, svg, space);
+  add_waters(water_strokes(waters, streets, 0.5 * height_m, options), options.gap_m, svg, space);
   SheetDrawing out;
-  out.text = svg_begin(kInMm * width_m, kInMm * height_m, "Street map");
-  const auto right_mm = [&](double x) { return kInMm * (x + 0.5 * width_m); };
-  const auto down_mm = [&](double y) { return kInMm * (0.5 * height_m - y); };
-  const auto add_line = [&](const Polyline& line) {
-    out.text += "<path d=\"";
-    for (std::size_t i = 0; i < line.points.size(); ++i)
-      out.text += fmt::format("{}{:.3f} {:.3f}", i == 0 ? 'M' : 'L', right_mm(line.points[i].x),
-                              down_mm(line.points[i].y));
-    out.text += "\"/>\n";
-  };
-  const auto begin_lines = [&](double line_m) {
-    out.text += fmt::format(
-        "<g fill=\"none\" stroke=\"black\" stroke-width=\"{:.3f}\" stroke-linejoin=\"round\" "
-        "stroke-linecap=\"round\">\n",
-        kInMm * line_m);
-  };
-  LabelSpace space(width_m, height_m, options.gap_m);
-  const double half_m = 0.5 * options.street_m;
-  begin_lines(options.street_m);
-  for (std::size_t i = 0; i < streets.size(); ++i)
-    for (const Polyline& line : streets[i].lines) {
-      add_line(line);
-      space.add_line(line, half_m, i);
-    }
-  out.text += "</g>\n";
-  constexpr double kStroke_m = 0.0008;
-  begin_lines(kStroke_m);
-  for (const Polyline& stroke : water_strokes(waters, streets, 0.5 * height_m, options)) {
-    add_line(stroke);
-    space.block(0.5 * (stroke.points.front() + stroke.points.back()), length_of(stroke) + 2.0 * options.gap_m,
-                2.0 * options.gap_m);
-  }
-  out.text += "</g>\n<g fill=\"black\">\n";
-  for (std::size_t i = 0; i < streets.size(); ++i) {
-    const BrailleLine& key = streets[i].key;
-    if (key.empty()) continue;
-    const double box_width_m =
-        static_cast<double>(key.size() - 1) * options.cell_m + options.dot_m + options.dot_diameter_m;
-    const double box_height_m = 2.0 * options.dot_m + options.dot_diameter_m;
-    const auto middle = space.take_room(streets[i].lines, half_m, i, box_width_m, box_height_m);
-    if (!middle) {
-      out.without_room.push_back(i);
-      continue;
-    }
-    const double edge_m = 0.5 * options.dot_diameter_m;
-    add_dots(out.text, key, right_mm(middle->x - 0.5 * box_width_m + edge_m),
-             down_mm(middle->y + 0.5 * box_height_m - edge_m), options);
-  }
-  out.text += "</g>\n</svg>\n";
+  out.without_room = add_keys(streets, options, svg, space);
+  out.text = std::move(svg).finish();
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include "palpable/models/streets/street_network.hpp"
 
 #include "palpable/core/check.hpp"
+#include "palpable/core/geometry/segment.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -92,9 +93,7 @@ MapPoint nearest_on(const std::vector<MapPoint>& line, MapPoint p) {
   MapPoint best = line.front();
   for (std::size_t i = 1; i < line.size(); ++i) {
     const MapPoint a = line[i - 1], d{line[i].x - a.x, line[i].y - a.y};
-    const double square = d.x * d.x + d.y * d.y;
-    const double t =
-        square > 0.0 ? std::clamp(((p.x - a.x) * d.x + (p.y - a.y) * d.y) / square, 0.0, 1.0) : 0.0;
+    const double t = nearest_share(p, a, line[i]);
     const MapPoint at{a.x + t * d.x, a.y + t * d.y};
     if (distance_px(at, p) < distance_px(best, p)) best = at;
   }
@@ -194,9 +193,7 @@ std::optional<StreetPosition> StreetNetwork::nearest(MapPoint place, double reac
     double along = 0.0;
     for (std::size_t i = 1; i < line.size(); ++i) {
       const MapPoint a = line[i - 1], d{line[i].x - a.x, line[i].y - a.y};
-      const double square = d.x * d.x + d.y * d.y, length = std::sqrt(square);
-      const double t =
-          square > 0.0 ? std::clamp(((place.x - a.x) * d.x + (place.y - a.y) * d.y) / square, 0.0, 1.0) : 0.0;
+      const double length = std::sqrt(d.x * d.x + d.y * d.y), t = nearest_share(place, a, line[i]);
       const MapPoint at{a.x + t * d.x, a.y + t * d.y};
       if (const double distance = distance_px(at, place); distance <= least) {
         least = distance;
@@ -208,15 +205,22 @@ std::optional<StreetPosition> StreetNetwork::nearest(MapPoint place, double reac
   return best;
 }
 
-std::optional<StreetRoute> StreetNetwork::route(const StreetPosition& from, const StreetPosition& to) const {
+/// The shortest ways from a position to all nodes (Dijkstra 1959).
+struct StreetNetwork::Ways {
+  std::vector<double> length_px;
+  /// The piece by which each node is reached; kNone for the ends of the first piece.
+  std::vector<std::size_t> by;
+};
+
+StreetNetwork::Ways StreetNetwork::ways_from(const StreetPosition& from) const {
   using Entry = std::pair<double, std::size_t>;
-  std::vector<double> best(nodes_.size(), std::numeric_limits<double>::infinity());
-  std::vector<std::size_t> by(nodes_.size(), kNone);
+  Ways ways{std::vector<double>(nodes_.size(), std::numeric_limits<double>::infinity()),
+            std::vector<std::size_t>(nodes_.size(), kNone)};
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   const auto reach = [&](std::size_t node, double length, std::size_t piece) {
-    if (length >= best[node]) return;
-    best[node] = length;
-    by[node] = piece;
+    if (length >= ways.length_px[node]) return;
+    ways.length_px[node] = length;
+    ways.by[node] = piece;
     open.emplace(length, node);
   };
   reach(ends_[from.piece].first, from.along_px, kNone);
@@ -224,46 +228,55 @@ std::optional<StreetRoute> StreetNetwork::route(const StreetPosition& from, cons
   while (!open.empty()) {
     const auto [length, node] = open.top();
     open.pop();
-    if (length > best[node]) continue;
-    for (const std::size_t piece : nodes_[node].pieces) {
-      const auto [a, b] = ends_[piece];
-      reach(a == node ? b : a, length + lengths_px_[piece], piece);
-    }
+    if (length > ways.length_px[node]) continue;
+    for (const std::size_t piece : nodes_[node].pieces)
+      reach(other_end(piece, node), length + lengths_px_[piece], piece);
   }
-  const double by_first = best[ends_[to.piece].first] + to.along_px;
-  const double by_last = best[ends_[to.piece].second] + lengths_px_[to.piece] - to.along_px;
+  return ways;
+}
+
+std::size_t StreetNetwork::other_end(std::size_t piece, std::size_t node) const {
+  const auto [a, b] = ends_[piece];
+  return a == node ? b : a;
+}
+
+std::optional<StreetRoute> StreetNetwork::route(const StreetPosition& from, const StreetPosition& to) const {
+  const Ways ways = ways_from(from);
+  const double by_first = ways.length_px[ends_[to.piece].first] + to.along_px;
+  const double by_last = ways.length_px[ends_[to.piece].second] + lengths_px_[to.piece] - to.along_px;
   const double direct = from.piece == to.piece ? std::abs(to.along_px - from.along_px)
                                                : std::numeric_limits<double>::infinity();
   StreetRoute route;
-  const auto& last_line = map_->streets[to.piece].points;
   if (direct <= std::min(by_first, by_last)) {
     if (!std::isfinite(direct)) return std::nullopt;
-    add_leg(route, map_->streets[to.piece].name, part_of(last_line, from.along_px, to.along_px));
-    if (route.line.empty()) route.line = {from.at, to.at};
-    set_bearings(route);
-    return route;
+    add_leg(route, map_->streets[to.piece].name,
+            part_of(map_->streets[to.piece].points, from.along_px, to.along_px));
+  } else {
+    add_way(ways, from, to, by_first <= by_last, route);
   }
-  std::size_t node = by_first <= by_last ? ends_[to.piece].first : ends_[to.piece].second;
+  if (route.line.empty()) route.line = {from.at, to.at};
+  set_bearings(route);
+  return route;
+}
+
+void StreetNetwork::add_way(const Ways& ways, const StreetPosition& from, const StreetPosition& to,
+                            bool by_first, StreetRoute& route) const {
+  std::size_t node = by_first ? ends_[to.piece].first : ends_[to.piece].second;
   std::vector<std::pair<std::size_t, std::size_t>> steps;  // piece, and the node that it ends at
-  for (; by[node] != kNone; node = ends_[steps.back().first].first == node ? ends_[steps.back().first].second
-                                                                           : ends_[steps.back().first].first)
-    steps.emplace_back(by[node], node);
-  const auto& first_line = map_->streets[from.piece].points;
+  for (; ways.by[node] != kNone; node = other_end(steps.back().first, node))
+    steps.emplace_back(ways.by[node], node);
   // Of a loop, whose ends are one node, the shorter side.
   const bool forward = ends_[from.piece].second == node &&
                        (ends_[from.piece].first != node || from.along_px > 0.5 * lengths_px_[from.piece]);
   add_leg(route, map_->streets[from.piece].name,
-          part_of(first_line, from.along_px, forward ? lengths_px_[from.piece] : 0.0));
+          part_of(map_->streets[from.piece].points, from.along_px, forward ? lengths_px_[from.piece] : 0.0));
   for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
     const MapStreet& street = map_->streets[step->first];
     add_leg(route, street.name,
             ends_[step->first].second == step->second ? street.points : reversed(street.points));
   }
   add_leg(route, map_->streets[to.piece].name,
-          part_of(last_line, by_first <= by_last ? 0.0 : lengths_px_[to.piece], to.along_px));
-  if (route.line.empty()) route.line = {from.at, to.at};
-  set_bearings(route);
-  return route;
+          part_of(map_->streets[to.piece].points, by_first ? 0.0 : lengths_px_[to.piece], to.along_px));
 }
 
 StreetRun StreetNetwork::run_from(std::size_t piece, std::size_t from, std::vector<bool>& used) const {

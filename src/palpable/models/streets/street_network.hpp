@@ -121,6 +121,12 @@ class StreetNetwork {
   bool is_beside(const std::vector<MapPoint>& line, const std::vector<MapPoint>& other,
                  double beside_px) const;
   StreetRun run_from(std::size_t piece, std::size_t from, std::vector<bool>& used) const;
+  std::size_t other_end(std::size_t piece, std::size_t node) const;
+  struct Ways;
+  Ways ways_from(const StreetPosition& from) const;
+  /// Adds the legs of the way over nodes, which reaches the last piece at its first or last point.
+  void add_way(const Ways& ways, const StreetPosition& from, const StreetPosition& to, bool by_first,
+               StreetRoute& route) const;
 
   std::shared_ptr<const StreetMap> map_;
   StreetNetworkOptions options_;

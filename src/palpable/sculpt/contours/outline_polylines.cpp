@@ -3,6 +3,7 @@
 #include "palpable/sculpt/contours/outline_polylines.hpp"
 
 #include "palpable/core/check.hpp"
+#include "palpable/core/geometry/segment.hpp"
 
 #include <algorithm>
 #include <array>
@@ -76,21 +77,13 @@ class Tracer {
   Raster<std::uint8_t> visited_;
 };
 
-/// Distance of p from the segment a … b.
-double distance_from(Vec3 p, Vec3 a, Vec3 b) {
-  const Vec3 along = b - a;
-  const double length2 = dot(along, along);
-  const double t = length2 > 0.0 ? std::clamp(dot(p - a, along) / length2, 0.0, 1.0) : 0.0;
-  return norm(p - (a + t * along));
-}
-
 /// Marks the points between `first` and `last` that the simplified line keeps (Douglas & Peucker 1973).
 void keep_needed(const std::vector<Vec3>& points, std::size_t first, std::size_t last, double tolerance_m,
                  std::vector<bool>& kept) {
   std::size_t farthest = first;
   double most = tolerance_m;
   for (std::size_t i = first + 1; i < last; ++i)
-    if (const double off = distance_from(points[i], points[first], points[last]); off > most)
+    if (const double off = distance_to_segment(points[i], points[first], points[last]); off > most)
       most = off, farthest = i;
   if (farthest == first) return;
   kept[farthest] = true;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/geometry/segment.hpp"
 #include "palpable/core/geometry/street_map.hpp"
 
 #include <algorithm>
@@ -35,16 +36,13 @@ inline MapGrid map_grid(const StreetMap& map, double width_m, double height_m, i
 /// Calls visit(x, y, distance) for the samples within `half` samples of a segment.
 template <class Visit>
 void near_segment(const MapGrid& grid, MapPoint a, MapPoint b, double half, const Visit& visit) {
-  const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
   const int left = std::max(0, static_cast<int>(std::min(a.x, b.x) - half));
   const int right = std::min(grid.columns - 1, static_cast<int>(std::max(a.x, b.x) + half) + 1);
   const int top = std::max(0, static_cast<int>(std::min(a.y, b.y) - half));
   const int bottom = std::min(grid.rows - 1, static_cast<int>(std::max(a.y, b.y) + half) + 1);
   for (int y = top; y <= bottom; ++y)
     for (int x = left; x <= right; ++x) {
-      const double px = x - a.x, py = y - a.y;
-      const double t = square > 0.0 ? std::clamp((px * dx + py * dy) / square, 0.0, 1.0) : 0.0;
-      const double distance = std::hypot(px - t * dx, py - t * dy);
+      const double distance = distance_to_segment(MapPoint{1.0 * x, 1.0 * y}, a, b);
       if (distance < half) visit(x, y, distance);
     }
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/streets/centre_lines.hpp"
 
+#include "palpable/core/geometry/segment.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -218,14 +220,6 @@ void measure_radii(CentreLines& graph, const cv::Mat& distance, const CentreLine
     line.radius_px = sum / n;
     line.radius_spread_px = std::sqrt(std::max(0.0, squares / n - line.radius_px * line.radius_px));
   }
-}
-
-double distance_to_segment(MapPoint p, MapPoint a, MapPoint b) {
-  const double dx = b.x - a.x;
-  const double dy = b.y - a.y;
-  const double square = dx * dx + dy * dy;
-  const double t = square > 0.0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0) : 0.0;
-  return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/streets/street_map_from_picture.hpp"
 
+#include "palpable/core/geometry/segment.hpp"
 #include "palpable/vision/streets/drawn_map.hpp"
 
 #include <cmath>
@@ -15,16 +16,8 @@ namespace {
 double distance_to_map(const StreetMap& map, MapPoint p) {
   double least = 1e9;
   for (const MapStreet& street : map.streets)
-    for (std::size_t i = 1; i < street.points.size(); ++i) {
-      const MapPoint a = street.points[i - 1];
-      const MapPoint b = street.points[i];
-      const double dx = b.x - a.x;
-      const double dy = b.y - a.y;
-      const double square = dx * dx + dy * dy;
-      const double t =
-          square > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0) : 0.0;
-      least = std::min(least, std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy));
-    }
+    for (std::size_t i = 1; i < street.points.size(); ++i)
+      least = std::min(least, distance_to_segment(p, street.points[i - 1], street.points[i]));
   return least;
 }
 

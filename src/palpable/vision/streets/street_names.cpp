@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/streets/street_names.hpp"
 
+#include "palpable/core/geometry/segment.hpp"
 #include "palpable/vision/streets/gazetteer.hpp"
 
 #include <algorithm>
@@ -36,10 +37,7 @@ double distance_along(const MapStreet& street, MapPoint p, Vector2 along, double
     const MapPoint a = street.points[i - 1];
     const Vector2 d = between(a, street.points[i]);
     if (std::abs(cosine(d, along)) < least_cosine) continue;
-    const double square = d.x * d.x + d.y * d.y;
-    const double t =
-        square > 0.0 ? std::clamp(((p.x - a.x) * d.x + (p.y - a.y) * d.y) / square, 0.0, 1.0) : 0.0;
-    least = std::min(least, std::hypot(p.x - a.x - t * d.x, p.y - a.y - t * d.y));
+    least = std::min(least, distance_to_segment(p, a, street.points[i]));
   }
   return least;
 }
