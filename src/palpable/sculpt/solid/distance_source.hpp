@@ -20,13 +20,20 @@ class DistanceSource {
  public:
   virtual ~DistanceSource() = default;
 
-  /// State that a source keeps from one call to the next, so that queries near each other are fast. Default
-  /// constructed at first; one for each thread.
+  /// One thread's queries of one source: what the source keeps from one query to the next, so that queries
+  /// near each other are fast, and what it says about the accuracy of the last one. Default constructed; each
+  /// source uses the members that it needs. It is a plain value, so that a builder can have one for each of
+  /// its tasks without knowing which kind of source it samples.
   struct Hint {
+    /// Search of the nearest triangle: where the next one begins.
     std::uint32_t triangle = 0;
     /// The same for a source's second surface.
     std::uint32_t second_triangle = 0;
-    /// The last places and their distances (0: none yet): the sign is the same everywhere within that
+    /// Balls that were entered and not left: the triangles near them; the first `entered` are in use.
+    std::vector<TriangleShortlist> balls;
+    std::size_t entered = 0;
+
+    /// Sign: the last places and their distances (0: none yet). It is the same everywhere within that
     /// distance.
     struct PreviousSample {
       Vec3 place_m;
@@ -34,14 +41,13 @@ class DistanceSource {
     };
     std::array<PreviousSample, 8> last;
     std::size_t oldest = 0;
+
     /// Accuracy of the last sample as an approximation of the surface, metres and radians: between the
     /// vertices of a scan the surface is an estimate. 0 where it is exact.
     double coarse_m = 0.0, coarse_turn = 0.0;
-    /// For a source that blends two distances: their greatest difference at the queried points.
+    /// For a source that blends two distances: their greatest difference in all queries.
     double greatest_difference_m = 0.0;
-    /// The triangles near the balls that were entered; the first `entered` are in use.
-    std::vector<TriangleShortlist> balls;
-    std::size_t entered = 0;
+
     /// For a source that adds surfaces to another: one hint for each.
     std::vector<Hint> of_parts;
   };
