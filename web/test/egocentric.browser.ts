@@ -44,7 +44,7 @@ it('the hand moves and rotates with the explorer, whose position is spoken', asy
   await says(page, 'You stand 5 millimetres above the middle, facing left.');
   await page.keyboard.press('Shift+ArrowUp');
   await probeIsAt(page, -10, 5);
-  expect(await page.locator('#read-stance').textContent()).toBe('0.0, 5.0, facing 90° left');
+  expect(await page.locator('#read-pose').textContent()).toBe('0.0, 5.0, facing 90° left');
   await keepPicture(page, 'egocentric', true);
 });
 

@@ -61,7 +61,7 @@ class PageHost {
   virtual void pause(bool paused) = 0;
   virtual void recentre() = 0;
   /// Moves the explorer of the egocentric view.
-  virtual void stand(const protocol::Stand& stand) = 0;
+  virtual void move_explorer(const protocol::MoveExplorer& pose) = 0;
   /// The answer in words to a question about the scene or a place (protocol.json, `ask`). A description of
   /// the whole scene may take several frames.
   virtual std::string answer(const protocol::Ask& ask) = 0;

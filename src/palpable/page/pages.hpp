@@ -56,7 +56,7 @@ class Pages {
   void handle(Client&, const protocol::Save&) { host_.save(); }
   void handle(Client&, const protocol::Pause& pause) { host_.pause(pause.paused); }
   void handle(Client&, const protocol::Recentre&) { host_.recentre(); }
-  void handle(Client&, const protocol::Stand& stand) { host_.stand(stand); }
+  void handle(Client&, const protocol::MoveExplorer& pose) { host_.move_explorer(pose); }
   void handle(Client& client, const protocol::Ask& ask);
   void handle(Client& client, const protocol::Visible& visible);
 

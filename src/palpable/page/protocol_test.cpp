@@ -30,9 +30,9 @@ TEST(PageProtocol, ParsesEveryMessageOfThePage) {
   EXPECT_TRUE(std::holds_alternative<Save>(*parse_from_page(R"({"type":"save"})")));
   EXPECT_TRUE(std::get<Pause>(*parse_from_page(R"({"type":"pause","paused":true})")).paused);
   EXPECT_TRUE(std::holds_alternative<Recentre>(*parse_from_page(R"({"type":"recentre"})")));
-  const auto stand = parse_from_page(R"({"type":"stand","x_m":0.01,"y_m":-0.02,"heading_deg":90})");
-  ASSERT_TRUE(stand);
-  EXPECT_EQ(std::get<Stand>(*stand).heading_deg, 90.0);
+  const auto pose = parse_from_page(R"({"type":"move_explorer","x_m":0.01,"y_m":-0.02,"heading_deg":90})");
+  ASSERT_TRUE(pose);
+  EXPECT_EQ(std::get<MoveExplorer>(*pose).heading_deg, 90.0);
   EXPECT_FALSE(std::get<Visible>(*parse_from_page(R"({"type":"visible","visible":false})")).visible);
 }
 

@@ -78,7 +78,7 @@ class FakeHost final : public PageHost {
   void save() override { notice_ = protocol::Notice{"info", "saved"}; }
   void pause(bool paused) override { settings_.paused = paused; }
   void recentre() override {}
-  void stand(const protocol::Stand&) override {}
+  void move_explorer(const protocol::MoveExplorer&) override {}
   std::string answer(const protocol::Ask& ask) override { return "words on " + ask.what; }
   std::optional<protocol::Notice> next_notice() override { return std::exchange(notice_, std::nullopt); }
 

@@ -236,10 +236,10 @@ void TouchHost::recentre() {
   if (!pointer_moves()) put([](Tasks& tasks) { tasks.recentre = true; });
 }
 
-void TouchHost::stand(const protocol::Stand& stand) {
+void TouchHost::move_explorer(const protocol::MoveExplorer& pose) {
   if (!options_.egocentric) return;
   put([&](Tasks& tasks) {
-    tasks.stance = session::Stance{stand.x_m, stand.y_m, stand.heading_deg / kDegrees};
+    tasks.pose = session::ExplorerPose{pose.x_m, pose.y_m, pose.heading_deg / kDegrees};
   });
 }
 
@@ -289,7 +289,7 @@ void TouchHost::work() {
 void TouchHost::carry_out(const Tasks& tasks) {
   if (tasks.better) report([&] { return swap_in(*tasks.better); });
   if (tasks.recentre) session_.recentre();
-  if (tasks.stance) report([&] { return stand_there(*tasks.stance); });
+  if (tasks.pose) report([&] { return set_explorer_pose(*tasks.pose); });
   if (tasks.change) report([&] { return attempt(*tasks.change); });
   if (!tasks.edits.empty()) report([&] { return attempt(tasks.edits); });
   if (tasks.save) report([&] { return write_scene(); });
@@ -314,10 +314,10 @@ Result<void> TouchHost::swap_in(const models::Scene& better) {
 }
 
 /// The page's own pointer follows by itself, since it sends places in the scene frame.
-Result<void> TouchHost::stand_there(const session::Stance& stance) {
+Result<void> TouchHost::set_explorer_pose(const session::ExplorerPose& pose) {
   if (!pointer_moves())
-    if (auto stood = session_.stand(stance); !stood) return stood;
-  say("answer", session::words_of(stance));
+    if (auto moved = session_.move_explorer(pose); !moved) return moved;
+  say("answer", session::words_of(pose));
   return {};
 }
 

@@ -57,7 +57,7 @@ class TouchHost final : public PageHost {
   void save() override;
   void pause(bool paused) override;
   void recentre() override;
-  void stand(const protocol::Stand& stand) override;
+  void move_explorer(const protocol::MoveExplorer& pose) override;
   std::string answer(const protocol::Ask& ask) override { return words_.answer(ask); }
   std::optional<protocol::Notice> next_notice() override;
 
@@ -72,10 +72,10 @@ class TouchHost final : public PageHost {
     std::shared_ptr<const models::Scene> better;
     bool recentre = false;
     bool save = false;
-    std::optional<session::Stance> stance;
+    std::optional<session::ExplorerPose> pose;
     /// Serial of the last change or edit among them.
     std::int64_t serial = 0;
-    bool any() const { return change || !edits.empty() || better || recentre || save || stance; }
+    bool any() const { return change || !edits.empty() || better || recentre || save || pose; }
   };
   void work();
   void carry_out(const Tasks& tasks);
@@ -84,7 +84,7 @@ class TouchHost final : public PageHost {
   Result<void> attempt(const std::map<std::int64_t, protocol::MaterialEdit>& edits);
   Result<void> swap_in(const models::Scene& better);
   Result<void> write_scene();
-  Result<void> stand_there(const session::Stance& stance);
+  Result<void> set_explorer_pose(const session::ExplorerPose& pose);
   /// Carries out `step`; reports its automatic changes, or its error.
   void report(const std::function<Result<void>()>& step);
   void take_notices();

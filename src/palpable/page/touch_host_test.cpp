@@ -309,7 +309,7 @@ TEST_F(HostOnATouch, AnswersQuestionsWithWords) {
 
 TEST_F(HostOnATouch, ReportsTheExplorersPose) {
   EXPECT_TRUE(host->hello().egocentric);
-  host->stand({0.010, -0.005, 90.0});
+  host->move_explorer({0.010, -0.005, 90.0});
   std::string said;
   ASSERT_TRUE(comes_true([&] {
     if (const auto notice = host->next_notice()) said = notice->text;

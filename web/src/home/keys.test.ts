@@ -11,7 +11,7 @@ describe('keys', () => {
     where: () => calls.push('where'),
     recentre: () => calls.push('recentre'),
     walk: ({ ahead, left }) => calls.push(`walk ${ahead} ${left}`),
-    stance: () => calls.push('stance'),
+    pose: () => calls.push('pose'),
     choose: (probe) => calls.push(`choose ${probe}`),
     take: () => calls.push('take'),
     describeProbes: () => calls.push('describe probes'),
@@ -36,7 +36,7 @@ describe('keys', () => {
     type('a');
     type('F', true);
     type('e');
-    expect(calls).toEqual(['walk 0.005 0', 'walk -0.02 0', 'walk 0 15', 'walk 0 -45', 'stance']);
+    expect(calls).toEqual(['walk 0.005 0', 'walk -0.02 0', 'walk 0 15', 'walk 0 -45', 'pose']);
   });
   it('select the probe of their number, the tenth by 0', () => {
     calls.length = 0;

@@ -19,7 +19,7 @@ export interface KeyTarget {
   recentre(): void;
   /** Metres ahead, and degrees to the left. */
   walk(by: { ahead: number; left: number }): void;
-  stance(): void;
+  pose(): void;
   /** Counted from 0. */
   choose(probe: number): void;
   take(): void;
@@ -84,7 +84,7 @@ export const keyRows: KeyRow[] = [
     keys: ['a', 'f'],
     act: (target, { key, shiftKey }) => target.walk({ ahead: 0, left: (key.toLowerCase() === 'a' ? 1 : -1) * (shiftKey ? 3 : 1) * turnBy }),
   },
-  { shown: 'E', does: 'In the egocentric view: say where you stand', keys: ['e'], act: (target) => target.stance() },
+  { shown: 'E', does: 'In the egocentric view: say where you stand', keys: ['e'], act: (target) => target.pose() },
   {
     shown: '1 to 9, 0',
     does: 'Select the probe of that number (0 is the tenth); a new one is added at the place of the current one',

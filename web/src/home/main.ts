@@ -71,7 +71,7 @@ class TouchPage implements KeyTarget {
     surface: () => this.surface,
     say: (words) => this.voice.say(words, Importance.answer),
     send: (message) => this.connection.send(message),
-    stands: (stance) => this.readouts.stance(stance),
+    showPose: (pose) => this.readouts.pose(pose),
     // On contours the line is the current trace.
     arrow: (points) => this.scene?.kind !== 'contours' && this.stage.line(points),
   });
@@ -123,8 +123,8 @@ class TouchPage implements KeyTarget {
     this.walking.walk(by);
     this.frames.request();
   }
-  stance(): void {
-    this.walking.sayStance();
+  pose(): void {
+    this.walking.sayPose();
   }
   choose(probe: number): void {
     this.actions.choose(probe);
@@ -256,7 +256,7 @@ class TouchPage implements KeyTarget {
     this.walking.allow(hello.egocentric);
     // Moves the device's middle to the place of this page's explorer.
     if (hello.pointer_moves) this.walking.show();
-    else this.walking.stand();
+    else this.walking.sendPose();
     if (hello.version !== protocolVersion) this.alert('This page and the program are of different versions: reload the page.');
   }
 
@@ -371,7 +371,7 @@ class TouchPage implements KeyTarget {
       'walk-back': () => this.walk({ ahead: -pace, left: 0 }),
       'turn-left': () => this.walk({ ahead: 0, left: turnBy }),
       'turn-right': () => this.walk({ ahead: 0, left: -turnBy }),
-      stance: () => this.stance(),
+      pose: () => this.pose(),
       help: () => this.help(),
       undo: () => this.settings.undoOrRedo('undo'),
       redo: () => this.settings.undoOrRedo('redo'),

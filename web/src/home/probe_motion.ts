@@ -60,7 +60,7 @@ export class ProbeMotion {
     own.current.recentre(performance.now());
     this.walking.reset();
     if (own.chosen === 0) this.page.send({ type: 'recentre' });
-    this.walking.stand();
+    this.walking.sendPose();
     this.page.moves();
     this.page.say(this.probes.named('In the middle.'), Importance.answer);
   }

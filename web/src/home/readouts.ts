@@ -4,7 +4,7 @@
 import { element } from '../dom';
 import { figuresEvery, millimetreFigure } from '../figures';
 import type { ProbeState, State } from '../generated/protocol';
-import type { Stance } from '../probe/explorer';
+import type { ExplorerPose } from '../probe/explorer';
 import { newtons } from '../probe/probes';
 import { ForcePlot } from './plot';
 
@@ -55,9 +55,9 @@ export class Readouts {
     this.plot.draw();
   }
 
-  stance({ x, y, heading }: Stance): void {
+  pose({ x, y, heading }: ExplorerPose): void {
     const facing = heading === 0 ? 'up' : `${Math.abs(heading)}° ${heading > 0 ? 'left' : 'right'}`;
-    write('read-stance', `${millimetreFigure(x)}, ${millimetreFigure(y)}, facing ${facing}`);
+    write('read-pose', `${millimetreFigure(x)}, ${millimetreFigure(y)}, facing ${facing}`);
   }
 
   /** Clears all figures. */

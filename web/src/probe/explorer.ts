@@ -7,7 +7,7 @@ export const pace = 0.005;
 export const turnBy = 15;
 
 /** Degrees: 0 faces up the scene, to the left is positive. */
-export interface Stance extends Place {
+export interface ExplorerPose extends Place {
   heading: number;
 }
 
@@ -17,9 +17,9 @@ const turned = ({ x, y }: Place, degrees: number): Place => {
 };
 
 export class Explorer {
-  private now: Stance = { x: 0, y: 0, heading: 0 };
+  private now: ExplorerPose = { x: 0, y: 0, heading: 0 };
 
-  get stance(): Stance {
+  get pose(): ExplorerPose {
     return this.now;
   }
 
@@ -48,7 +48,7 @@ export class Explorer {
   }
 
   /** The new place of a hand that moves with the explorer, from its place at an earlier pose. */
-  carried(hand: Place, before: Stance): Place {
+  carried(hand: Place, before: ExplorerPose): Place {
     const held = turned({ x: hand.x - before.x, y: hand.y - before.y }, -before.heading);
     const way = this.inScene(held);
     return { x: this.now.x + way.x, y: this.now.y + way.y };

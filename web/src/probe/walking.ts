@@ -3,7 +3,7 @@
 // Walking in the egocentric view: the explorer moves and turns with this page's probes, and the pose is spoken, sent and
 // drawn.
 import { element } from '../dom';
-import { Explorer, type Stance } from './explorer';
+import { Explorer, type ExplorerPose } from './explorer';
 import type { FromPage } from '../generated/protocol';
 import type { PageProbes } from './page_probes';
 import type { Place, Surface } from '../surface';
@@ -18,7 +18,7 @@ export interface WalkingPage {
   surface(): Surface | null;
   say(words: string): void;
   send(message: FromPage): void;
-  stands(stance: Stance): void;
+  showPose(pose: ExplorerPose): void;
   arrow(points: Place[]): void;
 }
 
@@ -33,7 +33,7 @@ export class Walking {
 
   allow(egocentric: boolean): void {
     this.egocentric = egocentric;
-    for (const id of ['walking', 'walk-keys', 'stance-row']) element(id).hidden = !egocentric;
+    for (const id of ['walking', 'walk-keys', 'pose-row']) element(id).hidden = !egocentric;
   }
 
   /** Converts a displacement (x to the explorer's right, y ahead) to the scene's frame. */
@@ -45,7 +45,7 @@ export class Walking {
     const surface = this.page.surface();
     if (surface === null) return;
     if (!this.egocentric) return this.page.say('Walking is for the egocentric view: start with --view egocentric.');
-    const before = this.explorer.stance;
+    const before = this.explorer.pose;
     if (left !== 0) this.explorer.turn(left);
     if (ahead !== 0 && !this.explorer.walk(ahead * surface.scale, surface)) this.page.say('The scene ends here.');
     for (const probe of this.probes.numbers) {
@@ -53,12 +53,12 @@ export class Walking {
       const place = this.explorer.carried(moved.place, before);
       moved.step(place.x - moved.place.x, place.y - moved.place.y, 0, surface, performance.now());
     }
-    this.stand();
+    this.sendPose();
   }
 
-  sayStance(): void {
+  sayPose(): void {
     if (!this.egocentric) return this.page.say('This is the exocentric view: you look from outside.');
-    this.stand();
+    this.sendPose();
   }
 
   reset(): void {
@@ -66,16 +66,16 @@ export class Walking {
   }
 
   /** Sends the explorer's pose to the program, which says it in words. */
-  stand(): void {
+  sendPose(): void {
     if (!this.egocentric) return;
-    const { x, y, heading } = this.explorer.stance;
-    this.page.send({ type: 'stand', x_m: x, y_m: y, heading_deg: heading });
+    const { x, y, heading } = this.explorer.pose;
+    this.page.send({ type: 'move_explorer', x_m: x, y_m: y, heading_deg: heading });
     this.show();
   }
 
   show(): void {
     if (!this.egocentric) return;
-    this.page.stands(this.explorer.stance);
+    this.page.showPose(this.explorer.pose);
     this.page.arrow(this.explorer.arrow(this.page.surface()?.scale ?? 1));
   }
 }

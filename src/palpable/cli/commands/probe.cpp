@@ -44,8 +44,7 @@ haptics::ToolPose in_scene(haptics::ToolPose pose, const Walk& walk) {
   const auto& told = pose.scene_from_tool;
   const Transform<session::ExplorerFrame, haptics::ToolFrame> explorer_from_tool{told.rotation,
                                                                                  told.translation_m, 1.0};
-  pose.scene_from_tool =
-      session::scene_from_explorer(session::stance_at(walk, pose.t_s)) * explorer_from_tool;
+  pose.scene_from_tool = session::scene_from_explorer(session::pose_at(walk, pose.t_s)) * explorer_from_tool;
   return pose;
 }
 
@@ -53,14 +52,14 @@ haptics::ToolPose in_scene(haptics::ToolPose pose, const Walk& walk) {
 haptics::ToolPose in_view(haptics::ToolPose pose, const Walk& walk) {
   if (walk.empty()) return pose;
   const auto told =
-      session::scene_from_explorer(session::stance_at(walk, pose.t_s)).inverse() * pose.scene_from_tool;
+      session::scene_from_explorer(session::pose_at(walk, pose.t_s)).inverse() * pose.scene_from_tool;
   pose.scene_from_tool = {told.rotation, told.translation_m, 1.0};
   return pose;
 }
 
 haptics::ToolOutput in_view(haptics::ToolOutput output, double t_s, const Walk& walk) {
   if (walk.empty()) return output;
-  const auto explorer_from_scene = session::scene_from_explorer(session::stance_at(walk, t_s)).inverse();
+  const auto explorer_from_scene = session::scene_from_explorer(session::pose_at(walk, t_s)).inverse();
   output.force_N.v = rotate_force(explorer_from_scene, output.force_N).v;
   output.torque_Nm.v = rotate_force(explorer_from_scene, output.torque_Nm).v;
   output.proxy.v = (explorer_from_scene * output.proxy).v;

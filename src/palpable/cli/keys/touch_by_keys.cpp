@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/keys/touch_by_keys.hpp"
 
-#include "palpable/cli/keys/key_explorer.hpp"
+#include "palpable/cli/keys/key_probe.hpp"
 #include "palpable/describe/scene_words.hpp"
 #include "palpable/voice/voice.hpp"
 
@@ -49,7 +49,7 @@ void pause_or_go_on(session::TouchSession& session, Mouth& mouth) {
 
 /// Runs until Q, the end of the input or an interruption.
 Result<void> explore(session::TouchSession& session, session::MakerThread& maker, Mouth& mouth) {
-  KeyExplorer explorer;
+  KeyProbe probe;
   TerminalKeys keys;
   mouth.say(describe::opening_words(*session.scene()), voice::Importance::news);
   while (!interrupted() && !keys.ended()) {
@@ -60,13 +60,13 @@ Result<void> explore(session::TouchSession& session, session::MakerThread& maker
     const auto scene = session.scene();
     if (const auto key = keys.next(kBeat)) {
       std::string words;
-      const auto request = explorer.press(*key, *scene, session.settings().height_factor, words);
-      if (request == KeyExplorer::Request::end) return {};
-      if (request == KeyExplorer::Request::pause) pause_or_go_on(session, mouth);
+      const auto request = probe.press(*key, *scene, session.settings().height_factor, words);
+      if (request == KeyProbe::Request::end) return {};
+      if (request == KeyProbe::Request::pause) pause_or_go_on(session, mouth);
       // A key that is held down sends more moves than can be read, so only the last one is described.
       if (!is_move(*key) || !keys.waiting()) mouth.say(words, voice::Importance::label);
     }
-    session.move_pointer(explorer.hand(*scene, session.settings()));
+    session.move_pointer(probe.hand(*scene, session.settings()));
   }
   return {};
 }

@@ -65,7 +65,7 @@ TEST(SimulatedHand, FeelsAForceAfterItsDelay) {
   for (const int delay : {0, 1, 3, SimulatedHand::kMostDelay}) {
     HandOptions options;
     options.delay_samples = delay;
-    options.explorer.script = ExplorerOptions::Script::hold;
+    options.script.kind = HandScriptOptions::Kind::hold;
     options.device_friction_N = 0.0;
     SimulatedHand hand(options);
     const double rest = hand.true_position_m().x;
@@ -87,7 +87,7 @@ TEST(SimulatedHand, OscillatesAtTheFrequencyOfItsMassAndSpring) {
   options.arm_damping_Ns_per_m = 0.0;
   options.arm_stiffness_N_per_m = 100.0;
   options.device_friction_N = 0.0;
-  options.explorer.script = ExplorerOptions::Script::hold;
+  options.script.kind = HandScriptOptions::Kind::hold;
   SimulatedHand hand(options);
   hand.place({0.01, 0.0, 0.0});
   hand.set_goal({});
@@ -102,7 +102,7 @@ TEST(SimulatedHand, OscillatesAtTheFrequencyOfItsMassAndSpring) {
 TEST(SimulatedHand, StandsStillOnItsFriction) {
   HandOptions options;
   options.device_friction_N = 0.5;
-  options.explorer.script = ExplorerOptions::Script::hold;
+  options.script.kind = HandScriptOptions::Kind::hold;
   SimulatedHand hand(options);
   const Vec3 rest = hand.true_position_m();
   for (int i = 0; i < 100; ++i) hand.write({{0.49, 0.0, 0.0}});
@@ -114,7 +114,7 @@ TEST(SimulatedHand, StandsStillOnItsFriction) {
 TEST(SimulatedHand, InThePlaneNeverLeavesIt) {
   HandOptions options;
   options.degrees_of_freedom = 2;
-  options.explorer.deep = false;
+  options.script.deep = false;
   SimulatedHand hand(options);
   for (int i = 0; i < 2000; ++i) {
     EXPECT_EQ(hand.read().position.v.z, 0.0);

@@ -20,7 +20,7 @@ Traits traits_of(const HandOptions& options) {
   Traits traits;
   traits.name = options.degrees_of_freedom == 3 ? "simulated hand" : "simulated hand in the plane";
   traits.degrees_of_freedom = options.degrees_of_freedom;
-  traits.workspace_m = options.explorer.workspace_m;
+  traits.workspace_m = options.script.workspace_m;
   traits.max_force_N = options.max_force_N;
   traits.mass_kg = options.device_mass_kg;
   traits.damping_Ns_per_m = options.device_damping_Ns_per_m;
@@ -56,13 +56,10 @@ double rounded(double value, double step) { return step > 0.0 ? step * std::roun
 }  // namespace
 
 SimulatedHand::SimulatedHand(const HandOptions& options, std::unique_ptr<MotorFile> motors)
-    : options_(options),
-      motors_(std::move(motors)),
-      traits_(traits_of(options)),
-      explorer_(options.explorer) {
+    : options_(options), motors_(std::move(motors)), traits_(traits_of(options)), script_(options.script) {
   PALPABLE_CHECK(options.device_mass_kg + options.arm_mass_kg > 0.0 && options.rate_hz > 0.0);
   PALPABLE_CHECK(options.delay_samples >= 0 && options.delay_samples <= kMostDelay);
-  goal_m_ = explorer_.step({}, {}, 0.0);
+  goal_m_ = script_.step({}, {}, 0.0);
   position_m_ = goal_m_;
 }
 
@@ -70,7 +67,7 @@ void SimulatedHand::place(Vec3 position_m) noexcept {
   position_m_ = position_m;
   velocity_m_per_s_ = {};
   goal_m_ = position_m;
-  explorer_.set_goal(position_m);
+  script_.set_goal(position_m);
 }
 
 Reading SimulatedHand::read() noexcept {
@@ -94,7 +91,7 @@ void SimulatedHand::write(Vector<DeviceFrame> force_N) noexcept {
 
   const double period_s = 1.0 / options_.rate_hz;
   const Vec3 goal_before = goal_m_;
-  goal_m_ = explorer_.step(position_m_, motor_N, period_s);
+  goal_m_ = script_.step(position_m_, motor_N, period_s);
   const Vec3 goal_velocity = (goal_m_ - goal_before) / period_s;
   for (int i = 1; options_.has_torque && i <= kSteps; ++i) turn(motor_Nm, period_s / kSteps);
   for (int i = 1; i <= kSteps; ++i)
@@ -163,17 +160,17 @@ Result<std::unique_ptr<Device>> open_simulated_hand(DeviceUrl& url, const OpenOp
   hand.max_torque_Nm = url.take_number("max-torque", hand.max_torque_Nm, 0.001, 5.0);
   hand.tilt_rad = url.take_number("tilt", hand.tilt_rad, 0.0, 1.0);
   hand.rate_hz = options.rate_hz;
-  auto& explorer = hand.explorer;
-  explorer.speed_m_per_s = 1e-3 * url.take_number("speed-mm", 1e3 * explorer.speed_m_per_s, 1.0, 500.0);
-  explorer.press_N = url.take_number("press", explorer.press_N, 0.0, 10.0);
-  explorer.seed = static_cast<std::uint64_t>(
+  HandScriptOptions& motion = hand.script;
+  motion.speed_m_per_s = 1e-3 * url.take_number("speed-mm", 1e3 * motion.speed_m_per_s, 1.0, 500.0);
+  motion.press_N = url.take_number("press", motion.press_N, 0.0, 10.0);
+  motion.seed = static_cast<std::uint64_t>(
       url.take_number("seed", static_cast<double>(options.seed & 0xFFFFFFFFU), 0.0, 4294967295.0));
-  explorer.deep = hand.degrees_of_freedom == 3;
+  motion.deep = hand.degrees_of_freedom == 3;
   const std::string script = url.take_word("script", {"scan", "random", "hold"});
-  explorer.script = script == "scan"     ? ExplorerOptions::Script::scan
-                    : script == "random" ? ExplorerOptions::Script::random
-                                         : ExplorerOptions::Script::hold;
-  if (options.strokes) explorer.strokes = options.strokes(traits_of(hand));
+  motion.kind = script == "scan"     ? HandScriptOptions::Kind::scan
+                : script == "random" ? HandScriptOptions::Kind::random
+                                     : HandScriptOptions::Kind::hold;
+  if (options.strokes) motion.strokes = options.strokes(traits_of(hand));
   const std::string motor_path = url.take_text("motors");
   if (auto valid = url.finish(); !valid) return std::move(valid).error();
   std::unique_ptr<MotorFile> motors;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "palpable/device/device.hpp"
-#include "palpable/device/simulated/explorer.hpp"
+#include "palpable/device/simulated/hand_script.hpp"
 #include "palpable/device/simulated/motor_file.hpp"
 #include "palpable/device/zero_write.hpp"
 
@@ -42,7 +42,7 @@ struct HandOptions {
   /// Amplitude and frequency of the tilt.
   double tilt_rad = 0.3;
   double tilt_hz = 0.4;
-  ExplorerOptions explorer;
+  HandScriptOptions script;
 };
 
 /// Simulates a hand on a device in time steps of a tenth of a tick. Each write() advances the simulated time
@@ -64,7 +64,7 @@ class SimulatedHand final : public Device, public Guardable {
   std::optional<ZeroWrite> zero_write() const override;
 
   /// The desired position, for the script `hold`.
-  void set_goal(Vec3 goal_m) noexcept { explorer_.set_goal(goal_m); }
+  void set_goal(Vec3 goal_m) noexcept { script_.set_goal(goal_m); }
   /// The exact position and velocity, without the sensor's quantisation; and a function that places the hand,
   /// at rest.
   Vec3 true_position_m() const noexcept { return position_m_; }
@@ -78,7 +78,7 @@ class SimulatedHand final : public Device, public Guardable {
   HandOptions options_;
   std::unique_ptr<MotorFile> motors_;
   Traits traits_;
-  Explorer explorer_;
+  HandScript script_;
   Vec3 position_m_;
   Vec3 velocity_m_per_s_;
   Vec3 goal_m_;

@@ -78,7 +78,7 @@ TEST(SafeContact, ComesToRestInEveryTestedHand) {
   Hands hands(11);
   for (int round = 0; round < 60; ++round) {
     device::HandOptions hand = hands.next();
-    hand.explorer.script = device::ExplorerOptions::Script::hold;
+    hand.script.kind = device::HandScriptOptions::Kind::hold;
     device::SimulatedHand simulated(hand);
     const auto safe = safe_contact(simulated.traits(), hand.rate_hz, 1.0, hands.uniform(100.0, 5000.0),
                                    hands.uniform(0.0, 2.0));

@@ -13,7 +13,7 @@ namespace palpable::haptics {
 namespace {
 
 Result<MeasuredHand> measured(device::HandOptions options) {
-  options.explorer.script = device::ExplorerOptions::Script::hold;
+  options.script.kind = device::HandScriptOptions::Kind::hold;
   device::SimulatedHand hand(options);
   hand.place({});
   const PulseOptions pulses;

@@ -41,7 +41,7 @@ HapticScene with_tool(double stiffness_N_per_m, double damping_Ns_per_m, const T
 device::HandOptions hand_with_torque() {
   device::HandOptions hand;
   hand.has_torque = true;
-  hand.explorer.workspace_m = {0.1, 0.1, 0.05};
+  hand.script.workspace_m = {0.1, 0.1, 0.05};
   return hand;
 }
 
@@ -70,7 +70,7 @@ TEST(ToolInTheServo, IsFeltWithForceAndTorqueWithinTheDevicesLimitsAndMakesNoEne
   std::uniform_real_distribution<double> any(0.0, 1.0);
   for (int round = 0; round < 40; ++round) {
     device::HandOptions options = hand_with_torque();
-    options.explorer.seed = static_cast<std::uint64_t>(round);
+    options.script.seed = static_cast<std::uint64_t>(round);
     options.tilt_hz = 0.2 + 2.0 * any(random);
     options.max_torque_Nm = 0.02 + 0.2 * any(random);
     options.hand_rotational_stiffness_Nm = 0.5 + any(random);

@@ -48,7 +48,7 @@ struct ClosedLoop {
 
 device::HandOptions held() {
   device::HandOptions options;
-  options.explorer.script = device::ExplorerOptions::Script::hold;
+  options.script.kind = device::HandScriptOptions::Kind::hold;
   options.device_friction_N = 0.0;
   options.resolution_m = 0.0;
   return options;
@@ -130,8 +130,8 @@ TEST(ClosedLoop, ControllerEndsTheOscillationOfATooStiffWall) {
 TEST(ClosedLoop, SameSeedGivesTheSameTouchToTheLastBit) {
   const auto run = [](std::uint64_t seed) {
     device::HandOptions options;
-    options.explorer.seed = seed;
-    options.explorer.script = device::ExplorerOptions::Script::random;
+    options.script.seed = seed;
+    options.script.kind = device::HandScriptOptions::Kind::random;
     ClosedLoop loop(bump, 500.0, 0.5, options);
     loop.run(3000);
     return loop.hand.true_position_m();
@@ -141,9 +141,9 @@ TEST(ClosedLoop, SameSeedGivesTheSameTouchToTheLastBit) {
 }
 
 TEST(ClosedLoop, TheScriptedHandFindsTheSurfaceStrokesItAndLiftsOff) {
-  for (const auto script : {device::ExplorerOptions::Script::scan, device::ExplorerOptions::Script::random}) {
+  for (const auto kind : {device::HandScriptOptions::Kind::scan, device::HandScriptOptions::Kind::random}) {
     device::HandOptions options;
-    options.explorer.script = script;
+    options.script.kind = kind;
     ClosedLoop loop(bump, 500.0, 0.5, options);
     int lifts = 0;
     bool contact = false;

@@ -49,9 +49,9 @@ TEST_P(EnergyOf, IsGeneratedFarAboveTheStiffnessLimitButNotAtIt) {
   double most_above_J = 0.0;
   for (int round = 0; round < 6; ++round) {
     device::HandOptions hand = hands.next();
-    hand.explorer.script = device::ExplorerOptions::Script::random;
-    hand.explorer.workspace_m = {0.04, 0.03, 0.03};
-    hand.explorer.seed = static_cast<std::uint64_t>(round) + 1;
+    hand.script.kind = device::HandScriptOptions::Kind::random;
+    hand.script.workspace_m = {0.04, 0.03, 0.03};
+    hand.script.seed = static_cast<std::uint64_t>(round) + 1;
     double contact = 0.0;
     EXPECT_LE(made_by(GetParam(), hand, 1.0, &contact), 1e-6)
         << "round " << round << " delay " << hand.delay_samples;
@@ -66,9 +66,9 @@ TEST(EnergyOfRolling, IsNotGeneratedAtBendsForAnyDelay) {
   double most_J = 0.0;
   for (int round = 0; round < 12; ++round) {
     device::HandOptions hand = hands.next();
-    hand.explorer.script = device::ExplorerOptions::Script::random;
-    hand.explorer.workspace_m = {0.04, 0.03, 0.03};
-    hand.explorer.seed = static_cast<std::uint64_t>(round) + 1;
+    hand.script.kind = device::HandScriptOptions::Kind::random;
+    hand.script.workspace_m = {0.04, 0.03, 0.03};
+    hand.script.seed = static_cast<std::uint64_t>(round) + 1;
     double contact = 0.0;
     most_J = std::max(most_J, made_by(Law::rolling, hand, 1.0, &contact));
   }

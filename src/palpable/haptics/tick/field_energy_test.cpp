@@ -59,11 +59,11 @@ TEST_P(EnergyOnRandomSolids, IsNotMadeAndNotReportedTooLow) {
   for (unsigned k = 1; k <= kHands; ++k) {
     device::HandOptions options = hands.next();
     options.resolution_m = hands.uniform(1e-6, 2e-5);
-    options.explorer.script = device::ExplorerOptions::Script::random;
-    options.explorer.workspace_m = {0.04, 0.03, 0.03};
-    options.explorer.seed = k;
-    options.explorer.speed_m_per_s = hands.uniform(0.03, 0.3);
-    options.explorer.press_N = hands.uniform(0.3, 3.0);
+    options.script.kind = device::HandScriptOptions::Kind::random;
+    options.script.workspace_m = {0.04, 0.03, 0.03};
+    options.script.seed = k;
+    options.script.speed_m_per_s = hands.uniform(0.03, 0.3);
+    options.script.press_N = hands.uniform(0.3, 3.0);
     const Energy energy = energy_on_a_solid(options, GetParam(), k);
     EXPECT_LE(energy.received_J, 1e-6) << "hand " << k;
     EXPECT_LE(energy.received_J, energy.said_J + 1e-6) << "hand " << k;

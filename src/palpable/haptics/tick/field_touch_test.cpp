@@ -55,7 +55,7 @@ double swing_m(const device::HandOptions& options, double stiffness_N_per_m, Pas
 
 TEST(FieldTouch, DoesNotOscillateOnFrictionInALooseGrip) {
   device::HandOptions hand;
-  hand.explorer.script = device::ExplorerOptions::Script::hold;
+  hand.script.kind = device::HandScriptOptions::Kind::hold;
   hand.arm_mass_kg = 0.1;
   hand.arm_damping_Ns_per_m = 0.0;
   hand.arm_stiffness_N_per_m = 200.0;

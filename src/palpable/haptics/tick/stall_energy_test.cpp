@@ -176,9 +176,9 @@ class StalledTouch {
 
 device::HandOptions exploring(device::HandOptions options, unsigned seed) {
   options.resolution_m = 1e-6;
-  options.explorer.script = device::ExplorerOptions::Script::random;
-  options.explorer.workspace_m = {0.04, 0.03, 0.03};
-  options.explorer.seed = seed;
+  options.script.kind = device::HandScriptOptions::Kind::random;
+  options.script.workspace_m = {0.04, 0.03, 0.03};
+  options.script.seed = seed;
   return options;
 }
 

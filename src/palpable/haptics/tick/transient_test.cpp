@@ -81,7 +81,7 @@ TEST(TransientPlayer, IsOffForDevicesThatCannot) {
 struct Taps {
   explicit Taps(const ContactTransient& transient, Passivity passivity = Passivity::control) {
     device::HandOptions options;
-    options.explorer.script = device::ExplorerOptions::Script::hold;
+    options.script.kind = device::HandScriptOptions::Kind::hold;
     options.max_force_N = 10.0;
     device::SimulatedHand hand(options);
     hand.place({0.0, 0.0, 0.01});

@@ -19,9 +19,9 @@ Result<void> walk_on(TouchSession& session, const HeadlessOptions& options, doub
   const std::size_t due = steps_by(options.walk, t_s);
   if (due == next) return {};
   next = due;
-  const Stance& stance = options.walk[due - 1].stance;
-  if (auto stood = session.stand(stance); !stood) return stood;
-  if (options.on_stance) options.on_stance(stance);
+  const ExplorerPose& pose = options.walk[due - 1].pose;
+  if (auto moved = session.move_explorer(pose); !moved) return moved;
+  if (options.on_pose) options.on_pose(pose);
   return {};
 }
 

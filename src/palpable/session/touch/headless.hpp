@@ -27,7 +27,7 @@ struct HeadlessOptions {
   /// The walk of an explorer, in seconds from the first scene; empty = the exocentric view.
   std::vector<WalkStep> walk;
   /// Called for each step of the walk when it is taken; may be empty.
-  std::function<void(const Stance&)> on_stance;
+  std::function<void(const ExplorerPose&)> on_pose;
   /// Called for each sentence about changes due to the device's limits, at the start and with each better
   /// scene; may be empty.
   std::function<void(const std::string&)> on_notice;

@@ -65,8 +65,8 @@ struct TouchSession::Impl {
   TouchSettings settings;
   haptics::Law law_in_use = haptics::Law::proxy;
   Transform<SceneFrame, DeviceFrame> scene_from_device;
-  /// Stance of an explorer, under `changing`; nullopt in the exocentric frame.
-  std::optional<Stance> stance;
+  /// Pose of the explorer, under `changing`; nullopt in the exocentric frame.
+  std::optional<ExplorerPose> pose;
   std::vector<std::string> notices;
   device::RecordedScene described_now;
   std::uint32_t last_scene_id = 0;
@@ -171,7 +171,7 @@ Result<void> TouchSession::change_scene(std::shared_ptr<const models::Scene> sce
   PALPABLE_CHECK(scene != nullptr);
   const std::lock_guard changing(impl_->changing);
   auto place = haptics::fit_workspace(*scene, impl_->loop->device_traits());
-  if (impl_->stance) place = with_explorer(place, *impl_->stance);
+  if (impl_->pose) place = with_explorer(place, *impl_->pose);
   return impl_->change(std::move(scene), settings(), place);
 }
 
@@ -242,11 +242,11 @@ void TouchSession::recentre() {
   static_cast<void>(impl_->change(scene(), settings(), place));
 }
 
-Result<void> TouchSession::stand(const Stance& stance) {
+Result<void> TouchSession::move_explorer(const ExplorerPose& pose) {
   const std::lock_guard changing(impl_->changing);
-  auto stood = impl_->change(scene(), settings(), with_explorer(impl_->scene_from_device, stance));
-  if (stood) impl_->stance = stance;
-  return stood;
+  auto moved = impl_->change(scene(), settings(), with_explorer(impl_->scene_from_device, pose));
+  if (moved) impl_->pose = pose;
+  return moved;
 }
 
 void TouchSession::stop() {

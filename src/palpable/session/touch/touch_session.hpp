@@ -73,7 +73,7 @@ class TouchSession {
   /// The egocentric frame of reference: from now on the centre of the device's workspace moves and turns with
   /// an explorer; its height and scale do not change. This also holds for later scenes. Forces are
   /// cross-faded, and recordings contain the new placement. Errors: as change_settings().
-  Result<void> stand(const Stance& stance);
+  Result<void> move_explorer(const ExplorerPose& pose);
   void stop();
 
   /// Greatest number of simultaneous probes, including the hand (probe 0).

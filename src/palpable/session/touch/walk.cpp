@@ -12,19 +12,19 @@
 
 namespace palpable::session {
 
-Transform<SceneFrame, ExplorerFrame> scene_from_explorer(const Stance& stance) {
-  const double c = std::cos(stance.heading_rad), s = std::sin(stance.heading_rad);
+Transform<SceneFrame, ExplorerFrame> scene_from_explorer(const ExplorerPose& pose) {
+  const double c = std::cos(pose.heading_rad), s = std::sin(pose.heading_rad);
   Transform<SceneFrame, ExplorerFrame> transform;
   transform.rotation = {c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0};
-  transform.translation_m = {stance.x_m, stance.y_m, 0.0};
+  transform.translation_m = {pose.x_m, pose.y_m, 0.0};
   return transform;
 }
 
 Transform<SceneFrame, DeviceFrame> with_explorer(const Transform<SceneFrame, DeviceFrame>& laid_out,
-                                                 const Stance& stance) {
+                                                 const ExplorerPose& pose) {
   Transform<SceneFrame, DeviceFrame> place = laid_out;
-  place.rotation = scene_from_explorer(stance).rotation;
-  place.translation_m = {stance.x_m, stance.y_m, laid_out.translation_m.z};
+  place.rotation = scene_from_explorer(pose).rotation;
+  place.translation_m = {pose.x_m, pose.y_m, laid_out.translation_m.z};
   return place;
 }
 
@@ -34,15 +34,15 @@ std::size_t steps_by(std::span<const WalkStep> walk, double t_s) {
   return static_cast<std::size_t>(later - walk.begin());
 }
 
-const Stance& stance_at(std::span<const WalkStep> walk, double t_s) {
-  return walk[std::max<std::size_t>(steps_by(walk, t_s), 1) - 1].stance;
+const ExplorerPose& pose_at(std::span<const WalkStep> walk, double t_s) {
+  return walk[std::max<std::size_t>(steps_by(walk, t_s), 1) - 1].pose;
 }
 
 Result<void> check_walk(std::span<const WalkStep> walk) {
   if (walk.empty()) return invalid_input("the walk has no steps");
   constexpr double kFarthest_m = 1000.0;
   for (std::size_t i = 0; i < walk.size(); ++i) {
-    const Stance& s = walk[i].stance;
+    const ExplorerPose& s = walk[i].pose;
     if (!std::isfinite(walk[i].t_s) || !std::isfinite(s.heading_rad) ||
         !(std::hypot(s.x_m, s.y_m) <= kFarthest_m))
       return invalid_input(
@@ -53,17 +53,17 @@ Result<void> check_walk(std::span<const WalkStep> walk) {
   return {};
 }
 
-std::string words_of(const Stance& stance) {
+std::string words_of(const ExplorerPose& pose) {
   constexpr double kHere_m = 0.0005;
   std::string where;
-  if (std::abs(stance.x_m) >= kHere_m)
-    where = fmt::format("{} {}", describe::spoken_length(std::abs(stance.x_m)),
-                        stance.x_m > 0.0 ? "right of" : "left of");
-  if (std::abs(stance.y_m) >= kHere_m)
-    where += fmt::format("{}{} {}", where.empty() ? "" : " and ",
-                         describe::spoken_length(std::abs(stance.y_m)), stance.y_m > 0.0 ? "above" : "below");
+  if (std::abs(pose.x_m) >= kHere_m)
+    where = fmt::format("{} {}", describe::spoken_length(std::abs(pose.x_m)),
+                        pose.x_m > 0.0 ? "right of" : "left of");
+  if (std::abs(pose.y_m) >= kHere_m)
+    where += fmt::format("{}{} {}", where.empty() ? "" : " and ", describe::spoken_length(std::abs(pose.y_m)),
+                         pose.y_m > 0.0 ? "above" : "below");
   return fmt::format("You stand {} the middle, facing {}.", where.empty() ? "in" : where,
-                     describe::heading_words(stance.heading_rad));
+                     describe::heading_words(pose.heading_rad));
 }
 
 }  // namespace palpable::session

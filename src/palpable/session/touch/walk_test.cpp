@@ -33,10 +33,10 @@ TEST(Walk, MovesTheDevicesCentreAndKeepsItsScaleAndHeight) {
 
 TEST(Walk, StandsWhereItsLastStepLed) {
   const std::array walk{WalkStep{1.0, {0.1, 0.0, 0.0}}, WalkStep{2.0, {0.2, 0.0, 0.0}}};
-  EXPECT_EQ(stance_at(walk, 0.0).x_m, 0.1);
-  EXPECT_EQ(stance_at(walk, 1.999).x_m, 0.1);
-  EXPECT_EQ(stance_at(walk, 2.0).x_m, 0.2);
-  EXPECT_EQ(stance_at(walk, 9.0).x_m, 0.2);
+  EXPECT_EQ(pose_at(walk, 0.0).x_m, 0.1);
+  EXPECT_EQ(pose_at(walk, 1.999).x_m, 0.1);
+  EXPECT_EQ(pose_at(walk, 2.0).x_m, 0.2);
+  EXPECT_EQ(pose_at(walk, 9.0).x_m, 0.2);
 }
 
 TEST(Walk, RefusesInvalidWalks) {

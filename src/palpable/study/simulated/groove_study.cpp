@@ -45,7 +45,7 @@ struct Span {
 GrooveResult rest_in(const haptics::HapticScene& scene, const GrooveStudyOptions& options) {
   device::HandOptions described = options.hand;
   described.rate_hz = options.rate_hz;
-  described.explorer.script = device::ExplorerOptions::Script::hold;
+  described.script.kind = device::HandScriptOptions::Kind::hold;
   device::SimulatedHand hand(described);
   haptics::TickOptions free;
   free.passivity = haptics::Passivity::observe;

@@ -31,7 +31,7 @@ device::HandOptions paper_hand(double rate_hz) {
   hand.max_force_N = 5.0;
   hand.delay_samples = 1;
   hand.rate_hz = rate_hz;
-  hand.explorer.script = device::ExplorerOptions::Script::hold;
+  hand.script.kind = device::HandScriptOptions::Kind::hold;
   return hand;
 }
 

@@ -28,9 +28,9 @@ void let_speak(session::HeadlessOptions& headless, Console& console) {
   auto speaker = voice::open_speaker();
   if (!speaker) return console.note(speaker.error().sentence());
   const auto speech = std::make_shared<voice::Voice>(std::move(*speaker));
-  headless.on_stance = [speech, &console](const session::Stance& stance) {
-    console.note(session::words_of(stance));
-    speech->say(voice::Importance::news, session::words_of(stance));
+  headless.on_pose = [speech, &console](const session::ExplorerPose& pose) {
+    console.note(session::words_of(pose));
+    speech->say(voice::Importance::news, session::words_of(pose));
   };
   headless.on_event = [speech](const haptics::TouchEvent& event, const models::Scene& scene) {
     using Kind = haptics::TouchEvent::Kind;
@@ -55,7 +55,7 @@ Result<Answer> touch_without_page(const TouchArguments& arguments, const TouchPl
   headless.recording = arguments.recording;
   headless.begin_ns = plan.begin_ns;
   headless.walk = plan.walk;
-  headless.on_stance = [&console](const session::Stance& stance) { console.note(session::words_of(stance)); };
+  headless.on_pose = [&console](const session::ExplorerPose& pose) { console.note(session::words_of(pose)); };
   if (!arguments.device.empty()) headless.device_url = arguments.device;
   headless.on_notice = [&console](const std::string& sentence) { console.note(sentence); };
   headless.on_missed = [&console](const haptics::MissedDeadline& missed) {

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/device/simulated/explorer.hpp"
+#include "palpable/device/simulated/hand_script.hpp"
 
 #include "palpable/core/check.hpp"
 
@@ -44,7 +44,7 @@ Vec3 curve_at(double along, Vec3 workspace_m) {
 
 }  // namespace
 
-Explorer::Explorer(const ExplorerOptions& options) : options_(options), random_(options.seed) {
+HandScript::HandScript(const HandScriptOptions& options) : options_(options), random_(options.seed) {
   goal_m_ = {0.0, 0.0, options.deep ? 0.5 * options.workspace_m.z : 0.0};
   target_m_ = goal_m_;
   along_m_ = uniform(0.0, 1.0);
@@ -58,31 +58,31 @@ Explorer::Explorer(const ExplorerOptions& options) : options_(options), random_(
     crossing_m_ = std::min(crossing_m_, highest_m + kAbove_m);
     choose_stroke(static_cast<std::size_t>(options.seed % options_.strokes.size()));
     goal_m_ = target_m_;
-  } else if (options.script == ExplorerOptions::Script::scan) {
+  } else if (options.kind == HandScriptOptions::Kind::scan) {
     const Vec3 place = curve_at(along_m_, options.workspace_m);
     goal_m_ = {place.x, place.y, goal_m_.z};
   }
   begin(options.deep ? Phase::approach : Phase::stroke);
 }
 
-double Explorer::uniform(double least, double most) noexcept {
+double HandScript::uniform(double least, double most) noexcept {
   // Not std::uniform_real_distribution, whose numbers differ between standard libraries.
   return least + (most - least) * (static_cast<double>(random_() >> 11) * 0x1.0p-53);
 }
 
-void Explorer::begin(Phase phase) noexcept {
+void HandScript::begin(Phase phase) noexcept {
   phase_ = phase;
   phase_s_ = 0.0;
   empty_s_ = 0.0;
   if (phase == Phase::stroke) stroke_s_ = uniform(2.0, 5.0);
 }
 
-bool Explorer::has_strokes() const noexcept {
-  return options_.deep && options_.script == ExplorerOptions::Script::scan && !options_.strokes.empty();
+bool HandScript::has_strokes() const noexcept {
+  return options_.deep && options_.kind == HandScriptOptions::Kind::scan && !options_.strokes.empty();
 }
 
-Vec3 Explorer::step(Vec3 hand_m, Vec3 force_N, double dt_s) noexcept {
-  if (options_.script == ExplorerOptions::Script::hold) return goal_m_;
+Vec3 HandScript::step(Vec3 hand_m, Vec3 force_N, double dt_s) noexcept {
+  if (options_.kind == HandScriptOptions::Kind::hold) return goal_m_;
   phase_s_ += dt_s;
   const double floor_m = -0.5 * options_.workspace_m.z;
   const double ceiling_m = -floor_m;
@@ -122,7 +122,7 @@ Vec3 Explorer::step(Vec3 hand_m, Vec3 force_N, double dt_s) noexcept {
   return goal_m_;
 }
 
-void Explorer::stroke_along(double dt_s, Vec3 force_N) noexcept {
+void HandScript::stroke_along(double dt_s, Vec3 force_N) noexcept {
   const double half_width = kVisited * options_.workspace_m.x;
   const double half_height = kVisited * options_.workspace_m.y;
   // The hand does not advance against resistance; it waits until it can pass.
@@ -133,7 +133,7 @@ void Explorer::stroke_along(double dt_s, Vec3 force_N) noexcept {
     follow_stroke(step_m);
     return;
   }
-  if (options_.script == ExplorerOptions::Script::scan) {
+  if (options_.kind == HandScriptOptions::Kind::scan) {
     follow_curve(step_m);
     return;
   }
@@ -146,7 +146,7 @@ void Explorer::stroke_along(double dt_s, Vec3 force_N) noexcept {
   goal_m_ += step_m * unit(way);
 }
 
-void Explorer::follow_curve(double step_m) noexcept {
+void HandScript::follow_curve(double step_m) noexcept {
   along_m_ += step_m / (2.0 * kVisited * std::max(options_.workspace_m.x, options_.workspace_m.y));
   const Vec3 place = curve_at(along_m_, options_.workspace_m);
   goal_m_ = {place.x, place.y, goal_m_.z};
@@ -154,7 +154,7 @@ void Explorer::follow_curve(double step_m) noexcept {
 
 /// The desired position moves as the point on the polyline does, there and back, also up and down; the force
 /// adds to its height.
-void Explorer::follow_stroke(double step_m) noexcept {
+void HandScript::follow_stroke(double step_m) noexcept {
   const auto& stroke = options_.strokes[stroke_];
   const Vec3 way = stroke[next_point_].v - on_stroke_m_;
   const bool arrives = norm(way) <= step_m;
@@ -168,7 +168,7 @@ void Explorer::follow_stroke(double step_m) noexcept {
 }
 
 /// Its first point becomes the target.
-void Explorer::choose_stroke(std::size_t stroke) noexcept {
+void HandScript::choose_stroke(std::size_t stroke) noexcept {
   stroke_ = stroke;
   next_point_ = 1;
   is_returning_ = false;
@@ -177,14 +177,14 @@ void Explorer::choose_stroke(std::size_t stroke) noexcept {
   target_m_.z = std::min(target_m_.z + kAbove_m, 0.5 * options_.workspace_m.z);
 }
 
-void Explorer::choose_elsewhere() noexcept {
+void HandScript::choose_elsewhere() noexcept {
   if (has_strokes())
     choose_stroke((stroke_ + 1) % options_.strokes.size());
   else
     choose_nearer_middle();
 }
 
-void Explorer::note_contact(Vec3 force_N, double dt_s) noexcept {
+void HandScript::note_contact(Vec3 force_N, double dt_s) noexcept {
   if (norm(force_N) > kNoticed_N) {
     empty_s_ = 0.0;
     visited_part_ = 1.0;
@@ -193,11 +193,11 @@ void Explorer::note_contact(Vec3 force_N, double dt_s) noexcept {
   }
 }
 
-void Explorer::choose_nearer_middle() noexcept {
+void HandScript::choose_nearer_middle() noexcept {
   visited_part_ = std::max(kNearer * visited_part_, kLeastPart);
   const double half_width = kVisited * visited_part_ * options_.workspace_m.x;
   const double half_height = kVisited * visited_part_ * options_.workspace_m.y;
-  if (options_.script == ExplorerOptions::Script::random) {
+  if (options_.kind == HandScriptOptions::Kind::random) {
     target_m_ = {uniform(-half_width, half_width), uniform(-half_height, half_height), 0.0};
     return;
   }
@@ -212,7 +212,7 @@ void Explorer::choose_nearer_middle() noexcept {
 }
 
 /// Up first, then across, then down: above a known surface at the same speed, else slowly.
-void Explorer::travel(double dt_s) noexcept {
+void HandScript::travel(double dt_s) noexcept {
   const double step_m = kTravel_m_per_s * dt_s;
   const bool is_above = goal_m_.x == target_m_.x && goal_m_.y == target_m_.y;
   if (!is_above && goal_m_.z < crossing_m_) {

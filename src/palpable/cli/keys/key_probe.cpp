@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/cli/keys/key_explorer.hpp"
+#include "palpable/cli/keys/key_probe.hpp"
 
 #include "palpable/describe/numbers.hpp"
 #include "palpable/describe/scene_words.hpp"
@@ -41,8 +41,8 @@ bool is_move(const TerminalKey& key) {
   return key.name == Name::left || key.name == Name::right || key.name == Name::up || key.name == Name::down;
 }
 
-KeyExplorer::Request KeyExplorer::press(const TerminalKey& key, const models::Scene& scene,
-                                        double height_factor, std::string& words) {
+KeyProbe::Request KeyProbe::press(const TerminalKey& key, const models::Scene& scene, double height_factor,
+                                  std::string& words) {
   const double step_m = scale_of(scene) * (key.shift ? kLongStep_m : kStep_m);
   const std::size_t part = std::exchange(next_part_, 0);
   words.clear();
@@ -90,7 +90,7 @@ KeyExplorer::Request KeyExplorer::press(const TerminalKey& key, const models::Sc
   return Request::nothing;
 }
 
-std::string KeyExplorer::move(double dx_m, double dy_m, const models::Scene& scene, double height_factor) {
+std::string KeyProbe::move(double dx_m, double dy_m, const models::Scene& scene, double height_factor) {
   const Vec3 size = models::size_m(scene);
   const describe::Place wanted{place_.x_m + dx_m, place_.y_m + dy_m};
   place_ = {std::clamp(wanted.x_m, -0.5 * size.x, 0.5 * size.x),
@@ -100,20 +100,19 @@ std::string KeyExplorer::move(double dx_m, double dy_m, const models::Scene& sce
   return describe::capitalised((at_rim ? "rim of the scene, " : "") + words) + ".";
 }
 
-std::string KeyExplorer::press_by(double further_m, const models::Scene& scene) {
+std::string KeyProbe::press_by(double further_m, const models::Scene& scene) {
   press_m_ = std::clamp(press_m_ + further_m, kHighest_m, kDeepest_m);
   return describe::capitalised(describe::press_words(press_scale_of(scene) * press_m_)) + ".";
 }
 
-Point<SceneFrame> KeyExplorer::hand(const models::Scene& scene,
-                                    const session::TouchSettings& settings) const {
+Point<SceneFrame> KeyProbe::hand(const models::Scene& scene, const session::TouchSettings& settings) const {
   const double surface_m =
       settings.height_factor * models::relief_of(scene)->sample(place_.x_m, place_.y_m).z_m;
   return {{place_.x_m, place_.y_m,
            surface_m + settings.law.radius_m.value_or(0.0) - press_scale_of(scene) * press_m_}};
 }
 
-std::string KeyExplorer::help(const models::Scene& scene) {
+std::string KeyProbe::help(const models::Scene& scene) {
   const double scale = scale_of(scene);
   return fmt::format("Arrow keys: move by {}, with Shift by {}.\n", describe::spoken_length(scale * kStep_m),
                      describe::spoken_length(scale * kLongStep_m)) +

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/cli/keys/key_explorer.hpp"
+#include "palpable/cli/keys/key_probe.hpp"
 
 #include <memory>
 
@@ -13,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using Name = TerminalKey::Name;
-using Request = KeyExplorer::Request;
+using Request = KeyProbe::Request;
 
 /// A plate of 100 x 100 mm, 1 mm high, whose right half is 5 mm high.
 models::Scene step_scene() {
@@ -31,13 +31,13 @@ class Exploring : public testing::Test {
  protected:
   std::string press(const TerminalKey& key) {
     std::string words;
-    request = explorer.press(key, scene, 1.0, words);
+    request = probe.press(key, scene, 1.0, words);
     return words;
   }
   std::string press(char character) { return press(TerminalKey{Name::character, character}); }
 
   models::Scene scene = step_scene();
-  KeyExplorer explorer;
+  KeyProbe probe;
   Request request = Request::nothing;
 };
 
@@ -53,11 +53,11 @@ TEST_F(Exploring, TakesStepsOfTheScenesSize) {
   scene.model =
       std::make_shared<const models::Relief>(*models::Relief::from_samples(std::move(heights), 0.00002));
   press({Name::right});
-  EXPECT_NEAR(explorer.hand(scene, {}).v.x, 0.00002, 1e-9);
+  EXPECT_NEAR(probe.hand(scene, {}).v.x, 0.00002, 1e-9);
   press({Name::page_down});
   session::TouchSettings settings;
   settings.law.radius_m = 0.0;
-  EXPECT_NEAR(explorer.hand(scene, settings).v.z, 0.0002 - 0.2 * 0.002, 1e-6);
+  EXPECT_NEAR(probe.hand(scene, settings).v.z, 0.0002 - 0.2 * 0.002, 1e-6);
   EXPECT_THAT(press('h'), HasSubstr("0.1 millimetres"));
 }
 
@@ -78,9 +78,9 @@ TEST_F(Exploring, SaysWhereItIs) { EXPECT_THAT(press('p'), HasSubstr("at the mid
 
 TEST_F(Exploring, PressesAndLiftsTheHand) {
   const session::TouchSettings settings;
-  const double before_m = explorer.hand(scene, settings).v.z;
+  const double before_m = probe.hand(scene, settings).v.z;
   EXPECT_EQ(press({Name::page_down}), "Pressed 2 millimetres deep.");
-  EXPECT_NEAR(explorer.hand(scene, settings).v.z, before_m - 0.0005, 1e-12);
+  EXPECT_NEAR(probe.hand(scene, settings).v.z, before_m - 0.0005, 1e-12);
   for (int k = 0; k < 5; ++k) press({Name::page_up});
   EXPECT_EQ(press({Name::page_up}), "Lifted by 1 millimetre.");
 }

@@ -13,7 +13,7 @@ namespace palpable::cli {
 
 /// A probe that is moved over a scene by keys, and its spoken output; with the same keys, steps and words as
 /// on the page.
-class KeyExplorer {
+class KeyProbe {
  public:
   /// What a key requests from the touch.
   enum class Request { nothing, pause, end };

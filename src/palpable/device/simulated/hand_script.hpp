@@ -11,8 +11,8 @@
 
 namespace palpable::device {
 
-struct ExplorerOptions {
-  enum class Script {
+struct HandScriptOptions {
+  enum class Kind {
     /// Stays at the goal that set_goal() gives.
     hold,
     /// Follows `strokes` in turn, each there and back for some seconds; without them a dense curve over the
@@ -21,7 +21,7 @@ struct ExplorerOptions {
     /// Slow strokes between random points; it does not use `strokes`.
     random
   };
-  Script script = Script::scan;
+  Kind kind = Kind::scan;
   Vec3 workspace_m{0.10, 0.10, 0.05};
   /// Speed of a stroke along the surface.
   double speed_m_per_s = 0.06;
@@ -40,9 +40,9 @@ struct ExplorerOptions {
 /// scenes are; a hand with `strokes` begins above one, and continues with the next one where it has no
 /// contact. The result is the desired position; the arm's impedance (simulated_hand.hpp) pulls the hand
 /// towards it. Deterministic for given options and forces. Device frame; one thread; never allocates.
-class Explorer {
+class HandScript {
  public:
-  explicit Explorer(const ExplorerOptions& options);
+  explicit HandScript(const HandScriptOptions& options);
 
   void set_goal(Vec3 goal_m) noexcept { goal_m_ = goal_m; }
   /// The desired position after `dt_s`, if the hand at `hand_m` feels `force_N`.
@@ -62,7 +62,7 @@ class Explorer {
   void begin(Phase phase) noexcept;
   double uniform(double least, double most) noexcept;
 
-  ExplorerOptions options_;
+  HandScriptOptions options_;
   std::mt19937_64 random_;
   Vec3 goal_m_;
   Vec3 target_m_;
