@@ -244,6 +244,14 @@ def number(value):
     return f"{value:.0f}" if abs(value) >= 1000 or value == int(value) else f"{value:.3g}"
 
 
+def shown(record):
+    """The value as the table shows it: with one digit more where rounding would hide that it misses its bar."""
+    rounded = number(record["value"])
+    if holds(record) != holds({**record, "value": float(rounded)}):
+        return f"{record['value']:.{len(rounded.replace('.', '')) + 1}g}"
+    return rounded
+
+
 def table_of(records):
     lines = ["# Measurements", "",
              "Generated from `measurements.json` by `tools/measure.py --table`: edit neither by hand. `tools/measure.py GROUP…` measures again.",
@@ -257,7 +265,7 @@ def table_of(records):
             continue
         lines += ["| figure | input | value | bar | holds | how | commit | date |", "|---|---|---|---|---|---|---|---|"]
         for r in of_group:
-            lines.append(f"| {r['figure']} | {r['input']} | {number(r['value'])} {r['unit']} | {r['bar']} | {holds(r)} | {r['how']} | {r['commit']} | {r['date']} |")
+            lines.append(f"| {r['figure']} | {r['input']} | {shown(r)} {r['unit']} | {r['bar']} | {holds(r)} | {r['how']} | {r['commit']} | {r['date']} |")
         lines.append("")
     return "\n".join(lines).replace("  |", " |").rstrip() + "\n"
 
