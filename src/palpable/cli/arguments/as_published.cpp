@@ -129,6 +129,12 @@ Result<std::optional<Published>> published_as(const std::string& name) {
   return std::optional(*found);
 }
 
+session::MakeAs made_for(const Published& published) {
+  const haptics::ModelKinds models = haptics::description_of(published.law.law).models;
+  const bool only_contours = models.contours && !models.relief && !models.field;
+  return only_contours ? session::MakeAs::contours : published.as;
+}
+
 void apply_published(const Published& published, MakeArguments& arguments) { published.make(arguments); }
 
 void apply_published(const Published& published, haptics::LawParameters& parameters) {

@@ -33,6 +33,9 @@ void add_as_published(Options& options, std::string& name);
 /// The paper's settings; nullopt for an empty name. Errors: usage, for an unknown name.
 Result<std::optional<Published>> published_as(const std::string& name);
 
+/// What `make` makes for the paper, whatever the inputs are. (A touch also begins with scenes of that kind.)
+session::MakeAs made_for(const Published& published);
+
 /// Sets the arguments for making the scene that `arguments` leave open.
 void apply_published(const Published& published, MakeArguments& arguments);
 /// Sets the paper's law parameters that `parameters`, which must be of that law, leave open.

@@ -69,6 +69,13 @@ TEST(AsPublished, GomezUsesTheChosenOperatorAndAPoint) {
   EXPECT_TRUE(notes("gomez", "weights of the average are corrected"));
 }
 
+TEST(AsPublished, GhdMakesContoursOnlySoThatAPairIsRefused) {
+  EXPECT_EQ(made_for(paper("ghd")), session::MakeAs::contours);
+  EXPECT_EQ(made_for(paper("shi")), session::MakeAs::relief);
+  EXPECT_EQ(made_for(paper("park")), session::MakeAs::grid);
+  EXPECT_EQ(made_for(paper("moustakas")), session::MakeAs::field);
+}
+
 TEST(AsPublished, GhdIsEquation8WithoutBounds) {
   EXPECT_EQ(made_as("ghd").contour_method, "paper");
   EXPECT_EQ(felt_as("ghd").law, haptics::Law::tracing);
