@@ -325,24 +325,22 @@ class CellRefiner {
   std::vector<float> heights_;
 };
 
-/// The most control values of refined cells, 2 MB. Where all creases need more, as on noise, only the
-/// sharpest ones are refined, with so few values that most of a stroke's ticks do not read them: each cell
-/// that is read for the first time costs a tick a cache miss.
+/// The most control values of refined cells, 2 MB. A relief whose creases need more, as noise does, is not
+/// refined: each cell that is read for the first time costs a tick a cache miss.
 constexpr double kMostValues = 5e5;
-constexpr double kFewValues = 1e5;
 constexpr int kLeastFine = 8;
 
 /// Fine pixels per pixel for so many cells.
-int fine_pixels(double pixel_m, std::size_t cells, double most_values) {
+int fine_pixels(double pixel_m, std::size_t cells) {
   constexpr double kFine_m = 12.5e-6;
   constexpr double kMost = 64.0;
-  const double affordable = std::sqrt(most_values / std::max(1.0, static_cast<double>(cells))) - 3.0;
+  const double affordable = std::sqrt(kMostValues / std::max(1.0, static_cast<double>(cells))) - 3.0;
   return std::max(kLeastFine, static_cast<int>(std::min({std::ceil(pixel_m / kFine_m), kMost, affordable})));
 }
 
-bool are_too_many(std::size_t cells, double most_values) {
+bool are_too_many(std::size_t cells) {
   constexpr double kSide = kLeastFine + 3;
-  return kSide * kSide * static_cast<double>(cells) > most_values;
+  return kSide * kSide * static_cast<double>(cells) > kMostValues;
 }
 
 }  // namespace
@@ -354,17 +352,10 @@ std::shared_ptr<const RefinedRelief> dilate_finely_by_ball(const Relief& relief,
   auto made = Relief::from_samples(control_values_of(contacts, relief, radius_m), relief.pixel_m());
   PALPABLE_CHECK(made.has_value());
   const auto dilated = std::make_shared<const Relief>(std::move(*made));
-  CoarseCells coarse(contacts, relief, radius_m);
   ReliefCells out;
-  double tolerance = kTolerance_m / relief.pixel_m();
-  double most_values = kMostValues;
-  out.cells = coarse.above(tolerance);
-  while (are_too_many(out.cells.size(), most_values)) {
-    most_values = kFewValues;
-    tolerance *= 1.25;
-    out.cells = coarse.above(tolerance);
-  }
-  out.per_pixel = fine_pixels(relief.pixel_m(), out.cells.size(), most_values);
+  out.cells = CoarseCells(contacts, relief, radius_m).above(kTolerance_m / relief.pixel_m());
+  if (are_too_many(out.cells.size())) out.cells.clear();
+  out.per_pixel = fine_pixels(relief.pixel_m(), out.cells.size());
   CellRefiner(relief, radius_m, contacts, *dilated, out).refine(work);
   return std::make_shared<const RefinedRelief>(dilated, std::move(out));
 }

@@ -196,6 +196,14 @@ TEST(DilateFinely, LeavesLevelAndSlopingGroundAsItIs) {
   EXPECT_EQ(dilated->sample(0.0011, -0.0007).z_m, coarse.sample(0.0011, -0.0007).z_m);
 }
 
+TEST(DilateFinely, LeavesReliefsWithCreasesEverywhereUnrefined) {
+  const Relief everywhere = rough(120, 100, 0.0002, 8);
+  const auto dilated = dilate_finely_by_ball(everywhere, 0.001, {});
+  EXPECT_TRUE(dilated->cells().cells.empty());
+  const Relief coarse = *Relief::from_samples(dilate_by_ball(everywhere, 0.001, {}), everywhere.pixel_m());
+  EXPECT_EQ(dilated->sample(0.0011, -0.0007).z_m, coarse.sample(0.0011, -0.0007).z_m);
+}
+
 TEST(DilateFinely, TakesTheSmallestReliefs) {
   for (const int side : {2, 3, 4}) {
     const auto dilated = dilate_finely_by_ball(

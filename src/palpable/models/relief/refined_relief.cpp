@@ -83,6 +83,7 @@ RefinedRelief::RefinedRelief(const std::shared_ptr<const Relief>& relief, Relief
       fine_per_m_(cells_.per_pixel / relief->pixel_m()) {
   const auto side = static_cast<std::size_t>(cells_.per_pixel + 3);
   PALPABLE_CHECK(cells_.values.size() == cells_.cells.size() * side * side);
+  if (cells_.cells.empty()) width_ = 0;  // no cell is looked for
   bits_.resize((static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) + 63) / 64);
   std::size_t next = 0;
   for (std::size_t k = 0; k < cells_.cells.size(); ++k) {
