@@ -119,7 +119,7 @@ MadeLaw make_on_field(const LawInput& in, Make&& make) {
 }
 
 /// Calls `make(surface, materials, family)` for the scene seen from above: `surface` is a relief with bounds
-/// for a point, and a refined relief for a ball.
+/// for a point, and for a ball a refined relief where there are creases.
 template <class Make>
 MadeLaw make_on_relief(const LawInput& in, Make&& make) {
   const std::shared_ptr<const models::Relief>& relief = models::relief_of(in.scene);
@@ -129,7 +129,11 @@ MadeLaw make_on_relief(const LawInput& in, Make&& make) {
   MaterialMap materials = materials_of(in.scene, *relief, in.parameters);
   if (radius_m == 0.0)
     return make(std::make_shared<const models::BoundedRelief>(relief), std::move(materials), family);
-  return make(dilated_surface(relief, radius_m, in.kept), std::move(materials), family);
+  auto ball = dilated_surface(relief, radius_m, in.kept);
+  if (!ball->cells().cells.empty()) return make(std::move(ball), std::move(materials), family);
+  // Its tick is faster.
+  return make(std::shared_ptr<const models::BoundedRelief>(ball, &ball->unrefined()), std::move(materials),
+              family);
 }
 
 }  // namespace palpable::haptics

@@ -52,6 +52,7 @@ class RefinedRelief {
   }
 
   /// The surface without its refined cells.
+  const BoundedRelief& unrefined() const noexcept { return bounded_; }
   const Relief& relief() const noexcept { return bounded_.relief(); }
   const ReliefCells& cells() const noexcept { return cells_; }
   std::size_t memory_bytes() const;
