@@ -53,10 +53,10 @@ TEST(EnergyOfABall, IsNotMadeOnRoughGround) {
   for (unsigned k = 1; k <= kHands; ++k) {
     device::HandOptions options = hands.next();
     options.resolution_m = hands.uniform(1e-6, 2e-5);
-    options.explorer.script = device::ExplorerOptions::Script::random;
-    options.explorer.workspace_m = {0.04, 0.03, 0.03};
-    options.explorer.seed = k;
-    options.explorer.speed_m_per_s = hands.uniform(0.03, 0.3);
+    options.script.kind = device::HandScriptOptions::Kind::random;
+    options.script.workspace_m = {0.04, 0.03, 0.03};
+    options.script.seed = k;
+    options.script.speed_m_per_s = hands.uniform(0.03, 0.3);
     EXPECT_LE(received_by_ball_J(options, k % 2 == 0 ? 0.3 : 0.0, k, &contact), 1e-6) << "hand " << k;
   }
   EXPECT_GT(contact, 0.3 * kHands);
