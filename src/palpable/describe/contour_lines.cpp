@@ -52,6 +52,30 @@ void fill_small_areas(Mask& mask, std::size_t least_pixels) {
   for (const Pixel p : small) mask(p.x, p.y) = 1;
 }
 
+/// Whether any pixel (`any`), or every one, within `radius` of a pixel is set; outside the mask counts as
+/// neither.
+bool is_set_around(const Mask& mask, Pixel at, int radius, bool any) {
+  for (int dy = -radius; dy <= radius; ++dy)
+    for (int dx = -radius; dx <= radius; ++dx) {
+      const int x = at.x + dx, y = at.y + dy;
+      if (dx * dx + dy * dy > radius * radius || x < 0 || y < 0 || x >= mask.width() || y >= mask.height())
+        continue;
+      if ((mask(x, y) != 0) == any) return any;
+    }
+  return !any;
+}
+
+/// Morphological closing: the two edges of a drawn stroke become one line. The border stays unset.
+void close_slits(Mask& mask, int radius) {
+  const Mask lines = mask;
+  Mask wide(mask.width(), mask.height(), 0);
+  for (int y = 0; y < mask.height(); ++y)
+    for (int x = 0; x < mask.width(); ++x) wide(x, y) = is_set_around(lines, {x, y}, radius, true) ? 1 : 0;
+  for (int y = 1; y + 1 < mask.height(); ++y)
+    for (int x = 1; x + 1 < mask.width(); ++x)
+      mask(x, y) = is_set_around(wide, {x, y}, radius, false) ? 1 : 0;
+}
+
 using PlacePx = std::array<double, 2>;
 
 double distance_px(PlacePx a, PlacePx b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
@@ -290,7 +314,12 @@ std::vector<Parameter> parameters_of(ContourLineOptions& o) {
            {0.0, 90.0},
            "degrees",
            "greatest turn of a line that goes straight ahead through a junction"},
-          {"least_area", &o.least_area, {0.0, 0.1}, "", "smallest enclosed area, as a share of the map's"}};
+          {"least_area", &o.least_area, {0.0, 0.1}, "", "smallest enclosed area, as a share of the map's"},
+          {"closing",
+           &o.closing,
+           {0.0, 0.02},
+           "",
+           "half the slit that is closed, as a share of the longer side"}};
 }
 
 ContourDrawing find_contour_lines(const models::BoundaryMap& map, const ContourLineOptions& options) {
@@ -298,6 +327,7 @@ ContourDrawing find_contour_lines(const models::BoundaryMap& map, const ContourL
   const auto& edges = map.edges();
   const int step = (std::max(edges.width(), edges.height()) + kLongestLineSide - 1) / kLongestLineSide;
   Mask mask = mask_of(map, step);
+  close_slits(mask, static_cast<int>(std::lround(options.closing * std::max(mask.width(), mask.height()))));
   fill_small_areas(mask, static_cast<std::size_t>(options.least_area * static_cast<double>(mask.count())));
   thin_to_lines(mask);
   const double pixel_m = step * map.pixel_m();

@@ -68,6 +68,23 @@ TEST(ContourLines, CrossingLinesAreNotClosed) {
   EXPECT_EQ(cross.enclosed_areas, 0U);
 }
 
+TEST(ContourLines, TheEdgesOfAStrokeAreOneLineAndShapesBesideEachOtherStaySeparate) {
+  // Each stroke is two bands 0.5 mm apart; the outer bands of the two squares are 1.5 mm apart.
+  const auto rings = [](double x, double y, double middle) {
+    const double out = std::max(std::abs(x - middle), std::abs(y));
+    return (out > 14.0 && out < 15.0) || (out > 15.5 && out < 16.5);
+  };
+  const auto two = find_contour_lines(
+      drawing([&](double x, double y) { return rings(x, y, -17.25) || rings(x, y, 17.25); }));
+  ASSERT_EQ(two.lines.size(), 2U);
+  for (const ContourLine& line : two.lines) {
+    EXPECT_TRUE(line.closed);
+    EXPECT_NEAR(line.length_m, 8 * 0.01525, 0.004);
+  }
+  EXPECT_TRUE(two.junctions.empty());
+  EXPECT_EQ(two.enclosed_areas, 2U);
+}
+
 TEST(ContourLines, AGridHasFourLinesThatEncloseOneArea) {
   const auto grid = find_contour_lines(drawing([](double x, double y) {
     return std::max(std::abs(x), std::abs(y)) < 38 &&
