@@ -68,7 +68,12 @@ Result<Answer> one_method(const std::string& name) {
   StereoArguments arguments;
   arguments.method = name;
   const auto method = stereo_method(arguments);
-  if (!method) return Error{method.error().code, method.error().message, name};
+  if (!method) {
+    std::string steps;
+    for (const ParameterGroup& group : parameter_groups())
+      steps += (steps.empty() ? "" : ", ") + std::string(group.name);
+    return Error{method.error().code, method.error().message + "; the steps are " + steps, name};
+  }
   vision::StereoOptions options;
   Answer answer;
   answer.json = {{"name", vision::name_of(*method)},

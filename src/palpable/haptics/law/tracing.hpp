@@ -47,9 +47,9 @@ struct TracingParameters {
 /// weak one-sided wall keeps the hand in front of z = 0. Tick path.
 class TracingLaw {
  public:
-  /// The largest displacement in one tick that the tank covers, as a speed. The servo loop rejects faster
-  /// readings.
-  static constexpr double kFastest_m_per_s = 2.0;
+  /// The largest displacement in one tick that the tank covers, as a speed: that of TickOptions, above which
+  /// the servo loop rejects a reading.
+  static constexpr double kFastest_m_per_s = 2.5;
   static constexpr double kSpeedCap_m_per_s = 0.25;
   static constexpr double kTank_J = 0.05;
   static constexpr double kRefill_W = 0.1;

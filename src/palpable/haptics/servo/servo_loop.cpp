@@ -109,7 +109,11 @@ struct ServoLoop::Impl {
                                                        static_cast<std::uint8_t>(further.size() + 1)));
   }
 
+  using Scenes = std::vector<std::unique_ptr<const HapticScene>>;
+
   const HapticScene& own(HapticScene scene);
+  /// Moves a scene that the servo no longer uses to `out`.
+  void retire(const HapticScene* old, Scenes& out);
 
   Result<void> start_guardian();
   void serve();
@@ -119,7 +123,9 @@ struct ServoLoop::Impl {
   bool may_rest() const;
   void swap_scenes();
   void run_maintenance();
-  void sweep();
+  /// Takes what the servo handed over, under the mutex. The caller frees the old scenes without it: their
+  /// models may be large.
+  [[nodiscard]] Scenes sweep();
 
   const ServoOptions options;
   std::unique_ptr<device::Device> device;
@@ -144,7 +150,7 @@ struct ServoLoop::Impl {
   // Used by the maintenance thread and the callers, under the mutex.
   mutable std::mutex mutex;
   /// Every scene that the servo may still use.
-  std::vector<std::unique_ptr<const HapticScene>> scenes;
+  Scenes scenes;
   std::condition_variable maintenance_wake;
   bool maintenance_ending = false;
   LatencyRecorder periods;
@@ -274,8 +280,11 @@ void ServoLoop::Impl::swap_scenes() {
 void ServoLoop::Impl::run_maintenance() {
   std::unique_lock lock(mutex);
   while (!maintenance_ending) {
-    sweep();
-    maintenance_wake.wait_for(lock, kMaintenancePeriod);
+    Scenes old = sweep();
+    lock.unlock();
+    old.clear();
+    lock.lock();
+    if (!maintenance_ending) maintenance_wake.wait_for(lock, kMaintenancePeriod);
   }
 }
 
@@ -284,14 +293,23 @@ const HapticScene& ServoLoop::Impl::own(HapticScene scene) {
   return *scenes.back();
 }
 
-void ServoLoop::Impl::sweep() {
-  while (const auto old = retired.take())
-    std::erase_if(scenes, [&](const auto& p) { return p.get() == *old; });
+void ServoLoop::Impl::retire(const HapticScene* old, Scenes& out) {
+  const auto found =
+      std::find_if(scenes.begin(), scenes.end(), [&](const auto& p) { return p.get() == old; });
+  if (found == scenes.end()) return;
+  out.push_back(std::move(*found));
+  scenes.erase(found);
+}
+
+ServoLoop::Impl::Scenes ServoLoop::Impl::sweep() {
+  Scenes old_scenes;
+  while (const auto old = retired.take()) retire(*old, old_scenes);
   while (const auto timing = timings.take()) {
     periods.record_ns(static_cast<double>(timing->period_ns));
     computes.record_ns(static_cast<double>(timing->compute_ns));
   }
   counts_out.take(seen);
+  return old_scenes;
 }
 
 ServoLoop::ServoLoop(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -320,9 +338,10 @@ void ServoLoop::change(HapticScene scene) {
   PALPABLE_CHECK(scene.touchable != nullptr);
   scene.touchable->touch_pages();
   auto& it = *impl_;
+  Impl::Scenes freed_last;
   const std::lock_guard lock(it.mutex);
   const HapticScene* unused = it.waiting.exchange(&it.own(std::move(scene)), std::memory_order_acq_rel);
-  std::erase_if(it.scenes, [&](const auto& p) { return unused != nullptr && p.get() == unused; });
+  if (unused != nullptr) it.retire(unused, freed_last);
 }
 
 void ServoLoop::pause() { impl_->paused = true; }
@@ -338,8 +357,9 @@ void ServoLoop::stop() {
   }
   it.maintenance_wake.notify_all();
   if (it.maintenance.joinable()) it.maintenance.join();
+  Impl::Scenes freed_last;
   const std::lock_guard lock(it.mutex);
-  it.sweep();
+  freed_last = it.sweep();
 }
 
 std::optional<TouchSample> ServoLoop::take_latest(std::size_t probe) {
@@ -357,8 +377,9 @@ std::uint64_t ServoLoop::recording_lost() const { return impl_->recorded.refused
 
 ServoStatistics ServoLoop::statistics() const {
   auto& it = *impl_;
+  Impl::Scenes freed_last;
   const std::lock_guard lock(it.mutex);
-  it.sweep();
+  freed_last = it.sweep();
   const LoopCounts& seen = it.seen;
   const TickCounts& touch = seen.touch;
   ServoStatistics statistics;

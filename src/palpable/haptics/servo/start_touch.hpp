@@ -12,8 +12,9 @@
 
 namespace palpable::haptics {
 
-/// Places the device's workspace in the scene: it is centred on the scene and scaled so that the scene's
-/// width and height fit into it. A scene that already fits is not enlarged.
+/// Places the device's workspace in the scene: it is scaled so that the scene's width and height fit into it,
+/// and of a device with three axes the depth into three quarters of it. A scene that already fits is not
+/// enlarged. The device's origin is the middle of the scene's box: half-way up a relief.
 Transform<SceneFrame, DeviceFrame> fit_workspace(const models::Scene& scene, const device::Traits& device);
 
 /// Starts a servo loop that renders `touchable` (for example with a custom law) on `device`; the scene is
