@@ -3,7 +3,7 @@
 #include "palpable/haptics/law/law_making.hpp"
 
 #include "palpable/haptics/law/law_parameters.hpp"
-#include "palpable/models/relief/refined_dilation.hpp"
+#include "palpable/models/relief/relief_dilation.hpp"
 
 #include <algorithm>
 #include <array>
@@ -68,10 +68,13 @@ MaterialMap materials_of(const models::Scene& scene, const Relief& relief, const
   return {contacts, scene.labels, relief.size_x_m(), relief.size_y_m()};
 }
 
-std::shared_ptr<const models::RefinedRelief> dilated_surface(const std::shared_ptr<const Relief>& relief,
-                                                             double radius_m, DilatedRelief* kept) {
+Result<std::shared_ptr<const Relief>> dilated_surface(const std::shared_ptr<const Relief>& relief,
+                                                      double radius_m, DilatedRelief* kept) {
+  if (radius_m == 0.0) return relief;
   if (kept != nullptr && kept->of == relief && kept->radius_m == radius_m) return kept->surface;
-  auto surface = models::dilate_finely_by_ball(*relief, radius_m, Work{});
+  auto dilated = Relief::from_samples(models::dilate_by_ball(*relief, radius_m, Work{}), relief->pixel_m());
+  if (!dilated) return dilated.error();
+  auto surface = std::make_shared<const Relief>(std::move(*dilated));
   if (kept != nullptr) *kept = {relief, radius_m, surface};
   return surface;
 }
@@ -84,10 +87,6 @@ void read_pages(const Relief& relief) noexcept {
   read_pages(relief.samples_m().data(), relief.samples_m().count() * sizeof(float));
 }
 void read_pages(const models::BoundedRelief& relief) noexcept { read_pages(relief.relief()); }
-void read_pages(const models::RefinedRelief& relief) noexcept {
-  read_pages(relief.relief());
-  read_pages(relief.cells().values.data(), relief.cells().values.size() * sizeof(float));
-}
 void read_pages(const models::BoundaryMap& map) noexcept {
   read_pages(map.averaged().data(), map.averaged().count() * sizeof(*map.averaged().data()));
 }

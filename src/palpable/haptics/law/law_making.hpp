@@ -9,7 +9,6 @@
 #include "palpable/models/field/relief_depth.hpp"
 #include "palpable/models/grid/occupancy_grid.hpp"
 #include "palpable/models/relief/height_bounds.hpp"
-#include "palpable/models/relief/refined_relief.hpp"
 
 #include <bit>
 #include <cstdint>
@@ -51,15 +50,15 @@ std::uint64_t content_hash(const models::DistanceField& field);
 MaterialMap materials_of(const models::Scene& scene, const models::Relief& relief,
                          const LawParameters& parameters);
 
-/// The relief dilated by a ball, from the cache where it is there. radius_m > 0.
-std::shared_ptr<const models::RefinedRelief> dilated_surface(
+/// The relief itself for a point; dilated for a ball. The slope of the dilated relief does not exceed the
+/// relief's.
+Result<std::shared_ptr<const models::Relief>> dilated_surface(
     const std::shared_ptr<const models::Relief>& relief, double radius_m, DilatedRelief* kept);
 
 /// Reads every page of a model once.
 void read_pages(const void* data, std::size_t bytes) noexcept;
 void read_pages(const models::Relief& relief) noexcept;
 void read_pages(const models::BoundedRelief& relief) noexcept;
-void read_pages(const models::RefinedRelief& relief) noexcept;
 void read_pages(const models::BoundaryMap& map) noexcept;
 void read_pages(const models::DistanceField& field) noexcept;
 void read_pages(const models::DenseField& field) noexcept;
@@ -118,22 +117,16 @@ MadeLaw make_on_field(const LawInput& in, Make&& make) {
   return on(std::get<std::shared_ptr<const models::FieldOnLattice>>(in.scene.model));
 }
 
-/// Calls `make(surface, materials, family)` for the scene seen from above: `surface` is a relief with bounds
-/// for a point, and for a ball a refined relief where there are creases.
+/// Calls `make(surface, materials, family)` for the scene seen from above, dilated by the ball.
 template <class Make>
 MadeLaw make_on_relief(const LawInput& in, Make&& make) {
   const std::shared_ptr<const models::Relief>& relief = models::relief_of(in.scene);
   const double radius_m = in.parameters.radius_m.value_or(0.0);
+  auto surface = dilated_surface(relief, radius_m, in.kept);
+  if (!surface) return {surface.error()};
   const std::uint64_t family =
       mixed(mixed(static_cast<std::uint64_t>(in.parameters.law), content_hash(*relief)), radius_m);
-  MaterialMap materials = materials_of(in.scene, *relief, in.parameters);
-  if (radius_m == 0.0)
-    return make(std::make_shared<const models::BoundedRelief>(relief), std::move(materials), family);
-  auto ball = dilated_surface(relief, radius_m, in.kept);
-  if (!ball->cells().cells.empty()) return make(std::move(ball), std::move(materials), family);
-  // Its tick is faster.
-  return make(std::shared_ptr<const models::BoundedRelief>(ball, &ball->unrefined()), std::move(materials),
-              family);
+  return make(*std::move(surface), materials_of(in.scene, *relief, in.parameters), family);
 }
 
 }  // namespace palpable::haptics

@@ -13,10 +13,6 @@
 #include <string_view>
 #include <vector>
 
-namespace palpable::models {
-class RefinedRelief;
-}
-
 namespace palpable::haptics {
 
 /// All laws. The default law of a kind of model is the first one that renders it.
@@ -33,7 +29,7 @@ std::vector<Law> laws_for(const models::Scene& scene);
 struct DilatedRelief {
   std::shared_ptr<const models::Relief> of;
   double radius_m = 0.0;
-  std::shared_ptr<const models::RefinedRelief> surface;
+  std::shared_ptr<const models::Relief> surface;
 };
 
 /// Creates the Touchable of a scene and a law for the servo loop. One-time work (dilating a relief by the

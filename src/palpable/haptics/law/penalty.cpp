@@ -22,10 +22,9 @@ MadeLaw make(const LawInput& in) {
           family);
     });
   return make_on_relief(
-      in, [&]<class S>(const std::shared_ptr<const S>& surface, MaterialMap materials, std::uint64_t family) {
+      in, [&](std::shared_ptr<const models::Relief> surface, MaterialMap materials, std::uint64_t family) {
         using models::ReliefDepth;
-        // Its erosions have the relief's pixels, so refined cells of the surface would not serve it.
-        auto depth = ReliefDepth::under({surface, &surface->relief()}, Work{});
+        auto depth = ReliefDepth::under(std::move(surface), Work{});
         if (!depth) return MadeLaw{depth.error()};
         return made_law(PenaltyLaw<ReliefDepth>(std::make_shared<const ReliefDepth>(*std::move(depth)),
                                                 std::move(materials), 0.0, shading),

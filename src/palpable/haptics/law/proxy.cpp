@@ -25,8 +25,11 @@ MadeLaw make_proxy(const LawInput& in) {
                       family);
     });
   return make_on_relief(
-      in, [&]<class S>(std::shared_ptr<const S> surface, MaterialMap materials, std::uint64_t family) {
-        return made_law(ProxyLaw<S>(std::move(surface), std::move(materials), std::move(textures)), family);
+      in, [&](std::shared_ptr<const models::Relief> surface, MaterialMap materials, std::uint64_t family) {
+        using Bounded = models::BoundedRelief;
+        return made_law(ProxyLaw<Bounded>(std::make_shared<const Bounded>(std::move(surface)),
+                                          std::move(materials), std::move(textures)),
+                        family);
       });
 }
 

@@ -3,7 +3,6 @@
 // Hands that move at random above, in and below surfaces, at up to 2 m/s. No hand may pass through a surface,
 // no force may pull, and the force changes by no more than stiffness times the movement of hand and proxy.
 #include "palpable/haptics/law/stroke_scenes.hpp"
-#include "palpable/models/relief/refined_relief.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -169,12 +168,9 @@ Ground walled_ground(const models::Scene& scene, double friction, double radius_
   p.static_friction = friction;
   DilatedRelief dilated;
   const auto law = make_touchable(scene, p, &dilated);
-  const auto relief = models::relief_of(scene);
-  return {*law,
-          [relief, ball = dilated.surface](Vec3 at) {
-            return at.z - (ball ? ball->sample(at.x, at.y) : relief->sample(at.x, at.y)).z_m;
-          },
-          [top_m = relief->highest_m() + radius_m](Vec3 a, Vec3 b) {
+  const auto surface = radius_m > 0.0 ? dilated.surface : models::relief_of(scene);
+  return {*law, [surface](Vec3 at) { return at.z - surface->sample(at.x, at.y).z_m; },
+          [top_m = surface->highest_m()](Vec3 a, Vec3 b) {
             // Walls stand at 4 mm and every 8 mm.
             const double wall = 0.008 * std::round((0.5 * (a.x + b.x) - 0.004) / 0.008) + 0.004;
             return (a.x < wall) != (b.x < wall) && std::max(a.z, b.z) < top_m - 0.003;

@@ -35,7 +35,7 @@ SurfaceBounds bounds_of(const Raster<float>& values, int x0, int x1, int y0, int
 
 }  // namespace
 
-HeightBounds::HeightBounds(const Raster<float>& control_values, std::span<const CellBounds> refined) {
+HeightBounds::HeightBounds(const Raster<float>& control_values) {
   const int w = control_values.width();
   const int h = control_values.height();
   const Level finest{0, (w + kBlock_px - 1) / kBlock_px, (h + kBlock_px - 1) / kBlock_px};
@@ -49,12 +49,6 @@ HeightBounds::HeightBounds(const Raster<float>& control_values, std::span<const 
       blocks_.push_back(bounds_of(control_values, std::max(0, x - 1), std::min(w - 1, x + kBlock_px + 1),
                                   std::max(0, y - 1), std::min(h - 1, y + kBlock_px + 1)));
     }
-  for (const CellBounds& cell : refined) {
-    SurfaceBounds& block =
-        blocks_[static_cast<std::size_t>(cell.y / kBlock_px) * static_cast<std::size_t>(finest.width) +
-                static_cast<std::size_t>(cell.x / kBlock_px)];
-    block = larger(block, cell.bounds);
-  }
   add_coarser_levels(finest);
 }
 

@@ -9,7 +9,6 @@
 #include <concepts>
 #include <cstddef>
 #include <memory>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -21,21 +20,13 @@ struct SurfaceBounds {
   float steepest = 0.0F;
 };
 
-/// Bounds over one cell of a height field, between the samples (x, y) and (x + 1, y + 1).
-struct CellBounds {
-  int x = 0;
-  int y = 0;
-  SurfaceBounds bounds;
-};
-
 /// Bounds of a cubic B-spline height field over rectangles, from its control values: for blocks of 4 x 4
 /// pixels, and for blocks twice as wide at each further level (a max-pyramid). Immutable; any thread.
 class HeightBounds {
  public:
   HeightBounds() = default;
-  /// The spline's control values, at least one. `refined`: cells with a surface of their own, which are
-  /// bounded by these values too.
-  explicit HeightBounds(const Raster<float>& control_values, std::span<const CellBounds> refined = {});
+  /// The spline's control values, at least one.
+  explicit HeightBounds(const Raster<float>& control_values);
 
   /// The bounds over x0 <= x <= x1, y0 <= y <= y1 in pixels (sample centres at integers, any finite values);
   /// the slope in height per pixel. Reads at most four blocks. Tick path.
@@ -68,10 +59,9 @@ concept BoundedHeightField = CurvedHeightField<M> && requires(const M& m, double
 /// A relief with bounds of its surface, which take a sixth of its memory. Immutable; any thread.
 class BoundedRelief {
  public:
-  /// `refined`: as in HeightBounds, the slope in height per pixel.
-  explicit BoundedRelief(std::shared_ptr<const Relief> relief, std::span<const CellBounds> refined = {})
+  explicit BoundedRelief(std::shared_ptr<const Relief> relief)
       : relief_(std::move(relief)),
-        bounds_(relief_->samples_m(), refined),
+        bounds_(relief_->samples_m()),
         middle_x_px_(0.5 * (relief_->samples_m().width() - 1)),
         middle_y_px_(0.5 * (relief_->samples_m().height() - 1)),
         pixels_per_m_(1.0 / relief_->pixel_m()) {}

@@ -12,6 +12,12 @@
 namespace palpable::models {
 namespace {
 
+/// The contact point relative to the ball's centre, in pixels.
+struct TouchOffset {
+  double right = 0.0;
+  double up = 0.0;
+};
+
 /// best[x] = max(best[x], from[x] + rise); `which` stores the offset of the maximum.
 PALPABLE_VECTORIZE void raise(float* best, std::int32_t* which, const float* from, int count, float rise,
                               std::int32_t offset) {
@@ -33,6 +39,77 @@ Raster<float> heights_at_samples(const Relief& relief) {
       heights(x, y) =
           static_cast<float>(relief.sample(left_m + x * relief.pixel_m(), top_m - y * relief.pixel_m()).z_m);
   return heights;
+}
+
+/// A point below the ball, relative to its centre, in metres.
+struct UnderBall {
+  double dx = 0.0;
+  double dy = 0.0;
+};
+
+/// Limits an offset to `share` of the radius.
+UnderBall held(UnderBall at, double radius_m, double share) {
+  const double length_m = std::hypot(at.dx, at.dy);
+  if (length_m <= share * radius_m) return at;
+  const double shrunk = share * radius_m / length_m;
+  return {shrunk * at.dx, shrunk * at.dy};
+}
+
+/// Newton's step towards the maximum of z(p + d) + sqrt(r^2 - |d|^2), from d = `at`. The surface's curvature
+/// is included where the sum stays concave.
+UnderBall newton_step(const CurvedSample& s, UnderBall at, double radius_m) {
+  const double per = 1.0 / std::sqrt(radius_m * radius_m - at.dx * at.dx - at.dy * at.dy);
+  const double per3 = per * per * per;
+  const double ball_xx = per + at.dx * at.dx * per3;
+  const double ball_xy = at.dx * at.dy * per3;
+  const double ball_yy = per + at.dy * at.dy * per3;
+  const double xx = ball_xx - s.dzdxx_per_m;
+  const double xy = ball_xy - s.dzdxy_per_m;
+  const double yy = ball_yy - s.dzdyy_per_m;
+  constexpr double kLeast = 0.05;
+  const double ball = ball_xx * ball_yy - ball_xy * ball_xy;
+  const bool is_concave = xx > 0.0 && xx * yy - xy * xy > kLeast * ball;
+  const double a = is_concave ? xx : ball_xx;
+  const double b = is_concave ? xy : ball_xy;
+  const double c = is_concave ? yy : ball_yy;
+  const double gx = s.dzdx - at.dx * per;
+  const double gy = s.dzdy - at.dy * per;
+  const double determinant = a * c - b * b;
+  return {(c * gx - b * gy) / determinant, (a * gy - b * gx) / determinant};
+}
+
+/// Height of the centre of a ball at (x_m, y_m) that touches the surface near `from`. Every tried point is a
+/// lower bound, so the maximum is used.
+double centre_height(const Relief& relief, double radius_m, double x_m, double y_m, TouchOffset from) {
+  constexpr int kSteps = 5;
+  constexpr double kEnough_m = 1e-8;
+  // Near its rim the ball is too steep for Newton's method.
+  constexpr double kStart = 0.9;
+  constexpr double kRim = 0.9999;
+  const double pixel_m = relief.pixel_m();
+  UnderBall best = held({from.right * pixel_m, from.up * pixel_m}, radius_m, kStart);
+  CurvedSample s = relief.curved_sample(x_m + best.dx, y_m + best.dy);
+  double best_m = s.z_m + std::sqrt(radius_m * radius_m - best.dx * best.dx - best.dy * best.dy);
+  // The contact point of a plane with this slope.
+  const double plane_m = radius_m / std::sqrt(1.0 + s.dzdx * s.dzdx + s.dzdy * s.dzdy);
+  UnderBall step{plane_m * s.dzdx - best.dx, plane_m * s.dzdy - best.dy};
+  for (int k = 0; k < kSteps; ++k) {
+    const double length_m = std::hypot(step.dx, step.dy);
+    if (length_m < kEnough_m) break;
+    const double shorter = std::min(1.0, pixel_m / length_m);
+    const UnderBall next = held({best.dx + shorter * step.dx, best.dy + shorter * step.dy}, radius_m, kRim);
+    const CurvedSample there = relief.curved_sample(x_m + next.dx, y_m + next.dy);
+    const double over_m = std::sqrt(radius_m * radius_m - next.dx * next.dx - next.dy * next.dy);
+    if (there.z_m + over_m <= best_m) {
+      step = {0.25 * shorter * step.dx, 0.25 * shorter * step.dy};
+      continue;
+    }
+    best_m = there.z_m + over_m;
+    best = next;
+    s = there;
+    step = newton_step(s, best, radius_m);
+  }
+  return best_m;
 }
 
 /// Control values whose spline approximates `heights`. The spline lowers curved surfaces by a sixth of the
@@ -74,7 +151,7 @@ void find_offsets(const Raster<float>& heights, double reach, int y, float* best
 
 }  // namespace
 
-Raster<BallContact> roll_ball(const Relief& relief, double radius_m, const Work& work) {
+Raster<float> dilate_by_ball(const Relief& relief, double radius_m, const Work& work) {
   PALPABLE_CHECK(radius_m > 0.0);
   const double pixel_m = relief.pixel_m();
   // Heights in pixels, so that the search over samples uses one unit.
@@ -85,7 +162,7 @@ Raster<BallContact> roll_ball(const Relief& relief, double radius_m, const Work&
   const int side = 2 * r + 1;
   const int w = heights.width();
   const int h = heights.height();
-  Raster<BallContact> contacts(w, h);
+  Raster<float> centre(w, h);
   parallel_for(work, h, 8, [&](int begin, int end) {
     std::vector<float> padded(static_cast<std::size_t>(w + 2 * r));
     std::vector<float> best(static_cast<std::size_t>(w));
@@ -95,26 +172,14 @@ Raster<BallContact> roll_ball(const Relief& relief, double radius_m, const Work&
       find_offsets(heights, reach, y, best.data(), which.data(), padded);
       for (int x = 0; x < w; ++x) {
         const int found = which[static_cast<std::size_t>(x)];
-        contacts(x, y) =
-            touch_by_ball(relief, radius_m, (x - 0.5 * (w - 1)) * pixel_m, (0.5 * (h - 1) - y) * pixel_m,
-                          {pixel_m * (found % side - r), pixel_m * (r - found / side)});
+        const TouchOffset offset{1.0 * (found % side - r), -1.0 * (found / side - r)};
+        centre(x, y) = static_cast<float>(centre_height(relief, radius_m, (x - 0.5 * (w - 1)) * pixel_m,
+                                                        (0.5 * (h - 1) - y) * pixel_m, offset));
       }
     }
   });
-  return contacts;
-}
-
-Raster<float> control_values_of(const Raster<BallContact>& contacts, const Relief& relief, double radius_m) {
-  Raster<float> centre(contacts.width(), contacts.height());
-  for (std::size_t k = 0; k < centre.count(); ++k)
-    centre.data()[k] = static_cast<float>(contacts.data()[k].height_m);
   const double steep2 = 1.0 + relief.steepest_slope() * relief.steepest_slope();
-  return control_values_for(centre,
-                            relief.pixel_m() * relief.pixel_m() / radius_m * steep2 * std::sqrt(steep2));
-}
-
-Raster<float> dilate_by_ball(const Relief& relief, double radius_m, const Work& work) {
-  return control_values_of(roll_ball(relief, radius_m, work), relief, radius_m);
+  return control_values_for(centre, pixel_m * pixel_m / radius_m * steep2 * std::sqrt(steep2));
 }
 
 Raster<float> erode_by_ball(const Relief& relief, double radius_m, const Work& work) {

@@ -4,7 +4,7 @@
 
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
-#include "palpable/models/relief/refined_relief.hpp"
+#include "palpable/models/relief/relief.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -91,9 +91,8 @@ Result<std::shared_ptr<const models::Relief>> obstacle_relief(std::uint64_t seed
 Result<TrajectoryFindings> study_trajectories(const TrajectoryStudyOptions& options, const Work& work);
 
 /// One trajectory of options.ticks ticks; its number is left 0. `surface` is the surface that holds the
-/// proxy: the relief (without refined cells), or the relief dilated by the ball.
-TrajectoryFindings follow_trajectory(const haptics::Touchable& touchable,
-                                     const models::RefinedRelief& surface, std::uint64_t seed,
-                                     const TrajectoryStudyOptions& options);
+/// proxy: the relief, or the relief dilated by the ball.
+TrajectoryFindings follow_trajectory(const haptics::Touchable& touchable, const models::Relief& surface,
+                                     std::uint64_t seed, const TrajectoryStudyOptions& options);
 
 }  // namespace palpable::study
