@@ -8,6 +8,7 @@
 #include <cmath>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "program.hpp"
@@ -181,6 +182,15 @@ TEST_F(Videos, ThatAreMissingAreSaidToBeMissingWhateverOutputIsNamed) {
   const Outcome missing = palpable(make(path("none.mp4"), {"--structure", path("s.ply")}));
   EXPECT_EQ(missing.exit_code, 3);
   EXPECT_THAT(missing.err, HasSubstr("No such file"));
+}
+
+TEST_F(Videos, OfTinyPicturesAreRefused) {
+  const std::filesystem::path folder = path("tiny");
+  std::filesystem::create_directory(folder);
+  for (int k = 0; k < 10; ++k) std::ofstream(folder / (std::to_string(k) + ".ppm")) << "P6 1 1 255\nabc";
+  const Outcome tiny = palpable(make(folder.string()));
+  EXPECT_EQ(tiny.exit_code, 3);
+  EXPECT_THAT(tiny.err, HasSubstr("1 x 1"));
 }
 
 TEST_F(Videos, EndAtOnceWhenInterrupted) {

@@ -68,6 +68,14 @@ Result<ReadInput> read_video_input(const sources::Input& input, const InputOptio
                                    const Work& work) {
   auto video = sources::read_video(input.files, work);
   if (!video) return video.error();
+  // Points are followed in windows of this size.
+  constexpr int kLeastSide = 32;
+  const auto& first = video->frames.front().picture;
+  if (std::min(first.width(), first.height()) < kLeastSide)
+    return invalid_input(
+        fmt::format("has pictures of {}; a model is found in pictures of at least {}",
+                    size_text(first.width(), first.height()), size_text(kLeastSide, kLeastSide)),
+        input.files.front().string());
   std::vector<Note> notes = input.notes;
   if (video->lost > 0) notes.push_back(note_on_lost(*video));
   const auto camera = camera_of(*video, options.calibration, notes, work);
