@@ -46,7 +46,10 @@ TEST(OpenDevice, GivesASimulatedHandTheOptionsOfItsAddress) {
 TEST(OpenDevice, ListsWhatItCanOpen) {
   const auto kinds = list_devices();
   ASSERT_GE(kinds.size(), 3U);
-  for (const auto& kind : kinds) EXPECT_EQ(kind.url.back(), ':');
+  for (const auto& kind : kinds) {
+    EXPECT_NE(kind.url.find(':'), std::string::npos);
+    EXPECT_EQ(kind.available, kind.note.empty()) << kind.url;
+  }
 }
 
 TEST(SimulatedHand, ReadsInStepsOfItsSensor) {

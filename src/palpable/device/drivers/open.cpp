@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/device/drivers/open.hpp"
 
+#include "palpable/device/force_dimension/force_dimension.hpp"
+#include "palpable/device/open_haptics/open_haptics.hpp"
 #include "palpable/device/pointer/pointer.hpp"
 #include "palpable/device/recording/replay.hpp"
 #include "palpable/device/simulated/simulated_hand.hpp"
@@ -20,9 +22,11 @@ struct Driver {
   std::string_view name;
   std::string_view description;
   bool is_virtual = false;
-  /// Where devices of this kind may be plugged in; null if it needs none.
-  std::vector<std::string> (*ports)() = nullptr;
+  /// Where devices of this kind may be plugged in, or why none can be; null if it needs none.
+  Result<std::vector<std::string>> (*ports)() = nullptr;
 };
+
+Result<std::vector<std::string>> serial_ports() { return two_diy_ports(); }
 
 constexpr std::array kDrivers{
     Driver{"pointer", open_pointer, "pointer", "The page's mouse, finger, pen or arrow keys; no motors.",
@@ -32,7 +36,15 @@ constexpr std::array kDrivers{
     Driver{"replay", open_replay, "replay", "Replays the movements of a recording: replay:FILE.", true},
     Driver{"2diy", open_two_diy, "Haply 2DIY",
            "A planar device on a serial port; hold its handle at home when a touch begins.", false,
-           two_diy_ports},
+           serial_ports},
+    Driver{
+        "forcedimension", open_force_dimension, "Force Dimension",
+        "An omega, delta or sigma, or a Novint Falcon, by the vendor's library libdhd; the handle moves by "
+        "itself when a touch begins.",
+        false, force_dimension_ports},
+    Driver{"touch", open_open_haptics, "3D Systems Touch, Phantom",
+           "By the vendor's library libHD; put the stylus into its well when a touch begins.", false,
+           open_haptics_ports},
 };
 
 Result<const Driver*> driver_of(const DeviceUrl& url) {
@@ -76,15 +88,17 @@ std::vector<DeviceKind> list_devices() {
                           std::string(driver.description),
                           true,
                           {}};
-    const auto ports = driver.ports == nullptr ? std::vector<std::string>{""} : driver.ports();
-    for (const std::string& port : ports) {
-      kinds.push_back(kind);
-      kinds.back().url += port;
+    const auto ports = driver.ports == nullptr ? Result(std::vector<std::string>{""}) : driver.ports();
+    if (ports && !ports->empty()) {
+      for (const std::string& port : *ports) {
+        kinds.push_back(kind);
+        kinds.back().url += port;
+      }
+      continue;
     }
-    if (!ports.empty()) continue;
     kinds.push_back(kind);
     kinds.back().available = false;
-    kinds.back().note = "none is plugged in";
+    kinds.back().note = ports ? "none is plugged in" : ports.error().message;
   }
   return kinds;
 }

@@ -1,0 +1,101 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/system/hand_off.hpp"
+#include "palpable/device/device.hpp"
+#include "palpable/device/open_haptics/hd_functions.hpp"
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace palpable::device {
+
+class DeviceUrl;
+struct OpenOptions;
+
+struct OpenHapticsOptions {
+  /// The name that the vendor's set-up program gave the device; empty: its default device.
+  std::string name;
+  /// Greatest force, N, 0.1 to 40; 0: the device's own limit as the library states it.
+  double max_force_N = 0.0;
+  /// Rate of the servo, Hz.
+  double rate_hz = 1000.0;
+};
+
+/// A device that 3D Systems' libHD drives (docs/devices.md): three axes, forces only. The library's own
+/// thread calls the driver about 1000 times per second. There the position is read and the newest force
+/// written; the servo's thread exchanges both with it without waiting. If the servo writes no force for
+/// kUnwritten calls, the driver writes zero: a hanging servo never holds a force.
+class OpenHaptics final : public Device {
+ public:
+  static constexpr int kUnwritten = 5;
+  /// Without a position for this long the position is stale; later the device has failed.
+  static constexpr double kStale_s = 0.008;
+  static constexpr double kSilent_s = 0.5;
+
+  /// Starts the library's thread. Errors (device): no device, or the library's own sentence.
+  static Result<std::unique_ptr<OpenHaptics>> open(const HdFunctions& hd, const OpenHapticsOptions& options);
+  ~OpenHaptics() override;
+
+  const Traits& traits() const noexcept override { return traits_; }
+  Reading read() noexcept override;
+  void write(Vector<DeviceFrame> force_N) noexcept override;
+  void stop() noexcept override;
+  std::string fault() const override;
+
+ private:
+  /// From the library's thread to the servo's.
+  struct State {
+    Vec3 position_mm;
+    std::uint32_t buttons = 0;
+    bool calibrated = false;
+  };
+  struct Command {
+    Vec3 force_N;
+    /// Value of cuts_ when it was written: a force that was written before a cut is not used after it.
+    std::uint32_t cuts = 0;
+  };
+
+  OpenHaptics(const HdFunctions& hd, unsigned handle, const OpenHapticsOptions& options);
+  static unsigned on_call(void* self);
+  void exchange() noexcept;
+  bool is_calibrated() noexcept;
+
+  HdFunctions hd_;
+  unsigned handle_;
+  unsigned long task_ = 0;
+  Traits traits_;
+  Vec3 centre_mm_;
+  double period_s_;
+
+  LatestValue<State> states_;
+  LatestValue<Command> commands_;
+  std::atomic<std::uint32_t> cuts_{0};
+  /// Value of cuts_ when the library's thread last wrote zero force.
+  std::atomic<std::uint32_t> zero_after_cuts_{0};
+  /// The last error that stopped the loop, 0 for none.
+  std::atomic<unsigned> error_{0};
+
+  // The library's thread only.
+  Command command_;
+  int unwritten_ = kUnwritten;
+  bool calibrated_ = false;
+  int until_calibration_check_ = 0;
+
+  // The servo's thread only.
+  State state_;
+  Reading reading_;
+  double since_state_s_ = 0.0;
+};
+
+/// Opens `touch:NAME?max-force=N&library=FILE`; without a name the default device. Errors: usage (options),
+/// device.
+Result<std::unique_ptr<Device>> open_open_haptics(DeviceUrl& url, const OpenOptions& options);
+
+/// One entry without a name: libHD cannot list its devices. Errors (device): the library is not installed.
+Result<std::vector<std::string>> open_haptics_ports();
+
+}  // namespace palpable::device

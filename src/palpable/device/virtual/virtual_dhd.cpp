@@ -1,0 +1,113 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// A double of Force Dimension's library for tests, with one device: each force moves its handle by 1 ms. The
+// virtual_dhd_ functions are for the test. All calls come from one thread.
+#include "palpable/device/virtual/moved_handle.hpp"
+
+#include <limits>
+
+namespace {
+
+using palpable::Vec3;
+using palpable::device::LibraryFault;
+
+struct VirtualDhd {
+  palpable::device::MovedHandle handle;
+  // In the vendor's frame: x towards the user, y to the right, z up.
+  Vec3 force_N;
+  bool enabled = false;
+  bool opened = false;
+  bool initialised = false;
+  LibraryFault fault = LibraryFault::none;
+  int buttons = 0;
+};
+
+VirtualDhd& the_device() {
+  static VirtualDhd device;
+  return device;
+}
+
+bool is_gone() {
+  const auto fault = the_device().fault;
+  return fault == LibraryFault::unplugged || fault == LibraryFault::absent;
+}
+
+}  // namespace
+
+extern "C" {
+
+int dhdGetDeviceCount() { return is_gone() ? 0 : 1; }
+
+int dhdOpenID(char index) {
+  if (is_gone() || index != 0) return -1;
+  the_device().opened = true;
+  return 0;
+}
+
+int dhdClose(char /*number*/) {
+  the_device().opened = false;
+  return 0;
+}
+
+int dhdStop(char /*number*/) {
+  the_device().force_N = {};
+  the_device().enabled = false;
+  return 0;
+}
+
+int dhdEnableForce(unsigned char on, char /*number*/) {
+  the_device().enabled = on != 0;
+  return is_gone() ? -1 : 0;
+}
+
+int dhdGetPosition(double* x, double* y, double* z, char /*number*/) {
+  const VirtualDhd& device = the_device();
+  if (is_gone() || device.fault == LibraryFault::unreadable) return -1;
+  Vec3 place = device.handle.measured_m();
+  if (device.fault == LibraryFault::not_finite) place.y = std::numeric_limits<double>::quiet_NaN();
+  if (device.fault == LibraryFault::far_away) place.x += 3.0;
+  *x = place.x;
+  *y = place.y;
+  *z = place.z;
+  return 0;
+}
+
+int dhdSetForce(double x, double y, double z, char /*number*/) {
+  VirtualDhd& device = the_device();
+  if (is_gone()) return -1;
+  device.force_N = {x, y, z};
+  device.handle.move(device.enabled ? device.force_N : Vec3{}, 0.001);
+  // "Sent too early" is an answer of the real library, and no error.
+  return 1;
+}
+
+int dhdGetButton(int button, char /*number*/) {
+  return (static_cast<unsigned>(the_device().buttons) >> static_cast<unsigned>(button)) & 1U ? 1 : 0;
+}
+
+double dhdGetMaxForce(char /*number*/) { return 12.0; }
+const char* dhdGetSystemName(char /*number*/) { return "omega.3"; }
+const char* dhdErrorGetLastStr() { return is_gone() ? "no device found" : ""; }
+
+int drdAutoInit(char /*number*/) {
+  if (the_device().fault == LibraryFault::uncalibrated) return -1;
+  the_device().initialised = true;
+  return 0;
+}
+
+void virtual_dhd_reset() { the_device() = VirtualDhd{}; }
+void virtual_dhd_inject(int fault) { the_device().fault = static_cast<LibraryFault>(fault); }
+void virtual_dhd_pull_to(double x, double y, double z) { the_device().handle.goal_m = {x, y, z}; }
+void virtual_dhd_press(int buttons) { the_device().buttons = buttons; }
+/// The force that the motors hold.
+void virtual_dhd_force(double* x, double* y, double* z) {
+  const VirtualDhd& device = the_device();
+  const Vec3 held = device.enabled && !is_gone() ? device.force_N : Vec3{};
+  *x = held.x;
+  *y = held.y;
+  *z = held.z;
+}
+int virtual_dhd_is_open() { return the_device().opened ? 1 : 0; }
+int virtual_dhd_is_initialised() { return the_device().initialised ? 1 : 0; }
+
+}  // extern "C"
