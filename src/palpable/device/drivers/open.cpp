@@ -3,6 +3,7 @@
 #include "palpable/device/drivers/open.hpp"
 
 #include "palpable/device/force_dimension/force_dimension.hpp"
+#include "palpable/device/inverse3/inverse3.hpp"
 #include "palpable/device/open_haptics/open_haptics.hpp"
 #include "palpable/device/pointer/pointer.hpp"
 #include "palpable/device/recording/replay.hpp"
@@ -42,6 +43,9 @@ constexpr std::array kDrivers{
         "An omega, delta or sigma, or a Novint Falcon, by the vendor's library libdhd; the handle moves by "
         "itself when a touch begins.",
         false, force_dimension_ports},
+    Driver{"inverse3", open_inverse3, "Haply Inverse3",
+           "Through its maker's service; hold the handle in the middle when a touch begins.", false,
+           inverse3_ports},
     Driver{"touch", open_open_haptics, "3D Systems Touch, Phantom",
            "By the vendor's library libHD; put the stylus into its well when a touch begins.", false,
            open_haptics_ports},

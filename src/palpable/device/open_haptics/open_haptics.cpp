@@ -9,7 +9,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <thread>
 #include <utility>
 
 namespace palpable::device {
@@ -23,6 +22,8 @@ constexpr Vec3 kUnknownTouchWorkspace_m{0.16, 0.12, 0.07};
 constexpr double kFarthestTouch_m = 0.6;
 /// How long closing waits for the library's thread.
 constexpr auto kPatience = std::chrono::milliseconds(20);
+/// Of the library's thread.
+constexpr double kCallPeriod_s = 0.001;
 /// Calls between two looks at the calibration while it is missing.
 constexpr int kCalibrationPause = 100;
 
@@ -90,10 +91,7 @@ Result<std::unique_ptr<OpenHaptics>> OpenHaptics::open(const HdFunctions& hd,
 OpenHaptics::~OpenHaptics() {
   stop();
   // The library's thread writes the zero; it is stopped only then, or if it does not run any more.
-  const auto until = std::chrono::steady_clock::now() + kPatience;
-  while (zero_after_cuts_.load(std::memory_order_acquire) != cuts_.load(std::memory_order_relaxed) &&
-         std::chrono::steady_clock::now() < until)
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  forces_.wait_for_zero(kPatience);
   hd_.hdStopScheduler();
   hd_.hdUnschedule(task_);
   hd_.hdMakeCurrentDevice(handle_);
@@ -132,14 +130,13 @@ void OpenHaptics::exchange() noexcept {
   hd_.hdGetIntegerv(hd::kButtons, &buttons);
   state.buttons = static_cast<std::uint32_t>(buttons);
 
-  unwritten_ = commands_.take(command_) ? 0 : std::min(unwritten_ + 1, kUnwritten);
-  const std::uint32_t cuts = cuts_.load(std::memory_order_acquire);
-  const bool is_valid = state.calibrated && unwritten_ < kUnwritten && command_.cuts == cuts;
-  const Vec3 force = is_valid ? command_.force_N : Vec3{};
+  auto taken = forces_.take(kCallPeriod_s);
+  taken.valid = taken.valid && state.calibrated;
+  const Vec3 force = taken.valid ? taken.force_N : Vec3{};
   const std::array<double, 3> written{force.x, force.y, force.z};
   hd_.hdSetDoublev(hd::kCurrentForce, written.data());
   hd_.hdEndFrame(handle_);
-  if (!is_valid) zero_after_cuts_.store(cuts, std::memory_order_release);
+  forces_.sent(taken);
 
   const HdError error = hd_.hdGetError();
   if (stops_the_loop(error.code)) {
@@ -170,10 +167,10 @@ Reading OpenHaptics::read() noexcept {
 
 void OpenHaptics::write(Vector<DeviceFrame> force_N) noexcept {
   const Vec3 force = reading_.status == Status::ok ? force_N.v : Vec3{};
-  commands_.put({force, cuts_.load(std::memory_order_acquire)});
+  forces_.put(force);
 }
 
-void OpenHaptics::stop() noexcept { cuts_.fetch_add(1, std::memory_order_acq_rel); }
+void OpenHaptics::stop() noexcept { forces_.cut(); }
 
 std::string OpenHaptics::fault() const {
   const unsigned code = error_.load(std::memory_order_relaxed);

@@ -5,6 +5,7 @@
 #include "palpable/core/system/hand_off.hpp"
 #include "palpable/device/device.hpp"
 #include "palpable/device/open_haptics/hd_functions.hpp"
+#include "palpable/device/transport/force_hand_off.hpp"
 
 #include <atomic>
 #include <memory>
@@ -27,11 +28,9 @@ struct OpenHapticsOptions {
 
 /// A device that 3D Systems' libHD drives (docs/devices.md): three axes, forces only. The library's own
 /// thread calls the driver about 1000 times per second. There the position is read and the newest force
-/// written; the servo's thread exchanges both with it without waiting. If the servo writes no force for
-/// kUnwritten calls, the driver writes zero: a hanging servo never holds a force.
+/// written; the servo's thread exchanges both with it without waiting (ForceHandOff).
 class OpenHaptics final : public Device {
  public:
-  static constexpr int kUnwritten = 5;
   /// Without a position for this long the position is stale; later the device has failed.
   static constexpr double kStale_s = 0.008;
   static constexpr double kSilent_s = 0.5;
@@ -53,12 +52,6 @@ class OpenHaptics final : public Device {
     std::uint32_t buttons = 0;
     bool calibrated = false;
   };
-  struct Command {
-    Vec3 force_N;
-    /// Value of cuts_ when it was written: a force that was written before a cut is not used after it.
-    std::uint32_t cuts = 0;
-  };
-
   OpenHaptics(const HdFunctions& hd, unsigned handle, const OpenHapticsOptions& options);
   static unsigned on_call(void* self);
   void exchange() noexcept;
@@ -72,16 +65,11 @@ class OpenHaptics final : public Device {
   double period_s_;
 
   LatestValue<State> states_;
-  LatestValue<Command> commands_;
-  std::atomic<std::uint32_t> cuts_{0};
-  /// Value of cuts_ when the library's thread last wrote zero force.
-  std::atomic<std::uint32_t> zero_after_cuts_{0};
+  ForceHandOff forces_;
   /// The last error that stopped the loop, 0 for none.
   std::atomic<unsigned> error_{0};
 
   // The library's thread only.
-  Command command_;
-  int unwritten_ = kUnwritten;
   bool calibrated_ = false;
   int until_calibration_check_ = 0;
 

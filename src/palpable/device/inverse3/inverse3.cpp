@@ -1,0 +1,287 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/device/inverse3/inverse3.hpp"
+
+#include "palpable/device/open_options.hpp"
+#include "palpable/device/transport/force_hand_off.hpp"
+#include "palpable/device/url.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/websocket.hpp>
+
+namespace palpable::device {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace websocket = boost::beast::websocket;
+using InverseClock = std::chrono::steady_clock;
+
+constexpr std::size_t kLongestMessage_bytes = 1U << 20U;
+constexpr auto kFirstState = std::chrono::seconds(2);
+/// How often the driver looks whether a force must be taken back while the service does not answer.
+constexpr auto kLook = std::chrono::milliseconds(1);
+constexpr auto kLeaving = std::chrono::milliseconds(20);
+/// Positions farther from the base than this are no positions of an Inverse3.
+constexpr double kFarthestInverse_m = 0.6;
+
+double seconds_between(InverseClock::time_point from, InverseClock::time_point to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
+}  // namespace
+
+/// The connection and its thread. Handlers run in that thread only.
+class Inverse3::Link {
+ public:
+  struct State {
+    Vec3 position_m;
+    bool ready = false;
+  };
+
+  explicit Link(const Inverse3Options& options) : options_(options), socket_(context_), timer_(context_) {}
+  ~Link();
+  Link(const Link&) = delete;
+  Link& operator=(const Link&) = delete;
+
+  /// Connects, and waits for the first position.
+  Result<State> start();
+
+  const std::string& filters() const { return filters_; }
+
+  LatestValue<State> states;
+  ForceHandOff forces;
+  std::atomic<bool> lost{false};
+
+ private:
+  void connect(beast::error_code& error);
+  void read();
+  void on_message(beast::error_code error, std::size_t bytes);
+  void follow(const Inverse3State& state);
+  void send();
+  void watch();
+
+  Inverse3Options options_;
+  asio::io_context context_;
+  websocket::stream<asio::ip::tcp::socket> socket_;
+  asio::steady_timer timer_;
+  beast::flat_buffer buffer_;
+  std::thread thread_;
+
+  std::string device_id_;
+  std::string filters_;
+  std::optional<Vec3> position_m_;
+  bool calibrated_ = true;
+  bool ready_ = true;
+  bool first_ = true;
+  bool listed_ = false;
+  bool writing_ = false;
+  /// Commands that were sent and not yet answered.
+  int awaited_ = 0;
+  std::string command_;
+  ForceHandOff::Taken in_flight_;
+  InverseClock::time_point last_take_ = InverseClock::now();
+};
+
+Inverse3::Link::~Link() {
+  if (thread_.joinable()) {
+    forces.cut();
+    forces.wait_for_zero(kLeaving);
+    context_.stop();
+    thread_.join();
+  }
+  beast::error_code ignored;
+  socket_.next_layer().close(ignored);
+}
+
+void Inverse3::Link::connect(beast::error_code& error) {
+  const asio::ip::tcp::endpoint service(asio::ip::address_v4::loopback(), options_.port);
+  socket_.next_layer().connect(service, error);
+  if (error) return;
+  socket_.next_layer().set_option(asio::ip::tcp::no_delay(true), error);
+  websocket::stream_base::timeout limits{};
+  limits.handshake_timeout = kFirstState;
+  limits.idle_timeout = websocket::stream_base::none();
+  socket_.set_option(limits);
+  socket_.read_message_max(kLongestMessage_bytes);
+  socket_.text(true);
+}
+
+Result<Inverse3::Link::State> Inverse3::Link::start() {
+  const std::string place = "inverse3:";
+  beast::error_code error;
+  connect(error);
+  if (error)
+    return Error{ErrorCode::device,
+                 "the service of the Inverse3 does not run on port " + std::to_string(options_.port) + " (" +
+                     error.message() + ")",
+                 place, Reason::device_silent};
+  socket_.async_handshake("localhost:" + std::to_string(options_.port), "/",
+                          [this](beast::error_code failed) {
+                            if (failed) return lost.store(true);
+                            read();
+                          });
+  const auto until = InverseClock::now() + kFirstState;
+  const auto may_answer = [&] { return !lost && !position_m_ && (!listed_ || !device_id_.empty()); };
+  while (may_answer() && InverseClock::now() < until) context_.run_for(std::chrono::milliseconds(20));
+  if (!position_m_)
+    return Error{ErrorCode::device,
+                 !device_id_.empty() ? "the Inverse3 gives no position; check its power"
+                 : options_.device_id.empty()
+                     ? "the service answers, but lists no Inverse3"
+                     : "the service lists no Inverse3 with the identifier " + options_.device_id,
+                 place, Reason::device_silent};
+  watch();
+  thread_ = std::thread([this] { context_.run(); });
+  return State{*position_m_, calibrated_ && ready_};
+}
+
+void Inverse3::Link::read() {
+  socket_.async_read(buffer_,
+                     [this](beast::error_code error, std::size_t bytes) { on_message(error, bytes); });
+}
+
+void Inverse3::Link::on_message(beast::error_code error, std::size_t /*bytes*/) {
+  if (error) return lost.store(true);
+  const auto data = buffer_.cdata();
+  const auto state =
+      parse_inverse3_state({static_cast<const char*>(data.data()), data.size()},
+                           device_id_.empty() ? std::string_view(options_.device_id) : device_id_);
+  // The first message lists all devices there are.
+  listed_ = true;
+  buffer_.consume(buffer_.size());
+  if (state) follow(*state);
+  awaited_ = std::max(0, awaited_ - 1);
+  // Without a device there is nothing to command; the next message may list one.
+  if (!device_id_.empty() && !writing_ && awaited_ == 0) send();
+  read();
+}
+
+void Inverse3::Link::follow(const Inverse3State& state) {
+  if (device_id_.empty()) {
+    device_id_ = state.device_id;
+    for (const auto& filter : state.filters) filters_ += (filters_.empty() ? "" : ", ") + filter;
+  }
+  calibrated_ = state.calibrated.value_or(calibrated_);
+  ready_ = state.ready.value_or(ready_);
+  if (!state.position_m || norm(*state.position_m) > kFarthestInverse_m) return;
+  position_m_ = *state.position_m;
+  states.put({*state.position_m, calibrated_ && ready_});
+}
+
+void Inverse3::Link::send() {
+  const auto now = InverseClock::now();
+  in_flight_ = forces.take(seconds_between(last_take_, now));
+  last_take_ = now;
+  in_flight_.valid = in_flight_.valid && calibrated_ && ready_;
+  const Vec3 force = in_flight_.valid ? in_flight_.force_N : Vec3{};
+  command_ = inverse3_command(device_id_, force, options_.form, std::exchange(first_, false));
+  writing_ = true;
+  ++awaited_;
+  socket_.async_write(asio::buffer(command_), [this](beast::error_code error, std::size_t) {
+    writing_ = false;
+    if (error) return lost.store(true);
+    forces.sent(in_flight_);
+  });
+}
+
+void Inverse3::Link::watch() {
+  timer_.expires_after(kLook);
+  timer_.async_wait([this](beast::error_code error) {
+    if (error) return;
+    // A service that does not answer is sent zero all the same, once the force is no longer valid.
+    const auto now = InverseClock::now();
+    if (!writing_ && !device_id_.empty() && !lost &&
+        seconds_between(last_take_, now) >= ForceHandOff::kUnwritten_s)
+      send();
+    watch();
+  });
+}
+
+Inverse3::Inverse3(std::unique_ptr<Link> link, const Inverse3Options& options)
+    : link_(std::move(link)), period_s_(1.0 / options.rate_hz) {
+  traits_.name = "Haply Inverse3";
+  if (!link_->filters().empty()) traits_.name += " (its service's filters: " + link_->filters() + ")";
+  // About the reach of its arms around the middle; no hardware has confirmed it.
+  traits_.workspace_m = {0.16, 0.12, 0.12};
+  traits_.max_force_N = options.max_force_N;
+  traits_.delay_samples = 2;
+  traits_.rate_hz = options.rate_hz;
+  reading_.status = Status::not_ready;
+}
+
+Result<std::unique_ptr<Inverse3>> Inverse3::open(const Inverse3Options& options) {
+  auto link = std::make_unique<Link>(options);
+  const auto first = link->start();
+  if (!first) return first.error();
+  std::unique_ptr<Inverse3> device(new Inverse3(std::move(link), options));
+  device->centre_m_ = first->position_m;
+  return device;
+}
+
+Inverse3::~Inverse3() = default;
+
+Reading Inverse3::read() noexcept {
+  since_answer_s_ += period_s_;
+  if (Link::State state; link_->states.take(state)) {
+    since_answer_s_ = 0.0;
+    const Vec3 moved = state.position_m - centre_m_;
+    reading_.position.v = {moved.x, moved.z, -moved.y};
+    reading_.status = state.ready ? Status::ok : Status::not_ready;
+  }
+  if (since_answer_s_ > kSilent_s || link_->lost.load(std::memory_order_relaxed))
+    reading_.status = Status::fault;
+  else if (since_answer_s_ > kStale_s)
+    reading_.status = Status::stale;
+  return reading_;
+}
+
+void Inverse3::write(Vector<DeviceFrame> force_N) noexcept {
+  const Vec3 force = reading_.status == Status::ok ? force_N.v : Vec3{};
+  link_->forces.put({force.x, -force.z, force.y});
+}
+
+void Inverse3::stop() noexcept { link_->forces.cut(); }
+
+std::string Inverse3::fault() const {
+  return link_->lost ? "the service of the Inverse3 closed the connection"
+                     : "the service of the Inverse3 does not answer any more";
+}
+
+Result<std::vector<std::string>> inverse3_ports() {
+  asio::io_context context;
+  asio::ip::tcp::socket socket(context);
+  beast::error_code error;
+  socket.connect({asio::ip::address_v4::loopback(), Inverse3Options{}.port}, error);
+  if (error) return Error{ErrorCode::device, "its service does not run", "inverse3:"};
+  return std::vector<std::string>{""};
+}
+
+Result<std::unique_ptr<Device>> open_inverse3(DeviceUrl& url, const OpenOptions& options) {
+  Inverse3Options wanted;
+  wanted.device_id = url.path();
+  wanted.port = static_cast<std::uint16_t>(url.take_count("port", wanted.port, 1, 65535));
+  wanted.max_force_N = url.take_number("max-force", wanted.max_force_N, 0.1, 40.0);
+  const std::string form = url.take_word("form", {"both", "vector", "values"});
+  wanted.form = form == "vector"   ? Inverse3Form::vector
+                : form == "values" ? Inverse3Form::values
+                                   : Inverse3Form::both;
+  wanted.rate_hz = options.rate_hz;
+  if (auto valid = url.finish(); !valid) return std::move(valid).error();
+  auto device = Inverse3::open(wanted);
+  if (!device) return std::move(device).error();
+  return std::unique_ptr<Device>(*std::move(device));
+}
+
+}  // namespace palpable::device
