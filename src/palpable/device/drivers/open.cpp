@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/device/drivers/open.hpp"
 
+#include "palpable/device/evdev/evdev.hpp"
 #include "palpable/device/force_dimension/force_dimension.hpp"
 #include "palpable/device/inverse3/inverse3.hpp"
 #include "palpable/device/open_haptics/open_haptics.hpp"
@@ -28,6 +29,7 @@ struct Driver {
 };
 
 Result<std::vector<std::string>> serial_ports() { return two_diy_ports(); }
+Result<std::vector<std::string>> joysticks() { return evdev_ports(); }
 
 constexpr std::array kDrivers{
     Driver{"pointer", open_pointer, "pointer", "The page's mouse, finger, pen or arrow keys; no motors.",
@@ -49,6 +51,8 @@ constexpr std::array kDrivers{
     Driver{"touch", open_open_haptics, "3D Systems Touch, Phantom",
            "By the vendor's library libHD; put the stylus into its well when a touch begins.", false,
            open_haptics_ports},
+    Driver{"evdev", open_evdev, "joystick or gamepad",
+           "With force feedback, in the plane; gamepads only rumble.", false, joysticks},
 };
 
 Result<const Driver*> driver_of(const DeviceUrl& url) {
