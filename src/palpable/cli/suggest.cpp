@@ -14,6 +14,8 @@ std::optional<std::string> suggestion(std::string_view typed, std::span<const st
   std::optional<std::string> best;
   std::size_t fewest = std::max<std::size_t>(1, typed.size() / 3) + 1;
   for (const std::string& word : known) {
+    // The difference of lengths alone may be too large.
+    if (std::max(word.size(), typed.size()) - std::min(word.size(), typed.size()) >= fewest) continue;
     const std::size_t edits = edit_distance(typed, word);
     if (edits < fewest) {
       fewest = edits;
