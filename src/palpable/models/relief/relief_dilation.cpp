@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/models/relief/relief_dilation.hpp"
 
-#include "palpable/core/numbers/vectorize.hpp"
+#include "palpable/models/relief/ball_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <vector>
 
 namespace palpable::models {
@@ -17,16 +16,6 @@ struct TouchOffset {
   double right = 0.0;
   double up = 0.0;
 };
-
-/// best[x] = max(best[x], from[x] + rise); `which` stores the offset of the maximum.
-PALPABLE_VECTORIZE void raise(float* best, std::int32_t* which, const float* from, int count, float rise,
-                              std::int32_t offset) {
-  for (int x = 0; x < count; ++x) {
-    const float risen = from[x] + rise;
-    which[x] = risen > best[x] ? offset : which[x];
-    best[x] = std::max(best[x], risen);
-  }
-}
 
 /// The spline's heights at its samples.
 Raster<float> heights_at_samples(const Relief& relief) {
@@ -129,26 +118,6 @@ Raster<float> control_values_for(const Raster<float>& heights, double most_bent)
   return values;
 }
 
-/// The greatest heights among the samples below the ball, and their offsets.
-void find_offsets(const Raster<float>& heights, double reach, int y, float* best, std::int32_t* which,
-                  std::vector<float>& padded) {
-  const int r = static_cast<int>(std::floor(reach));
-  const int w = heights.width();
-  const int h = heights.height();
-  for (int dy = -r; dy <= r; ++dy) {
-    const auto row = heights.row(std::clamp(y + dy, 0, h - 1));
-    std::copy(row.begin(), row.end(), padded.begin() + r);
-    std::fill_n(padded.begin(), r, row.front());
-    std::fill_n(padded.end() - r, r, row.back());
-    const int chord = static_cast<int>(std::floor(std::sqrt(reach * reach - dy * dy)));
-    for (int dx = -chord; dx <= chord; ++dx) {
-      const double rise = std::sqrt(std::max(0.0, reach * reach - dx * dx - dy * dy));
-      raise(best, which, padded.data() + r + dx, w, static_cast<float>(rise),
-            (dy + r) * (2 * r + 1) + dx + r);
-    }
-  }
-}
-
 }  // namespace
 
 Raster<float> dilate_by_ball(const Relief& relief, double radius_m, const Work& work) {
@@ -157,22 +126,17 @@ Raster<float> dilate_by_ball(const Relief& relief, double radius_m, const Work& 
   // Heights in pixels, so that the search over samples uses one unit.
   Raster<float> heights = heights_at_samples(relief);
   for (float& z : heights.values()) z = static_cast<float>(z / pixel_m);
-  const double reach = radius_m / pixel_m;
-  const int r = static_cast<int>(std::floor(reach));
-  const int side = 2 * r + 1;
+  const BallContacts contacts(heights, radius_m / pixel_m);
   const int w = heights.width();
   const int h = heights.height();
   Raster<float> centre(w, h);
   parallel_for(work, h, 8, [&](int begin, int end) {
-    std::vector<float> padded(static_cast<std::size_t>(w + 2 * r));
-    std::vector<float> best(static_cast<std::size_t>(w));
-    std::vector<std::int32_t> which(static_cast<std::size_t>(w));
+    std::vector<ContactOffset> found(static_cast<std::size_t>(w));
     for (int y = begin; y < end; ++y) {
-      std::fill(best.begin(), best.end(), -1e30F);
-      find_offsets(heights, reach, y, best.data(), which.data(), padded);
+      contacts.find_row(y, found);
       for (int x = 0; x < w; ++x) {
-        const int found = which[static_cast<std::size_t>(x)];
-        const TouchOffset offset{1.0 * (found % side - r), -1.0 * (found / side - r)};
+        const ContactOffset contact = found[static_cast<std::size_t>(x)];
+        const TouchOffset offset{1.0 * contact.right, -1.0 * contact.down};
         centre(x, y) = static_cast<float>(centre_height(relief, radius_m, (x - 0.5 * (w - 1)) * pixel_m,
                                                         (0.5 * (h - 1) - y) * pixel_m, offset));
       }

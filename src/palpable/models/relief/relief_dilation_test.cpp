@@ -46,6 +46,20 @@ TEST(DilateByBall, RaisesLevelGroundByTheRadius) {
   for (const float z : raised.values()) EXPECT_NEAR(z, 0.005, 1e-7);
 }
 
+// The time was once proportional to the square of the radius: minutes for a relief of this size.
+TEST(DilateByBall, TakesTheLargestBallOnALargeRelief) {
+  const auto raised = dilate_by_ball(
+      relief_of_heights(1200, 800, [](double x) { return 0.002 * std::sin(2000.0 * x); }), 0.02, {});
+  // The ball rests on two crests, 3.1 mm apart; the spline lowers them by a sixth of the second differences.
+  float lowest = 1.0F, highest = 0.0F;
+  for (int x = 300; x < 900; ++x) {
+    lowest = std::min(lowest, raised(x, 400));
+    highest = std::max(highest, raised(x, 400));
+  }
+  EXPECT_NEAR(highest, 0.022, 6e-5);
+  EXPECT_NEAR(lowest, 0.022 - 6.2e-5, 6e-5);
+}
+
 TEST(DilateByBall, RollsOverSlopesWithinAMicrometre) {
   for (const double radius_m : {0.0005, 0.001, 0.003}) {
     for (auto* z : {+[](double x) { return 0.5 * x; }, +[](double x) { return 1.3 * x; },
