@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/streets/street_relief.hpp"
 
+#include "palpable/core/text/figure.hpp"
 #include "palpable/sculpt/streets/map_areas.hpp"
 #include "palpable/sculpt/streets/map_grid.hpp"
 #include "palpable/sculpt/streets/mask_shapes.hpp"
@@ -233,6 +234,25 @@ void mark_junctions(const StreetMap& map, const MapGrid& grid, const StreetRelie
   }
 }
 
+/// The map's samples, none finer than a hand can feel: what is on a small plate is as large as on a large
+/// one, so that finer samples would only take memory and time. Errors: usage, for a plate without room for
+/// two streets.
+Result<MapGrid> grid_with_room(const StreetMap& map, const StreetReliefOptions& options) {
+  constexpr double kFinest_m = 20e-6;
+  const MapGrid wanted = map_grid(map, options.width_m, options.height_m, options.samples);
+  const double longer_m = std::max(wanted.columns, wanted.rows) / wanted.of_metre;
+  const double least_m = 2.0 * options.narrowest_street_m + options.rules.least_gap_m;
+  if (!(longer_m >= least_m))
+    return Error{ErrorCode::usage,
+                 "a map of " + figure(1000.0 * longer_m) +
+                     " mm has no room for two streets beside each other, which take " +
+                     figure(1000.0 * least_m) + " mm",
+                 {},
+                 Reason::map_too_dense};
+  const int samples = std::min(options.samples, static_cast<int>(std::ceil(longer_m / kFinest_m)));
+  return map_grid(map, options.width_m, options.height_m, samples);
+}
+
 }  // namespace
 
 std::vector<Parameter> parameters_of(MergedGrooveOptions& o) {
@@ -309,7 +329,9 @@ Result<StreetRelief> relief_from_street_map(const StreetMap& map, const StreetRe
   if (auto valid = check(options); !valid) return valid.error();
   if (map.streets.empty() || map.width_px < 1 || map.height_px < 1)
     return invalid_input("the map has no streets");
-  const MapGrid grid = map_grid(map, options.width_m, options.height_m, options.samples);
+  const auto sampled = grid_with_room(map, options);
+  if (!sampled) return sampled.error();
+  const MapGrid& grid = *sampled;
   const GrooveWidths widths{options.narrowest_street_m, options.widest_street_m};
   StreetSelection selection = select_streets(map, grid, widths, options.rules, options.selection);
   NearestStreet nearest = nearest_streets(map, grid, widths, selection.felt);

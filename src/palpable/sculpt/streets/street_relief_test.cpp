@@ -111,5 +111,21 @@ TEST(StreetRelief, RefusesMapsWithoutStreetsAndSizesThatNoHandCouldFollow) {
   EXPECT_FALSE(relief_from_street_map(small_map(), options));
 }
 
+// The shapes of a map have the size of a finger, so the samples of a plate of 1 mm were a micrometre apart
+// and took 1.5 GB.
+TEST(StreetRelief, RefusesAPlateWithoutRoomForStreetsAndSamplesASmallOneNoFinerThanIsFelt) {
+  StreetReliefOptions options;
+  options.width_m = options.height_m = 0.001;
+  const auto refused = relief_from_street_map(small_map(), options);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::usage);
+  EXPECT_EQ(refused.error().message,
+            "a map of 1 mm has no room for two streets beside each other, which take 9 mm");
+  options.width_m = options.height_m = 0.01;
+  const auto made = relief_from_street_map(small_map(), options);
+  ASSERT_TRUE(made) << made.error().sentence();
+  EXPECT_GE(made->relief.pixel_m(), 19.9e-6);
+}
+
 }  // namespace
 }  // namespace palpable::sculpt
