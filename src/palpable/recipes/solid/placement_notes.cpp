@@ -28,11 +28,8 @@ std::string unit_text(double unit_mm) {
 
 }  // namespace
 
-std::vector<Note> rounding_notes(const sculpt::Box& box) {
-  double farthest = 0.0;
-  for (const Vec3 corner : {box.least_m, box.most_m})
-    farthest = std::max({farthest, std::abs(corner.x), std::abs(corner.y), std::abs(corner.z)});
-  const double share = farthest * std::numeric_limits<float>::epsilon() / norm(box.size_m());
+std::vector<Note> rounding_notes(const sculpt::Box& box, double step) {
+  const double share = step / norm(box.size_m());
   constexpr double kFelt = 1e-4;
   if (!(share > kFelt)) return {};
   return {

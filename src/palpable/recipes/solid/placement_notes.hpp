@@ -15,7 +15,9 @@ std::vector<Note> placement_notes(const sculpt::Placement& placement, const scul
                                   const sculpt::PlacementOptions& options);
 
 /// A note for the user if a mesh in `box` is so far from the origin of its coordinates, as projected map
-/// coordinates are, that single precision rounds its shape by more than 0.01 %. Else empty.
-std::vector<Note> rounding_notes(const sculpt::Box& box);
+/// coordinates are, that their rounding to `step` (mesh_surface_check.hpp) changes its shape by more than
+/// 0.01
+/// %. Else empty.
+std::vector<Note> rounding_notes(const sculpt::Box& box, double step);
 
 }  // namespace palpable::recipes

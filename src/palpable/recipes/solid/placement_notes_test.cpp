@@ -32,7 +32,9 @@ TEST(PlacementNotes, SayTheSizeOfAnyUnit) {
 }
 
 TEST(PlacementNotes, SayThatAMeshIsRoundedFarFromItsOrigin) {
-  const auto notes_at = [](double x) { return rounding_notes({{x, 0, 0}, {x + 10, 10, 10}}); };
+  const auto notes_at = [](double x) {
+    return rounding_notes({{x, 0, 0}, {x + 10, 10, 10}}, 1.2e-7 * (x + 10));
+  };
   EXPECT_TRUE(notes_at(0.0).empty());
   EXPECT_TRUE(notes_at(1e4).empty());
   // A house in projected map coordinates: steps of half a metre.

@@ -3,6 +3,7 @@
 #include "palpable/recipes/solid/sheet_recipe.hpp"
 
 #include "palpable/core/text/figure.hpp"
+#include "palpable/recipes/solid/mesh_surface_check.hpp"
 #include "palpable/recipes/solid/placement_notes.hpp"
 
 #include <algorithm>
@@ -50,6 +51,7 @@ AxisDirection towards_person(const Mesh& mesh, const sculpt::Placement& automati
 Result<MadeScene> relief_from_mesh(Mesh mesh, const SheetRecipe& recipe, const Work& work) {
   const std::size_t unplaced = drop_unplaced(mesh);
   if (mesh.triangles.empty()) return invalid_input("is a mesh without a finite triangle");
+  if (auto has_surface = check_surface(mesh); !has_surface) return std::move(has_surface).error();
   const sculpt::Box box = sculpt::bounds_of(mesh);
   sculpt::PlacementOptions fit = recipe.placement;
   if (!fit.size_m) fit.size_m = kDefaultSize_m;

@@ -3,6 +3,7 @@
 #include "palpable/recipes/solid/solid.hpp"
 
 #include "palpable/core/system/memory.hpp"
+#include "palpable/recipes/solid/mesh_surface_check.hpp"
 #include "palpable/recipes/solid/placement_notes.hpp"
 #include "palpable/sculpt/solid/mesh_solid.hpp"
 #include "palpable/sculpt/solid/superquadric_source.hpp"
@@ -47,14 +48,16 @@ models::SolidPose pose_of(const sculpt::Placement& placement) {
 Result<Placed> place_mesh(Mesh& mesh, const sculpt::PlacementOptions& options) {
   const auto box = box_of(mesh);
   if (!box) return box.error();
+  if (auto has_surface = check_surface(mesh); !has_surface) return std::move(has_surface).error();
   const AxisDirection up = options.up.value_or(options.convention.up);
   const auto placement = sculpt::placement_of(*box, options, sculpt::level_share(mesh, up));
   if (!placement) return placement.error();
   const SceneFromInput& transform = placement->scene_from_input;
+  const double step = coordinate_step(mesh);
   if (placement->fitted)
     for (Vec3& v : mesh.vertices_m) v = (transform * Point<models::InputFrame>{v}).v;
   auto notes = placement_notes(*placement, *box, options);
-  for (Note& note : rounding_notes(*box)) notes.push_back(std::move(note));
+  for (Note& note : rounding_notes(*box, step)) notes.push_back(std::move(note));
   return Placed{transform, pose_of(*placement), std::move(notes)};
 }
 
