@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/device/recording/traits_json.hpp"
 
+#include "palpable/core/text/json_integer.hpp"
+
 #include <cmath>
 #include <string_view>
 
@@ -34,8 +36,8 @@ constexpr TraitNumber kTraitNumbers[]{
 Traits traits_from(const Json& json) {
   Traits traits;
   traits.name = json.at("name").get<std::string>();
-  traits.degrees_of_freedom = json.at("degrees_of_freedom").get<int>();
-  traits.delay_samples = json.at("delay_samples").get<int>();
+  traits.degrees_of_freedom = integer_from<int>(json.at("degrees_of_freedom"));
+  traits.delay_samples = integer_from<int>(json.at("delay_samples"));
   traits.pushes_back = json.at("pushes_back").get<bool>();
   traits.has_torque = json.at("has_torque").get<bool>();
   const auto& work = json.at("workspace_m");

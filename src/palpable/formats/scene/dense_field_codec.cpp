@@ -1,5 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include "palpable/core/text/json_integer.hpp"
 #include "palpable/formats/packing/float_block.hpp"
 #include "palpable/formats/scene/model_codec.hpp"
 #include "palpable/formats/scene/solid_field_json.hpp"
@@ -52,7 +53,7 @@ Result<models::Model> read_dense_field(const nlohmann::json& description, const 
   models::Lattice lattice;
   lattice.origin_m = vec3_from(description.at("origin_m"));
   lattice.spacing_m = description.at("spacing_m").get<double>();
-  lattice.counts = description.at("counts").get<std::array<int, 3>>();
+  lattice.counts = three_integers_from<int>(description.at("counts"));
   const auto content_name = description.at("content").get<std::string>();
   if (content_name != kDistance && content_name != kDistanceAndForce)
     return invalid_input("holds a dense field of '" + content_name + "', which is not known here");

@@ -1,5 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include "palpable/core/text/json_integer.hpp"
 #include "palpable/formats/packing/byte_block.hpp"
 #include "palpable/formats/scene/field_streams.hpp"
 #include "palpable/formats/scene/model_codec.hpp"
@@ -62,18 +63,18 @@ Result<void> write_field(const models::Field& field, nlohmann::json& description
 Result<models::Model> read_field(const nlohmann::json& description, const ZipMembers& members) {
   const auto member = members.find(description.at("cells").get<std::string>());
   if (member == members.end()) return invalid_input("lacks the cells of its field");
-  const int layout = description.at("layout").get<int>();
+  const int layout = integer_from<int>(description.at("layout"));
   if (layout != kLayout && layout != kLayoutBefore)
     return invalid_input("holds a field in a layout that is not known here: make it again");
   FieldGrid grid;
   grid.origin_m = vec3_from(description.at("origin_m"));
   grid.cell_m = description.at("cell_m").get<double>();
-  grid.levels = description.at("levels").get<int>();
-  grid.roots = description.at("roots").get<std::array<int, 3>>();
+  grid.levels = integer_from<int>(description.at("levels"));
+  grid.roots = three_integers_from<int>(description.at("roots"));
   if (grid.levels < 0 || grid.levels > 10) return damaged();
   for (const int n : grid.roots)
     if (n < 1 || n > (1 << 20)) return damaged();
-  const auto sizes = description.at("parts").get<std::vector<std::size_t>>();
+  const auto sizes = integers_from<std::size_t>(description.at("parts"));
   if (sizes.size() != (layout == kLayout ? FieldStreams::kCount : FieldStreams::kCountBefore))
     return damaged();
   FieldStreams streams;

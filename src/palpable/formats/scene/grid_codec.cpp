@@ -1,5 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include "palpable/core/text/json_integer.hpp"
 #include "palpable/formats/packing/byte_block.hpp"
 #include "palpable/formats/scene/model_codec.hpp"
 
@@ -36,7 +37,7 @@ Result<void> write_grid(const models::Grid& grid, nlohmann::json& description, Z
 
 Result<models::Model> read_grid(const nlohmann::json& description, const ZipMembers& members) {
   models::Occupancy o;
-  o.counts = description.at("counts").get<std::array<int, 3>>();
+  o.counts = three_integers_from<int>(description.at("counts"));
   double points = 1.0;
   for (const int count : o.counts) {
     if (count < 2) return invalid_input("states a grid without extent");

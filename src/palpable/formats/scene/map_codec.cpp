@@ -3,6 +3,7 @@
 #include "palpable/formats/scene/map_codec.hpp"
 
 #include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/text/json_integer.hpp"
 #include "palpable/core/text/plain_text.hpp"
 
 #include <algorithm>
@@ -70,15 +71,15 @@ bool is_valid(const StreetMap& map) {
 
 Result<StreetMap> map_from(const nlohmann::json& j) {
   StreetMap map;
-  map.width_px = j.at("width_px").get<int>();
-  map.height_px = j.at("height_px").get<int>();
+  map.width_px = integer_from<int>(j.at("width_px"));
+  map.height_px = integer_from<int>(j.at("height_px"));
   map.metres_per_px = j.value("metres_per_px", 0.0);
   for (const nlohmann::json& s : j.at("streets"))
     map.streets.push_back({plain_name(s.value("name", std::string())), s.at("width_px").get<double>(),
                            points_from(s.at("points_px")), s.value("felt", true)});
   for (const nlohmann::json& c : j.at("crossings"))
     map.junctions.push_back({{c.at("x_px").get<double>(), c.at("y_px").get<double>()},
-                             c.at("degree").get<int>(),
+                             integer_from<int>(c.at("degree")),
                              c.value("roundabout", false)});
   for (const auto& [kind, key] : kAreaLists)
     for (const nlohmann::json& a : j.at(key)) map.areas.push_back({kind, points_from(a.at("outline_px"))});

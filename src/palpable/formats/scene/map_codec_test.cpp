@@ -51,6 +51,18 @@ TEST(MapCodec, ReadsNamesAsTheyAreShown) {
   EXPECT_EQ(read->labels.size(), 1U);
 }
 
+// The JSON library's own conversion to int is undefined for the first, and makes 300 of the second.
+TEST(MapCodec, RefusesSizesThatAreNoWholeNumbersInRange) {
+  const std::string whole(as_text(encode_street_map(example_map())));
+  const auto at = whole.find("\"width_px\":300");
+  ASSERT_NE(at, std::string::npos);
+  for (const char* wrong : {"3e77", "4294967596", "300.5", "-300", "\"300\"", "null", "[300]"}) {
+    std::string text = whole;
+    text.replace(at, 14, std::string("\"width_px\":") + wrong);
+    EXPECT_FALSE(decode_street_map(as_bytes(text))) << wrong;
+  }
+}
+
 TEST(MapCodec, RefusesDamagedMaps) {
   const Bytes whole = encode_street_map(example_map());
   EXPECT_FALSE(decode_street_map(std::span(whole).first(whole.size() / 2)));

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/core/picture/image.hpp"
+#include "palpable/core/text/json_integer.hpp"
 #include "palpable/formats/packing/float_block.hpp"
 #include "palpable/formats/scene/model_codec.hpp"
 
@@ -29,8 +30,8 @@ Result<void> write_relief(const models::Relief& relief, nlohmann::json& descript
 }
 
 Result<models::Model> read_relief(const nlohmann::json& description, const ZipMembers& members) {
-  const auto columns = description.at("columns").get<std::int64_t>();
-  const auto rows = description.at("rows").get<std::int64_t>();
+  const auto columns = integer_from<std::int64_t>(description.at("columns"));
+  const auto rows = integer_from<std::int64_t>(description.at("rows"));
   if (auto size = check_picture_size(columns, rows); !size) return std::move(size).error();
   const auto member = members.find(description.at("heights").get<std::string>());
   if (member == members.end()) return invalid_input("lacks the heights of its relief");

@@ -6,6 +6,7 @@
 #include "palpable/core/files/byte_reader.hpp"
 #include "palpable/core/files/read_file.hpp"
 #include "palpable/core/geometry/street_map.hpp"
+#include "palpable/core/text/json_integer.hpp"
 #include "palpable/formats/picture/jpeg.hpp"
 #include "palpable/formats/picture/png.hpp"
 #include "palpable/formats/scene/map_codec.hpp"
@@ -97,8 +98,8 @@ Result<Raster<std::uint8_t>> labels_from(const Bytes& member) {
 }
 
 Result<void> check_version(const json& description, SceneFile& out) {
-  const int major = description.at("version").at("major").get<int>();
-  const int minor = description.at("version").at("minor").get<int>();
+  const int major = integer_from<int>(description.at("version").at("major"));
+  const int minor = integer_from<int>(description.at("version").at("minor"));
   out.version = std::to_string(major) + "." + std::to_string(minor);
   if (major != kMajor)
     return invalid_input("is a scene of format version " + out.version + ", but this program reads version " +

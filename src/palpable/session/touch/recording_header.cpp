@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/touch/recording_header.hpp"
 
+#include "palpable/core/text/json_integer.hpp"
 #include "palpable/device/recording/traits_json.hpp"
 #include "palpable/haptics/safety/passivity.hpp"
 #include "palpable/haptics/tick/velocity.hpp"
@@ -59,7 +60,7 @@ haptics::TickOptions tick_from_json(const HeaderJson& json) {
     if (value == json.end()) continue;
     tick.*number.value = value->is_null() ? std::numeric_limits<double>::infinity() : value->get<double>();
   }
-  tick.glitch_readings = json.at("glitch_readings").get<int>();
+  tick.glitch_readings = integer_from<int>(json.at("glitch_readings"));
   tick.passivity = json.at("passivity").get<std::string>() == "observe" ? haptics::Passivity::observe
                                                                         : haptics::Passivity::control;
   return tick;
@@ -75,9 +76,9 @@ HeaderJson estimator_json() {
 
 RecordedSession session_from_json(const HeaderJson& json, const std::string& text) {
   RecordedSession session;
-  session.format = json.value("format", 1);
+  session.format = json.contains("format") ? integer_from<int>(json.at("format")) : 1;
   session.made_by = json.value("made_by", "");
-  session.seed = json.value("seed", std::uint64_t{1});
+  session.seed = json.contains("seed") ? integer_from<std::uint64_t>(json.at("seed")) : 1;
   session.rate_hz = json.value("rate_hz", 1000.0);
   session.as_published = json.value("as_published", "");
   session.device_name = json.value("device", "");

@@ -3,6 +3,7 @@
 #include "palpable/cli/arguments/scene_argument.hpp"
 #include "palpable/cli/command.hpp"
 #include "palpable/core/geometry/street_map.hpp"
+#include "palpable/core/text/json_integer.hpp"
 #include "palpable/measure/street_map_score.hpp"
 
 #include <fstream>
@@ -20,8 +21,8 @@ struct MapArguments {
 /// Throws the parser's exceptions for another form.
 measure::TrueStreetMap true_map_of(const Json& json) {
   measure::TrueStreetMap out;
-  out.width_px = json.at("width").get<int>();
-  out.height_px = json.at("height").get<int>();
+  out.width_px = integer_from<int>(json.at("width"));
+  out.height_px = integer_from<int>(json.at("height"));
   for (const Json& street : json.at("streets")) {
     measure::TrueStreet way;
     way.kind = street.at("highway").get<std::string>();
