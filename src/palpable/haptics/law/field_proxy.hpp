@@ -8,6 +8,7 @@
 #include "palpable/haptics/proxy/surface_proxy.hpp"
 #include "palpable/models/field/distance_sample.hpp"
 #include "palpable/models/field/distance_surface.hpp"
+#include "palpable/models/field/outside_box.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -134,8 +135,9 @@ class FieldProxyLaw : public ContactLaw<Surface> {
   static constexpr double kTolerance_m = 1e-6;
   /// Shorter steps are not tried.
   static constexpr double kShortest_m = 1e-7;
-  /// A field's gradient is within a few per cent of 1.
-  static constexpr double kSafe = 0.95;
+  /// The share of a field's distance that is certainly clear: far from the surface its gradient may be a
+  /// fifth longer than 1.
+  static constexpr double kSafe = 0.8;
   /// Cosine between the proxy's normal and that of the far face of a wall.
   static constexpr double kFarFace = -0.5;
   /// Cosine between the normals of places half a cell apart on one face.
@@ -152,6 +154,18 @@ class FieldProxyLaw : public ContactLaw<Surface> {
   models::DistanceSample sample(Vec3 place_m) const noexcept {
     const models::FieldSample s = this->surface().sample({place_m});
     return {s.distance_m - radius_m_, s.gradient.v};
+  }
+
+  /// A lower bound of the distance `distance_m` that sample() gave at a place. Outside a field's box what it
+  /// gives is an upper bound.
+  double certain_m(Vec3 place_m, double distance_m) const noexcept {
+    if constexpr (requires(const Surface& s) { s.origin_m(), s.size_m(); }) {
+      const Vec3 place = place_m - this->surface().origin_m();
+      const Vec3 size = this->surface().size_m();
+      if (models::nearest_in_box(place, size) != place)
+        return models::least_outside_box(place, size, distance_m + radius_m_) - radius_m_;
+    }
+    return distance_m;
   }
 
   /// Moves a point near the surface onto it along the gradient (Newton's method). `normal`: in, the normal at
@@ -180,9 +194,9 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     proxy.place_m = hand_m;
     proxy.hand_m = hand_m;
     proxy.phase = FieldProxy::Phase::free;
-    proxy.clearance_m = sample(hand_m).distance_m;
-    if (proxy.clearance_m >= 0.0) return;
-    proxy.clearance_m = 0.0;
+    const double distance_m = sample(hand_m).distance_m;
+    proxy.clearance_m = std::max(0.0, certain_m(hand_m, distance_m));
+    if (distance_m >= 0.0) return;
     int evaluations = kSettling;
     if (settle(proxy.place_m, proxy.normal, evaluations)) proxy.phase = FieldProxy::Phase::touching;
   }
@@ -253,9 +267,10 @@ class FieldProxyLaw : public ContactLaw<Surface> {
       const models::DistanceSample s = sample(b);
       const double stretch_m = (next - clear) * length_m;
       const bool is_short = piece <= shortest;
-      if (s.distance_m >= 0.0 && (is_short || stretch_m < kSafe * (proxy.clearance_m + s.distance_m))) {
+      const double clear_m = std::max(0.0, certain_m(b, s.distance_m));
+      if (s.distance_m >= 0.0 && (is_short || stretch_m < kSafe * (proxy.clearance_m + clear_m))) {
         clear = next;
-        proxy.clearance_m = s.distance_m;
+        proxy.clearance_m = clear_m;
       } else if (is_short) {
         meet(from + clear * way, b, s, clear == 0.0, proxy);
         return true;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/models/field/dense_field.hpp"
 
+#include "palpable/models/field/outside_box.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -54,15 +56,9 @@ bool DenseField::contains(Point<SceneFrame> place) const noexcept {
 }
 
 FieldSample DenseField::sample(Point<SceneFrame> place) const noexcept {
-  const Vec3 size = lattice_.size_m(), p = place.v - lattice_.origin_m;
-  const Vec3 held{std::clamp(p.x, 0.0, size.x), std::clamp(p.y, 0.0, size.y), std::clamp(p.z, 0.0, size.z)};
-  DistanceSample s = inside(held / lattice_.spacing_m);
-  const Vec3 way = p - held;
-  const double way_m = norm(way);
-  if (way_m > 0.0) {
-    s.distance_m += way_m;
-    s.gradient = way / way_m;
-  }
+  const Vec3 p = place.v - lattice_.origin_m;
+  const auto at = [this](Vec3 held_m) noexcept { return inside(held_m / lattice_.spacing_m); };
+  const DistanceSample s = contains(place) ? at(p) : outside_box(p, lattice_.size_m(), at);
   return {s.distance_m, {s.gradient}};
 }
 

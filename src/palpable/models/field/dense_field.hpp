@@ -64,8 +64,7 @@ class DenseField {
   static Result<DenseField> from(const Lattice& lattice, DenseContent content, std::vector<float> values,
                                  const FieldErrors& errors);
 
-  /// At any finite position. Outside the lattice: the distance at the nearest point of its box plus the
-  /// distance to that point. Tick path.
+  /// At any finite position; outside the lattice by outside_box(). Tick path.
   FieldSample sample(Point<SceneFrame> place) const noexcept;
 
   bool contains(Point<SceneFrame> place) const noexcept;

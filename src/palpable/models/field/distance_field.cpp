@@ -3,6 +3,7 @@
 #include "palpable/models/field/distance_field.hpp"
 
 #include "palpable/models/field/field_leaf.hpp"
+#include "palpable/models/field/outside_box.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -261,26 +262,28 @@ DistanceSample DistanceField::leaf_sample(const Leaf& leaf, Vec3 cells) const no
 
 FieldSample DistanceField::sample(Point<SceneFrame> place) const noexcept {
   const Vec3 wanted = cells_per_m_ * (place.v - grid_.origin_m);
-  const auto held = [](double v, int n) { return v > 0.0 ? (v < n ? v : static_cast<double>(n)) : 0.0; };
+  const auto within = [](double v, int n) { return v >= 0.0 && v <= n; };
+  if (within(wanted.x, grid_.cells(0)) && within(wanted.y, grid_.cells(1)) &&
+      within(wanted.z, grid_.cells(2))) {
+    const DistanceSample s = inside(wanted);
+    return {s.distance_m, {s.gradient}};
+  }
+  const auto at = [this](Vec3 held_m) noexcept { return inside(cells_per_m_ * held_m); };
+  const DistanceSample s = outside_box(place.v - grid_.origin_m, grid_.size_m(), at);
+  return {s.distance_m, {s.gradient}};
+}
+
+DistanceSample DistanceField::inside(Vec3 cells) const noexcept {
   const int nx = grid_.cells(0), ny = grid_.cells(1), nz = grid_.cells(2);
-  const Vec3 cells{held(wanted.x, nx), held(wanted.y, ny), held(wanted.z, nz)};
   const auto cell = [](double v, int n) { return std::min(static_cast<int>(v), n - 1); };
   Descent path;
   const Leaf home = down_to(cell(cells.x, nx), cell(cells.y, ny), cell(cells.z, nz), path);
   prefetch(&tree_.words[home.words]);
-  const auto inside = [&](double v, std::size_t axis) {
+  const auto alone = [&](double v, std::size_t axis) {
     return v - 0.5 >= home.corner[axis] && v + 0.5 <= home.corner[axis] + home.side;
   };
-  DistanceSample sample = inside(cells.x, 0) && inside(cells.y, 1) && inside(cells.z, 2)
-                              ? leaf_sample(home, cells)
-                              : mixed(cells, home, path);
-  if (wanted != cells) {
-    const Vec3 beyond = grid_.cell_m * (wanted - cells);
-    const double length = norm(beyond);
-    sample.distance_m += length;
-    sample.gradient = unit(beyond);
-  }
-  return {sample.distance_m, {sample.gradient}};
+  return alone(cells.x, 0) && alone(cells.y, 1) && alone(cells.z, 2) ? leaf_sample(home, cells)
+                                                                     : mixed(cells, home, path);
 }
 
 DistanceSample DistanceField::mixed(Vec3 cells, const Leaf& home, Descent& path) const noexcept {

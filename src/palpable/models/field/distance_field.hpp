@@ -53,8 +53,7 @@ class DistanceField {
   /// Validates everything that queries rely on. Errors: invalid_input.
   static Result<DistanceField> from_tree(const FieldGrid& grid, FieldTree tree, const FieldErrors& errors);
 
-  /// At any finite position. Outside the grid: the distance at the nearest point of its box plus the distance
-  /// to that point, which is continuous. Tick path.
+  /// At any finite position; outside the grid by outside_box(). Tick path.
   FieldSample sample(Point<SceneFrame> place) const noexcept;
 
   bool contains(Point<SceneFrame> place) const noexcept;
@@ -82,6 +81,8 @@ class DistanceField {
 
  private:
   DistanceField() = default;
+  /// The sample in the grid, at a position in cells.
+  DistanceSample inside(Vec3 cells) const noexcept;
   DistanceSample leaf_sample(const Leaf& leaf, Vec3 cells) const noexcept;
   /// The path down to a finest cell: the entry at each level.
   struct Descent;

@@ -92,4 +92,9 @@ void limit_slope(Raster<float>& height_m, double pixel_m, double steepest_slope)
   height_m = between_slopes(height_m, step);
 }
 
+void cut_to_slope(Raster<float>& height_m, double pixel_m, double steepest_slope) {
+  PALPABLE_CHECK(pixel_m > 0.0 && steepest_slope > 0.0);
+  lower_to_slope(height_m, steepest_slope * pixel_m / kBetweenDirections);
+}
+
 }  // namespace palpable::models

@@ -12,4 +12,8 @@ namespace palpable::models {
 /// away from steep places do not change. The cubic B-spline over the result also keeps the limit.
 void limit_slope(Raster<float>& height_m, double pixel_m, double steepest_slope);
 
+/// The same, but only cuts: the greatest heights below these that rise by at most `steepest_slope` > 0. A
+/// step becomes a ramp that begins at its foot, so low ground beside a high object remains level.
+void cut_to_slope(Raster<float>& height_m, double pixel_m, double steepest_slope);
+
 }  // namespace palpable::models

@@ -75,5 +75,18 @@ TEST(LimitSlope, TurnsAStepIntoARampCentredOnIt) {
   for (int i = 1; i < 200; ++i) ASSERT_GE(z(i, 2), z(i - 1, 2));
 }
 
+TEST(CutToSlope, KeepsTheFootOfAStepLevel) {
+  Raster<float> z(200, 5);
+  for (int j = 0; j < 5; ++j)
+    for (int i = 100; i < 200; ++i) z(i, j) = 0.010F;
+  cut_to_slope(z, kPixel_m, 2.0);
+  for (int i = 0; i < 100; ++i) ASSERT_EQ(z(i, 2), 0.0F);
+  EXPECT_NEAR(z(110, 2) - z(105, 2), 5 * 2.0 / 1.0824 * kPixel_m, 1e-6);
+  EXPECT_EQ(z(130, 2), 0.010F);
+  Raster<float> discs = discs_and_noise(7);
+  cut_to_slope(discs, kPixel_m, 3.0);
+  EXPECT_LE(greatest_slope(discs, kPixel_m), 3.0);
+}
+
 }  // namespace
 }  // namespace palpable::models
