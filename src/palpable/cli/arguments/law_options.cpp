@@ -118,6 +118,14 @@ std::string laws_by_kind() {
   return words;
 }
 
+/// The laws that break a rule of contact: ". averaged: within its offset ...".
+std::string contact_errors() {
+  std::string words;
+  for (const LawDescription* law : haptics::all_laws())
+    if (!law->contact_error.empty()) words += fmt::format(". {}: {}", law->name, law->contact_error);
+  return words;
+}
+
 Error unknown_law(const std::string& typed) {
   const auto meant = suggestion(typed, all_names());
   return {ErrorCode::usage,
@@ -131,7 +139,8 @@ Error unknown_law(const std::string& typed) {
 void add_law_options(Options& options, LawArguments& arguments) {
   options.under("How the surface responds");
   options.text("--law", arguments.law,
-               fmt::format("Force law; the first for a kind of scene is its default ({})", laws_by_kind()));
+               fmt::format("Force law; the first for a kind of scene is its default ({}){}", laws_by_kind(),
+                           contact_errors()));
   const auto all = options_of_all_laws();
   arguments.numbers.resize(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {

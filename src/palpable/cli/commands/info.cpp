@@ -70,6 +70,7 @@ Json json_of(const haptics::LawDescription& law) {
             {"title", law.title},
             {"degrees_of_freedom", law.degrees_of_freedom},
             {"conservative", law.conservative},
+            {"contact_error", law.contact_error.empty() ? Json(nullptr) : Json(law.contact_error)},
             {"parameters", Json::array()}};
   for (const haptics::LawParameter& p : law.parameters)
     json["parameters"].push_back(
@@ -87,7 +88,8 @@ std::string sentence_of(const haptics::LawDescription& law) {
   std::string options;
   for (const haptics::LawParameter& p : law.parameters)
     if (!p.option.empty()) options += fmt::format("{}--{}", options.empty() ? "" : " ", p.option);
-  return fmt::format("  law {}: {} ({})\n", law.name, law.title, options);
+  const std::string fails = law.contact_error.empty() ? "" : fmt::format("; {}", law.contact_error);
+  return fmt::format("  law {}: {} ({}){}\n", law.name, law.title, options, fails);
 }
 
 void add_model(Answer& answer, const models::Relief& relief) {

@@ -57,13 +57,18 @@ MadeLaw make(const LawInput& in) {
 
 }  // namespace
 
-constexpr LawDescription kAveragedLaw{.law = Law::averaged,
-                                      .name = "averaged",
-                                      .title = "Averaged surface",
-                                      .models = {.relief = true},
-                                      .parameters = kParameters,
-                                      .strength = &LawParameters::stiffness_N_per_m,
-                                      .is_contact = true,
-                                      .make = make};
+constexpr LawDescription kAveragedLaw{
+    .law = Law::averaged,
+    .name = "averaged",
+    .title = "Averaged surface",
+    .models = {.relief = true},
+    .parameters = kParameters,
+    .strength = &LawParameters::stiffness_N_per_m,
+    .is_contact = true,
+    .contact_error =
+        "within its offset (1 mm) of walls it pushes up to 4/5 of their height "
+        "above the ground, and it meets spikes thinner than that up to 4/5 of "
+        "their height late",
+    .make = make};
 
 }  // namespace palpable::haptics

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -119,19 +120,29 @@ TEST(FreeAir, HasNoForceAndEndsInTheTickOfTheFirstContactRoundSolids) {
   expect_free_air(findings);
 }
 
-TEST(FreeAir, HasNoForceUnderLawsWithoutMemoryEither) {
+/// The laws with contact on reliefs that do not state that they break these rules; and `averaged` without
+/// neighbours.
+std::vector<LawParameters> laws_that_keep_air_free() {
+  std::vector<LawParameters> laws;
+  for (const LawDescription* law : all_laws())
+    if (law->models.relief && law->is_contact && (law->contact_error.empty() || law->law == Law::averaged)) {
+      LawParameters p = frictionless();
+      p.law = law->law;
+      p.stiffness_N_per_m = kStrokeStiffness_N_per_m;
+      if (law->law == Law::averaged) p.neighbour_weight = 0.0;
+      laws.push_back(p);
+    }
+  return laws;
+}
+
+TEST(FreeAir, HasNoForceUnderAnyLawThatDoesNotStateOtherwise) {
   std::mt19937 random(7);
   Findings findings;
+  ASSERT_GE(laws_that_keep_air_free().size(), 3U);
   for (const double pixel_m : {0.00025, 0.0007, 0.002})
-    for (const Law law : {Law::penalty, Law::averaged}) {
+    for (const LawParameters& p : laws_that_keep_air_free()) {
       const models::Scene scene = rough_scene(pixel_m, random);
       const auto& relief = *models::relief_of(scene);
-      LawParameters p = frictionless();
-      p.law = law;
-      p.stiffness_N_per_m = kStrokeStiffness_N_per_m;
-      // The law `averaged` starts to push before the hand reaches the surface, because it averages over
-      // neighbours.
-      p.neighbour_weight = 0.0;
       const auto touchable = made(scene, p);
       for (int k = 0; k < 250; ++k)
         follow(
@@ -141,6 +152,38 @@ TEST(FreeAir, HasNoForceUnderLawsWithoutMemoryEither) {
   EXPECT_EQ(findings.pushed_in_air, 0) << "of " << findings.clear_ticks;
   EXPECT_EQ(findings.late, 0) << "of " << findings.first_contacts;
   EXPECT_GT(findings.first_contacts, 200);
+}
+
+TEST(FreeAir, IsKeptByTheDefaultOfEveryKindOfModel) {
+  for (const auto kind :
+       {&ModelKinds::relief, &ModelKinds::field, &ModelKinds::grid, &ModelKinds::contours}) {
+    const auto laws = all_laws();
+    const auto first =
+        std::find_if(laws.begin(), laws.end(), [&](const auto* law) { return law->models.*kind; });
+    ASSERT_NE(first, laws.end());
+    EXPECT_TRUE((*first)->contact_error.empty()) << (*first)->name;
+  }
+}
+
+TEST(FreeAir, IsBrokenByTheAveragedSurfaceAsFarAsItStates) {
+  EXPECT_FALSE(description_of(Law::averaged).contact_error.empty());
+  constexpr double kHigh_m = 0.008;
+  for (const bool is_pit : {true, false}) {
+    // A pit or a spike of 1.2 mm, smaller than twice the offset of 1 mm.
+    Raster<float> z(200, 200, is_pit ? static_cast<float>(kHigh_m) : 0.0F);
+    for (int j = 97; j < 103; ++j)
+      for (int i = 97; i < 103; ++i) z(i, j) = static_cast<float>(is_pit ? 0.0 : kHigh_m);
+    const models::Scene scene = scene_of(std::move(z));
+    LawParameters p = frictionless();
+    p.law = Law::averaged;
+    const auto law = made(scene, p);
+    TouchState state;
+    const auto touches = [&](double height_m) {
+      return output_at(*law, state, {0.0, 0.0, height_m}).contact;
+    };
+    EXPECT_TRUE(touches((is_pit ? 0.79 : 0.19) * kHigh_m));
+    EXPECT_FALSE(touches((is_pit ? 0.81 : 0.21) * kHigh_m));
+  }
 }
 
 TEST(FreeAir, HasNoForceAboveTheSurfaceOfAGrid) {

@@ -97,6 +97,9 @@ struct LawDescription {
   /// Whether it is a spring against the surface with the scene's materials, to which stiffness limits apply.
   bool is_contact = false;
   bool renders_textures = false;
+  /// Which of two rules of contact the law breaks, as a clause with its figure: no force in free air, and a
+  /// first contact in the tick in which it happens. Empty if it keeps both. Such a law is no kind's default.
+  std::string_view contact_error = {};
   /// Creates the law (law_making.hpp).
   MadeLaw (*make)(const LawInput&) = nullptr;
 };
