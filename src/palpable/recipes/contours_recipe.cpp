@@ -71,8 +71,14 @@ Result<MadeScene> contours_from_picture(Image picture, const ContoursRecipe& rec
   scene.model = contours;
   mark_junctions(scene, contours->boundaries, recipe.grooves);
   scene.texture = rgb8(picture);
-  notes.insert(notes.end(), found->notes.begin(), found->notes.end());
-  return MadeScene{std::move(scene), std::move(notes)};
+  MadeScene made{std::move(scene), std::move(notes)};
+  for (const std::string& note : found->notes) warn(made, note);
+  if (found->boundary_fraction > 0.0)
+    if (const std::string verdict =
+            photograph_verdict(vision::photograph_quality(picture), recipe.photograph);
+        !verdict.empty())
+      warn(made, verdict);
+  return made;
 }
 
 }  // namespace palpable::recipes

@@ -9,6 +9,7 @@
 #include "palpable/sculpt/contours/boundary_map_from_picture.hpp"
 #include "palpable/sculpt/contours/grooves.hpp"
 #include "palpable/vision/contours/contours.hpp"
+#include "palpable/vision/contours/photograph_check.hpp"
 
 #include <cstddef>
 
@@ -17,6 +18,7 @@ namespace palpable::recipes {
 /// How a picture becomes a map of its boundaries.
 struct ContoursRecipe {
   vision::ContourOptions contours;
+  vision::PhotographCheckOptions photograph;
   sculpt::BoundaryMapOptions map;
   sculpt::GrooveOptions grooves;
   /// Larger pictures are reduced to this number of pixels: 2000 pixels over the width of a hand are finer
@@ -25,7 +27,8 @@ struct ContoursRecipe {
 };
 
 /// The boundaries of one picture, as a map to trace and as grooves. Long work: reports progress, polls
-/// cancel. Any thread. Errors: as vision::find_contours(), sculpt::boundary_map_from_contours() and
+/// cancel. Any thread. The scene warns of a picture without lines, or too dark, noisy or blurred to trust
+/// them. Errors: as vision::find_contours(), sculpt::boundary_map_from_contours() and
 /// sculpt::grooves_from_boundary_map(), without a place.
 Result<MadeScene> contours_from_picture(Image picture, const ContoursRecipe& recipe, const Work& work);
 

@@ -6,6 +6,7 @@
 #include "palpable/models/scene/scene.hpp"
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace palpable::recipes {
@@ -21,5 +22,11 @@ struct MadeScene {
   /// Of a video: what was found on the way (video_recipe.hpp).
   std::shared_ptr<const VideoReconstruction> video = nullptr;
 };
+
+/// Adds a note that stays with the scene as one of its warnings.
+inline void warn(MadeScene& made, Note note) {
+  made.scene.warnings.push_back(note.sentence);
+  made.notes.push_back(std::move(note));
+}
 
 }  // namespace palpable::recipes

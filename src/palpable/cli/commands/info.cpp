@@ -201,7 +201,8 @@ Result<Answer> info(const std::string& path) {
       {"materials", Json::array()},
       {"laws", laws_of(scene)},
       {"title", scene.title},
-      {"description", scene.description}};
+      {"description", scene.description},
+      {"warnings", scene.warnings}};
   for (const models::Material& material : scene.materials)
     answer.json["materials"].push_back(json_of(material));
   answer.json["law_descriptions"] = Json::array();
@@ -211,6 +212,7 @@ Result<Answer> info(const std::string& path) {
                             1000.0 * size.y, 1000.0 * size.z);
   if (!scene.title.empty()) answer.text += fmt::format("  title: {}\n", scene.title);
   if (!scene.description.empty()) answer.text += fmt::format("  description: {}\n", scene.description);
+  for (const std::string& warning : scene.warnings) answer.text += fmt::format("  warning: {}\n", warning);
   std::visit([&](const auto& model) { add_model(answer, *model); }, scene.model);
   if (scene.map != nullptr) add_map(answer, *scene.map);
   answer.text += fmt::format("  {:.1f} MB in memory, {:.1f} MB on disk\n", static_cast<double>(memory) / 1e6,

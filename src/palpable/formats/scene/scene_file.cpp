@@ -141,12 +141,13 @@ void read_source(const json& description, models::Provenance& source) {
   source.made_by = j.at("made_by").get<std::string>();
 }
 
-/// How a solid lies, and the maker's title and description; absent in older files.
+/// How a solid lies, the maker's title and description, and warnings; absent in older files.
 void read_pose_and_words(const json& description, models::Scene& scene) {
   const bool flat = description.value("pose", std::string()) == "flat";
   scene.pose = flat ? models::SolidPose::flat : models::SolidPose::upright;
   scene.title = description.value("title", std::string());
   scene.description = description.value("description", std::string());
+  scene.warnings = description.value("warnings", std::vector<std::string>());
 }
 
 Result<SceneFile> scene_from(const json& description, ZipMembers members) {
@@ -207,6 +208,10 @@ Result<void> check_scene(const models::Scene& scene) {
     return invalid_input("a scene's title is one line of at most 200 bytes");
   if (scene.description.size() > models::kMaxDescriptionBytes)
     return invalid_input("a scene's description has at most 4000 bytes");
+  if (scene.warnings.size() > models::kMaxWarnings ||
+      std::any_of(scene.warnings.begin(), scene.warnings.end(),
+                  [](const std::string& words) { return words.size() > models::kMaxWarningBytes; }))
+    return invalid_input("a scene has at most 16 warnings of at most 1000 bytes");
   const bool labelled = std::all_of(scene.labels.values().begin(), scene.labels.values().end(),
                                     [&](std::uint8_t label) { return label < scene.materials.size(); });
   if (!labelled) return invalid_input("the map of materials names one that the scene does not have");
@@ -236,6 +241,7 @@ Result<Bytes> encode_scene(const models::Scene& scene, const ZipMembers& others)
   if (models::is_field(scene.model) && scene.pose == models::SolidPose::flat) description["pose"] = "flat";
   if (!scene.title.empty()) description["title"] = scene.title;
   if (!scene.description.empty()) description["description"] = scene.description;
+  if (!scene.warnings.empty()) description["warnings"] = scene.warnings;
   for (std::size_t k = 0; k < scene.materials.size(); ++k) {
     auto material = write_material(scene.materials[k], k, members);
     if (!material) return std::move(material).error();

@@ -115,6 +115,17 @@ TEST(SceneFile, KeepsTheMakersTitleAndDescription) {
   EXPECT_FALSE(encode_scene(scene));
 }
 
+TEST(SceneFile, KeepsWarnings) {
+  models::Scene scene = sample();
+  EXPECT_TRUE(decode_scene(*encode_scene(scene))->scene.warnings.empty());
+  scene.warnings = {"Heights are out of proportion.", "The picture is dark."};
+  EXPECT_EQ(decode_scene(*encode_scene(scene))->scene.warnings, scene.warnings);
+  scene.warnings.assign(models::kMaxWarnings + 1, "Too many.");
+  EXPECT_FALSE(encode_scene(scene));
+  scene.warnings = {std::string(models::kMaxWarningBytes + 1, 'x')};
+  EXPECT_FALSE(encode_scene(scene));
+}
+
 TEST(SceneFile, KeepsContoursAndTheirGroovesExactly) {
   Raster<models::BoundaryPixel> edges(12, 9);
   for (int x = 0; x < 12; ++x) edges(x, 4) = {0.5F, 0.01F * static_cast<float>(x)};

@@ -48,6 +48,9 @@ struct Provenance {
 /// Longest title and description that a scene may have, bytes of UTF-8.
 inline constexpr std::size_t kMaxTitleBytes = 200;
 inline constexpr std::size_t kMaxDescriptionBytes = 4000;
+/// Most warnings that a scene may have, and bytes of UTF-8 of each.
+inline constexpr std::size_t kMaxWarnings = 16;
+inline constexpr std::size_t kMaxWarningBytes = 1000;
 
 /// How the solid of a field lies. Upright: y is up and z towards the person, who is before it. Flat: z is up,
 /// seen from above. Other models are surfaces that rise towards the person.
@@ -73,6 +76,9 @@ struct Scene {
   /// UTF-8; both may be empty.
   std::string title;
   std::string description;
+  /// What of this scene cannot be trusted, as measured when it was made: whole sentences, the gravest first.
+  /// Said with the description, and again whenever the saved scene is used.
+  std::vector<std::string> warnings;
 };
 
 /// Whether the scene's model has been set.

@@ -7,10 +7,13 @@
 #include "palpable/vision/stereo/methods/match.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 namespace palpable::recipes {
 namespace {
@@ -23,6 +26,22 @@ models::Scene relief_scene(models::Relief relief, int width, int height, std::st
   return scene;
 }
 
+/// Warns if a nearer place is too often not higher than a farther one. Heights above a flattened ground are
+/// no depths, but their order is meant just as well.
+void warn_of_order(MadeScene& made, const sculpt::DepthOrders& orders, const ReliefRecipe& recipe) {
+  const bool is_local = orders.nearby.kept < orders.anywhere.kept;
+  const sculpt::DepthOrder& order = is_local ? orders.nearby : orders.anywhere;
+  constexpr std::size_t kFewestPairs = 100;
+  if (order.kept >= recipe.least_kept_order || order.pairs < kFewestPairs) return;
+  const bool engraved = recipe.relief.sense == sculpt::Sense::engrave;
+  const auto percent = [](double share) { return std::lround(100.0 * share); };
+  warn(made, fmt::format("Heights are out of proportion: of two places{} at different depths, the nearer one "
+                         "is {} in only {} of 100 cases, and {} in {}. The linear detail operator keeps the "
+                         "order of depth.",
+                         is_local ? " beside each other" : "", engraved ? "deeper" : "higher",
+                         percent(order.kept), engraved ? "higher" : "lower", percent(order.inverted)));
+}
+
 bool is_available(vision::StereoMethod method) {
   const auto methods = vision::available_stereo_methods();
   return std::find(methods.begin(), methods.end(), method) != methods.end();
@@ -32,6 +51,8 @@ bool is_available(vision::StereoMethod method) {
 
 Result<void> check(const ReliefRecipe& recipe) {
   if (auto valid = check_ranges(recipe.ground_options); !valid) return valid;
+  if (!(recipe.least_kept_order >= 0.0 && recipe.least_kept_order <= 1.0))
+    return Error{ErrorCode::usage, "the least share of pairs in order must be 0 to 1", {}};
   return check_ranges(recipe.background_options);
 }
 
@@ -53,15 +74,19 @@ Result<MadeScene> relief_from_pair(const vision::StereoPair& given, const Stereo
   if (const auto valid = check(recipe); !valid) return valid.error();
   auto treated = treated_pair(given, stereo, recipe, work);
   if (!treated) return treated.error();
-  auto relief = sculpt::relief_from_disparity(treated->disparity, recipe.relief, work);
+  sculpt::DepthOrders orders;
+  auto relief = sculpt::relief_from_disparity(treated->disparity, recipe.relief, work, &orders);
   if (!relief) return relief.error();
   const Image& picture = treated->picture;
   models::Scene scene =
       relief_scene(std::move(*relief), picture.width, picture.height, std::move(treated->method));
   scene.materials = std::move(treated->regions.materials);
   scene.labels = std::move(treated->regions.labels);
+  scene.warnings = std::move(treated->regions.warnings);
   if (recipe.texture != Texture::none) scene.texture = rgb8(picture);
-  return MadeScene{std::move(scene), std::move(treated->notes)};
+  MadeScene made{std::move(scene), std::move(treated->notes)};
+  warn_of_order(made, orders, recipe);
+  return made;
 }
 
 Result<MadeScene> relief_from_depth(DepthInput input, const ReliefRecipe& recipe, const Work& work) {
@@ -73,8 +98,9 @@ Result<MadeScene> relief_from_depth(DepthInput input, const ReliefRecipe& recipe
   treat_regions(input, recipe, work, regions, notes);
   const auto* metres = std::get_if<DepthMap>(&input.depth);
   const auto* disparity = std::get_if<DisparityMap>(&input.depth);
-  auto relief = metres != nullptr ? sculpt::relief_from_depth(*metres, recipe.relief, work)
-                                  : sculpt::relief_from_disparity(*disparity, recipe.relief, work);
+  sculpt::DepthOrders orders;
+  auto relief = metres != nullptr ? sculpt::relief_from_depth(*metres, recipe.relief, work, &orders)
+                                  : sculpt::relief_from_disparity(*disparity, recipe.relief, work, &orders);
   if (!relief) return relief.error();
   const Raster<float>& values = metres != nullptr ? metres->depth_m : disparity->disparity_px;
   models::Scene scene = relief_scene(std::move(*relief), values.width(), values.height(), "depth map");
@@ -83,7 +109,9 @@ Result<MadeScene> relief_from_depth(DepthInput input, const ReliefRecipe& recipe
     scene.labels = std::move(regions.labels);
   }
   if (input.colour && recipe.texture != Texture::none) scene.texture = rgb8(*input.colour);
-  return MadeScene{std::move(scene), std::move(notes)};
+  MadeScene made{std::move(scene), std::move(notes)};
+  warn_of_order(made, orders, recipe);
+  return made;
 }
 
 }  // namespace palpable::recipes

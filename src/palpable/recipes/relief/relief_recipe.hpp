@@ -45,12 +45,15 @@ struct ReliefRecipe {
   BackgroundTreatment background = BackgroundTreatment::keep;
   vision::BackgroundMaskOptions background_options;
   Texture texture = Texture::left;
+  /// A relief that keeps the order of a smaller share of pairs, any or near each other
+  /// (sculpt/relief/depth_order.hpp), gets a warning. 0 … 1.
+  double least_kept_order = 0.9;
 };
 
-/// How a pair is matched.
-/// Errors: usage for options of ground or background out of range.
+/// Errors: usage for options of ground or background, or least_kept_order, out of range.
 Result<void> check(const ReliefRecipe& recipe);
 
+/// How a pair is matched.
 struct StereoRecipe {
   /// Not given: default_method().
   std::optional<vision::StereoMethod> method;

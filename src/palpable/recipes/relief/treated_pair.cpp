@@ -24,6 +24,15 @@ Result<void> move_to_front_view(vision::StereoPair& pair, DisparityMap& disparit
   return {};
 }
 
+/// Adds the verdict on a pair, always from a match by the fast method, so that it is the same for every
+/// method: one note, and a warning of the scene if the pair is not fit.
+void add_verdict(const vision::StereoPair& pair, const vision::StereoMatch& fast, const Work& work,
+                 models::Scene& regions, std::vector<Note>& notes) {
+  const vision::FitToTouch fit = vision::fit_to_touch(pair, fast, work);
+  notes.emplace_back(vision::sentence_of(fit));
+  if (!fit.fit) regions.warnings.push_back(notes.back().sentence);
+}
+
 }  // namespace
 
 Result<TreatedPair> treated_pair(const vision::StereoPair& given, const StereoRecipe& stereo,
@@ -32,12 +41,17 @@ Result<TreatedPair> treated_pair(const vision::StereoPair& given, const StereoRe
   auto match = vision::match(given, method, stereo.options, work);
   if (!match) return match.error();
   std::vector<Note> notes(match->notes.begin(), match->notes.end());
+  models::Scene regions;
+  const Work quiet{work.threads, work.seed, {}, work.cancel};
   if (method == vision::StereoMethod::fast)
-    notes.emplace_back(vision::sentence_of(vision::fit_to_touch(given, *match, work)));
+    add_verdict(given, *match, quiet, regions, notes);
+  else if (const auto fast =
+               vision::match_confirmed(given, vision::StereoMethod::fast, stereo.options, quiet))
+    add_verdict(given, *fast, quiet, regions, notes);
+  if (work.cancelled()) return Work::interrupted();
   vision::StereoPair pair = given;
   if (recipe.texture == Texture::front)
     if (const auto moved = move_to_front_view(pair, match->disparity, work); !moved) return moved.error();
-  models::Scene regions;
   auto disparity = with_regions_treated(match->disparity, {rgb8(pair.left)}, recipe, work, regions, notes);
   return TreatedPair{std::move(pair.left), std::move(disparity), std::move(regions), std::move(notes),
                      "stereo, " + std::string(vision::name_of(method))};

@@ -19,7 +19,8 @@ struct TreatedPair {
   /// The picture of the view to which the disparity belongs.
   Image picture;
   DisparityMap disparity;
-  /// Labels and materials of ground and background; empty where neither was found.
+  /// Labels and materials of ground and background, empty where neither was found; and a warning if the pair
+  /// is not fit to touch.
   models::Scene regions;
   std::vector<Note> notes;
   /// For models::Scene::source.

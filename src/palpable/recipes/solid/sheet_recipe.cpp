@@ -21,6 +21,8 @@ using sculpt::Lay;
 using SceneFromInput = Transform<SceneFrame, models::InputFrame>;
 
 constexpr Vec3 kDefaultSize_m{0.10, 0.10, 0.015};
+/// Ramps over less of the area are not worth a word.
+constexpr double kLeastRampShare = 0.005;
 
 /// Removes triangles with a vertex that is not finite; returns their number.
 std::size_t drop_unplaced(Mesh& mesh) {
@@ -77,7 +79,8 @@ Result<MadeScene> relief_from_mesh(Mesh mesh, const SheetRecipe& recipe, const W
     v = (scene_from_input * Point<models::InputFrame>{v}).v;
     v.z /= flattening;
   }
-  auto relief = sculpt::relief_from_sheet(mesh, recipe.sheet, work);
+  sculpt::SheetRamps ramps;
+  auto relief = sculpt::relief_from_sheet(mesh, recipe.sheet, work, &ramps);
   if (!relief) return relief.error();
   scene_from_input.translation_m.z += recipe.sheet.thickness_m;
   MadeScene made;
@@ -92,6 +95,11 @@ Result<MadeScene> relief_from_mesh(Mesh mesh, const SheetRecipe& recipe, const W
     made.notes.emplace_back(
         fmt::format("{} of the mesh's triangles, with a vertex that is not a finite number, {} left out.",
                     unplaced, unplaced == 1 ? "was" : "were"));
+  if (ramps.share > kLeastRampShare)
+    warn(made,
+         fmt::format("The mesh is too steep for a relief in {} % of its area: walls became ramps there, "
+                     "up to {} mm higher or lower than the mesh.",
+                     figure(100.0 * ramps.share, 2), figure(1e3 * ramps.most_m, 2)));
   made.scene.scene_from_input = scene_from_input;
   made.scene.source.method =
       fmt::format("relief of mesh from {}, {} samples", name_of(towards), recipe.sheet.samples_on_a_side);

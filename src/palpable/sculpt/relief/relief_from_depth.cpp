@@ -105,7 +105,8 @@ void resample(Raster<float>& nearness, const ReliefOptions& options) {
 
 /// `nearness`: greater is nearer, NaN unknown; in any unit.
 Result<models::Relief> relief_from_nearness(Raster<float> nearness, Window window,
-                                            const ReliefOptions& options, const Work& work) {
+                                            const ReliefOptions& options, const Work& work,
+                                            DepthOrders* orders) {
   work.report(0.2, "closing holes");
   fill_unknown_heights(nearness);
   if (work.cancelled()) return Work::interrupted();
@@ -126,6 +127,11 @@ Result<models::Relief> relief_from_nearness(Raster<float> nearness, Window windo
 
   work.report(0.8, "limiting slopes");
   models::limit_slope(*heights, pixel_m, options.steepest_slope);
+  if (orders != nullptr) {
+    *orders = depth_orders(nearness, *heights);
+    if (options.sense == Sense::engrave)
+      for (DepthOrder* order : {&orders->anywhere, &orders->nearby}) std::swap(order->kept, order->inverted);
+  }
   // A mean of slopes is no steeper than the steepest one, so the limit still holds.
   if (options.smooth_m > 0.0) smooth(*heights, options.smooth_m / pixel_m);
   if (work.cancelled()) return Work::interrupted();
@@ -137,7 +143,7 @@ Result<models::Relief> relief_from_nearness(Raster<float> nearness, Window windo
 
 Result<models::Relief> checked_relief(Raster<float> nearness, std::optional<double> near,
                                       std::optional<double> far, const ReliefOptions& options,
-                                      const Work& work) {
+                                      const Work& work, DepthOrders* orders) {
   if (const auto valid = check(options); !valid) return valid.error();
   if (nearness.width() < 2 || nearness.height() < 2)
     return invalid_input("a relief needs at least 2 x 2 pixels");
@@ -161,27 +167,28 @@ Result<models::Relief> checked_relief(Raster<float> nearness, std::optional<doub
   }
   if (window.high < whole.low || window.low > whole.high)
     return usage("the depth window lies outside the picture's depths");
-  return relief_from_nearness(std::move(nearness), window, options, work);
+  return relief_from_nearness(std::move(nearness), window, options, work, orders);
 }
 
 }  // namespace
 
 Result<models::Relief> relief_from_depth(const DepthMap& depth, const ReliefOptions& options,
-                                         const Work& work) {
+                                         const Work& work, DepthOrders* orders) {
   // Nearness is the negated depth; depths that are not positive are unknown.
   Raster<float> nearness = depth.depth_m;
   for (float& z : nearness.values()) z = std::isfinite(z) && z > 0.0F ? -z : std::nanf("");
   const auto negated = [](std::optional<double> end) { return end ? std::optional(-*end) : end; };
-  return checked_relief(std::move(nearness), negated(options.near), negated(options.far), options, work);
+  return checked_relief(std::move(nearness), negated(options.near), negated(options.far), options, work,
+                        orders);
 }
 
 Result<models::Relief> relief_from_disparity(const DisparityMap& disparity, const ReliefOptions& options,
-                                             const Work& work) {
+                                             const Work& work, DepthOrders* orders) {
   const auto depth = options.height_of == HeightOf::depth ? depth_from_disparity(disparity) : std::nullopt;
-  if (depth) return relief_from_depth(*depth, options, work);
+  if (depth) return relief_from_depth(*depth, options, work, orders);
   Raster<float> nearness = disparity.disparity_px;
   for (float& d : nearness.values()) d = std::isfinite(d) ? d : std::nanf("");
-  return checked_relief(std::move(nearness), options.near, options.far, options, work);
+  return checked_relief(std::move(nearness), options.near, options.far, options, work, orders);
 }
 
 Transform<SceneFrame, models::InputFrame> scene_from_picture(const models::Relief& relief, int width,

@@ -6,6 +6,7 @@
 #include "palpable/core/work.hpp"
 #include "palpable/models/relief/relief.hpp"
 #include "palpable/models/scene/scene.hpp"
+#include "palpable/sculpt/relief/depth_order.hpp"
 #include "palpable/sculpt/relief/detail.hpp"
 #include "palpable/sculpt/relief/resample.hpp"
 
@@ -60,16 +61,17 @@ struct ReliefOptions {
 };
 
 /// A relief from metric depth, near parts high, base at z = 0: window, holes closed smoothly, mapped to
-/// height, size given, slope limited (docs/relief.md). Long work: reports progress, polls cancel. Errors:
+/// height, size given, slope limited (docs/relief.md). `orders`, if not null, receives how its heights keep
+/// the order of the depths inside the window. Long work: reports progress, polls cancel. Errors:
 /// invalid_input where no pixel has a finite depth or the map is smaller than 2 x 2, usage for options out of
 /// their range, interrupted.
 Result<models::Relief> relief_from_depth(const DepthMap& depth, const ReliefOptions& options,
-                                         const Work& work);
+                                         const Work& work, DepthOrders* orders = nullptr);
 
 /// The same from disparity: by metric depth if the camera is known and options.height_of asks for it; else
 /// disparity in pixels is the nearness.
 Result<models::Relief> relief_from_disparity(const DisparityMap& disparity, const ReliefOptions& options,
-                                             const Work& work);
+                                             const Work& work, DepthOrders* orders = nullptr);
 
 /// The transform from pixels of a width x height picture to its relief: x and y by the relief's size, y
 /// upwards. The mapping of depth to height is not linear, so z has no scale; it is rotated and scaled as x.

@@ -93,6 +93,29 @@ struct TriangleRasteriser {
   }
 };
 
+/// The sheet's rim is not compared: that it ends in a ramp to the base is no error of the sheet.
+SheetRamps ramps_between(const Raster<float>& before, const Raster<float>& after, const Raster<float>& sheet,
+                         int rim) {
+  SheetRamps ramps;
+  std::size_t all = 0, changed = 0;
+  const auto is_inside = [&](int x, int y) {
+    for (const Pixel p :
+         {Pixel{x, y}, Pixel{x - rim, y}, Pixel{x + rim, y}, Pixel{x, y - rim}, Pixel{x, y + rim}})
+      if (sheet.contains(p.x, p.y) && std::isnan(sheet(p.x, p.y))) return false;
+    return true;
+  };
+  for (int y = 0; y < before.height(); ++y)
+    for (int x = 0; x < before.width(); ++x) {
+      if (!is_inside(x, y)) continue;
+      ++all;
+      const double change_m = std::abs(double{after(x, y)} - double{before(x, y)});
+      changed += change_m > SheetRamps::kFelt_m ? 1 : 0;
+      ramps.most_m = std::max(ramps.most_m, change_m);
+    }
+  ramps.share = all == 0 ? 0.0 : static_cast<double>(changed) / static_cast<double>(all);
+  return ramps;
+}
+
 }  // namespace
 
 std::vector<Parameter> parameters_of(SheetOptions& o) {
@@ -140,7 +163,8 @@ Result<Raster<float>> heights_from_above(const Mesh& mesh, double left_m, double
   return heights;
 }
 
-Result<models::Relief> relief_from_sheet(const Mesh& mesh, const SheetOptions& options, const Work& work) {
+Result<models::Relief> relief_from_sheet(const Mesh& mesh, const SheetOptions& options, const Work& work,
+                                         SheetRamps* ramps) {
   if (const auto valid = check_ranges(options); !valid) return valid.error();
   const auto extent = extent_of(mesh);
   if (!extent) return invalid_input("is a mesh without a finite triangle");
@@ -156,10 +180,16 @@ Result<models::Relief> relief_from_sheet(const Mesh& mesh, const SheetOptions& o
   auto heights =
       heights_from_above(mesh, -0.5 * width * pixel_m, 0.5 * height * pixel_m, pixel_m, width, height, work);
   if (!heights) return heights.error();
+  const Raster<float> sheet = ramps != nullptr ? *heights : Raster<float>();
   const double lift_m = options.thickness_m - extent->least_m.z;
   for (float& z : heights->values()) z = std::isnan(z) ? 0.0F : static_cast<float>(z + lift_m);
   work.report(0.8, "limiting slopes");
+  const Raster<float> before = ramps != nullptr ? *heights : Raster<float>();
   models::limit_slope(*heights, pixel_m, options.steepest_slope);
+  if (ramps != nullptr) {
+    const double reach_m = (extent->most_m.z + lift_m) / options.steepest_slope;
+    *ramps = ramps_between(before, *heights, sheet, static_cast<int>(std::ceil(reach_m / pixel_m)));
+  }
   return models::Relief::from_samples(*std::move(heights), pixel_m);
 }
 

@@ -46,10 +46,22 @@ bool is_open_sheet(const Mesh& mesh, const SheetOptions& options = {});
 Result<Raster<float>> heights_from_above(const Mesh& mesh, double left_m, double top_m, double pixel_m,
                                          int width, int height, const Work& work);
 
+/// What of a sheet a relief does not show as it is: places steeper than the slope limit became ramps.
+struct SheetRamps {
+  /// Share of the sheet's area, seen from above, whose height changed by more than kFelt_m.
+  double share = 0.0;
+  /// Greatest change of height.
+  double most_m = 0.0;
+  /// Smaller changes are not felt.
+  static constexpr double kFelt_m = 0.0002;
+};
+
 /// The relief of the part of a mesh that is visible from +z, in the scene frame's axes and metres. The mesh
-/// is centred above the origin with its lowest point at z >= 0, so the relief lies at the mesh's place. Long
+/// is centred above the origin with its lowest point at z >= 0, so the relief lies at the mesh's place.
+/// `ramps`, if not null, receives what the slope limit changed. Long
 /// work: polls cancel. Errors: usage for options out of range, invalid_input for a mesh without an extent,
 /// interrupted.
-Result<models::Relief> relief_from_sheet(const Mesh& mesh, const SheetOptions& options, const Work& work);
+Result<models::Relief> relief_from_sheet(const Mesh& mesh, const SheetOptions& options, const Work& work,
+                                         SheetRamps* ramps = nullptr);
 
 }  // namespace palpable::sculpt

@@ -159,8 +159,9 @@ struct RunRecipe {
     const bool is_it = (options.as == MakeAs::field && models::is_field(scene.model)) ||
                        (options.as == MakeAs::grid &&
                         std::holds_alternative<std::shared_ptr<const models::Grid>>(scene.model));
-    if (is_it) return MadeScene{std::move(scene), {}};
-    return filled(MadeScene{std::move(scene), {}}, options, work);
+    std::vector<Note> warnings(scene.warnings.begin(), scene.warnings.end());
+    MadeScene made{std::move(scene), std::move(warnings)};
+    return is_it ? std::move(made) : filled(std::move(made), options, work);
   }
 };
 

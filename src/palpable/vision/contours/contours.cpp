@@ -55,7 +55,9 @@ Result<ContourMap> find_contours(const Image& image, const ContourOptions& optio
   out.tangent_x = std::move(edges.tangent_x);
   out.tangent_y = std::move(edges.tangent_y);
   out.strength = std::move(edges.strength);
-  if (boundary == 0) out.notes.emplace_back("there is no boundary in this picture: it has only one tone");
+  if (boundary == 0)
+    out.notes.emplace_back(
+        "No boundary was found in this picture: it has only one tone, so there is no line to touch.");
   return out;
 }
 
