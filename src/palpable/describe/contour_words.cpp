@@ -30,11 +30,11 @@ std::string junction_words(const ContourDrawing& drawing, const models::Boundary
   constexpr std::size_t kMostPlaces = 3;
   std::vector<std::string> places;
   for (const Place& place : drawing.junctions)
-    if (places.size() < kMostPlaces) places.push_back(region_words(place, map.size_x_m(), map.size_y_m()));
+    places.push_back(region_words(place, map.size_x_m(), map.size_y_m()));
   if (drawing.junctions.size() == 1) return fmt::format(", {} in 1 place: {}", who, places.front());
   if (drawing.junctions.size() > kMostPlaces)
     return fmt::format(", {} in {} places", who, drawing.junctions.size());
-  return fmt::format(", {} in {} places: {}", who, drawing.junctions.size(), fmt::join(places, ", "));
+  return fmt::format(", {} in {} places: {}", who, drawing.junctions.size(), counted_places(places));
 }
 
 /// Empty if the number of areas follows from the closed lines.

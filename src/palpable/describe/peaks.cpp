@@ -16,10 +16,16 @@ namespace {
 // A surface with a smaller height range is level.
 constexpr double kLevel_m = 1e-5;
 
+/// Heights on a coarse grid, with its sign, and above the ground's plane.
 struct HeightGrid {
   Raster<float> height_m;
   double cell_x_m = 0.0, cell_y_m = 0.0;
 
+  GroundPlane ground = {};
+
+  double above_ground_m(const models::Relief& surface, Place p, double sign) const {
+    return sign * surface.sample(p.x_m, p.y_m).z_m - ground.height_m(p.x_m, p.y_m);
+  }
   Place place_of(int column, int row) const {
     return {(column + 0.5 - 0.5 * height_m.width()) * cell_x_m,
             (0.5 * height_m.height() - row - 0.5) * cell_y_m};
@@ -40,6 +46,27 @@ HeightGrid grid_of(const models::Relief& surface, double sign, int longest_side)
       grid.height_m(column, row) = static_cast<float>(sign * surface.sample(p.x_m, p.y_m).z_m);
     }
   return grid;
+}
+
+/// The plane of a ground that rises by at least `least_rise_m` from one side of the grid to the other.
+std::optional<GroundPlane> tilt_of(const HeightGrid& grid, double least_rise_m) {
+  const auto plane = ground_plane_of(grid.height_m, grid.cell_x_m, grid.cell_y_m);
+  if (!plane) return std::nullopt;
+  const double rise_m = std::abs(plane->dzdx) * grid.cell_x_m * grid.height_m.width() +
+                        std::abs(plane->dzdy) * grid.cell_y_m * grid.height_m.height();
+  return rise_m < least_rise_m ? std::nullopt : plane;
+}
+
+/// Subtracts the plane of a tilted ground from the heights.
+void level_ground(HeightGrid& grid, double least_rise_m) {
+  const auto plane = tilt_of(grid, least_rise_m);
+  if (!plane) return;
+  grid.ground = *plane;
+  for (int row = 0; row < grid.height_m.height(); ++row)
+    for (int column = 0; column < grid.height_m.width(); ++column) {
+      const Place p = grid.place_of(column, row);
+      grid.height_m(column, row) -= static_cast<float>(plane->height_m(p.x_m, p.y_m));
+    }
 }
 
 /// The regions above a falling level (a merge tree by union-find): each grows around its summit until it
@@ -177,7 +204,7 @@ Peak highest_near(const models::Relief& surface, const HeightGrid& grid, Place n
     for (int i = column_of(near.x_m - grid.cell_x_m); i <= column_of(near.x_m + grid.cell_x_m); ++i) {
       const Place place{((i + 0.5) / samples.width() - 0.5) * surface.size_x_m(),
                         (0.5 - (j + 0.5) / samples.height()) * surface.size_y_m()};
-      const double z_m = sign * surface.sample(place.x_m, place.y_m).z_m;
+      const double z_m = grid.above_ground_m(surface, place, sign);
       const double away_m = std::hypot(place.x_m - near.x_m, place.y_m - near.y_m);
       const bool is_level = std::abs(z_m - best.height_m) < kLevel_m;
       if (is_level ? away_m < best_away_m : z_m > best.height_m) {
@@ -194,15 +221,17 @@ std::vector<Peak> find_peaks(const models::Relief& surface, const PeakOptions& o
   const double range_m = surface.highest_m() - surface.lowest_m();
   if (range_m < kLevel_m) return {};
   const double sign = options.turned_over ? -1.0 : 1.0;
-  const HeightGrid grid = grid_of(surface, sign, options.longest_side);
+  HeightGrid grid = grid_of(surface, sign, options.longest_side);
+  const double least_m = options.least_prominence * range_m;
+  if (options.above_ground) level_ground(grid, least_m);
   const double cell_m2 = grid.cell_x_m * grid.cell_y_m;
   std::vector<Peak> peaks;
-  for (const Summit& summit : summits_of(grid.height_m, options.least_prominence * range_m)) {
+  for (const Summit& summit : summits_of(grid.height_m, least_m)) {
     const double area = static_cast<double>(summit.cells) / static_cast<double>(grid.height_m.count());
     if (area < options.least_area) continue;
     const int width = grid.height_m.width(), cell = static_cast<int>(summit.middle);
     Peak peak = highest_near(surface, grid, grid.place_of(cell % width, cell / width), sign);
-    peak.height_m *= sign;
+    peak.height_m = surface.sample(peak.place.x_m, peak.place.y_m).z_m;
     peak.prominence_m = summit.prominence_m;
     peak.area_m2 = cell_m2 * static_cast<double>(summit.cells);
     peaks.push_back(peak);
@@ -210,6 +239,14 @@ std::vector<Peak> find_peaks(const models::Relief& surface, const PeakOptions& o
   std::stable_sort(peaks.begin(), peaks.end(),
                    [](const Peak& a, const Peak& b) { return a.prominence_m > b.prominence_m; });
   return peaks;
+}
+
+std::optional<GroundPlane> tilted_ground(const models::Relief& surface, const PeakOptions& options) {
+  const double sign = options.turned_over ? -1.0 : 1.0;
+  const double least_m = options.least_prominence * (surface.highest_m() - surface.lowest_m());
+  auto plane = tilt_of(grid_of(surface, sign, options.longest_side), std::max(least_m, kLevel_m));
+  if (plane) *plane = {sign * plane->z_m, sign * plane->dzdx, sign * plane->dzdy};
+  return plane;
 }
 
 }  // namespace palpable::describe

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/describe/ground_tilt.hpp"
 #include "palpable/models/relief/relief.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace palpable::describe {
@@ -21,8 +23,8 @@ struct Peak {
   Place place;
   /// Height at `place`.
   double height_m = 0.0;
-  /// Topographic prominence: the least descent on any path to higher ground; for the highest peak, the
-  /// descent to the lowest place.
+  /// Topographic prominence, above the plane of a tilted ground: the least descent on any path to higher
+  /// ground; for the highest peak, the descent to the lowest place.
   double prominence_m = 0.0;
   /// Area, seen from above, of the region around it above half of its prominence.
   double area_m2 = 0.0;
@@ -38,14 +40,20 @@ struct PeakOptions {
   double least_area = 5e-4;
   /// Whether the surface is inverted, as when a scene is touched engraved: then hollows are the peaks.
   bool turned_over = false;
+  /// Whether heights are compared above the plane of a tilted ground (ground_tilt.hpp), whose high edge is
+  /// then no peak.
+  bool above_ground = true;
   /// Places along the longer side of the grid on which peaks are searched, 2 ... 4096; at most the surface's
   /// own samples.
   int longest_side = 128;
 };
 
 /// The peaks that satisfy `options`, the most prominent first; none on a level surface. They are searched on
-/// a grid (PeakOptions::longest_side); place and height of each peak come from the surface's own
-/// samples.
+/// a grid (PeakOptions::longest_side); place and height of each peak come from the surface's own samples.
 std::vector<Peak> find_peaks(const models::Relief& surface, const PeakOptions& options = {});
+
+/// The plane of a tilted ground, searched on that grid; of an inverted surface, that of its hollows. nullopt
+/// if there is none, or if it rises by less than options.least_prominence of the surface's height range.
+std::optional<GroundPlane> tilted_ground(const models::Relief& surface, const PeakOptions& options = {});
 
 }  // namespace palpable::describe

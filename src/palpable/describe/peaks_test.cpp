@@ -70,6 +70,22 @@ TEST(Peaks, OfASurfaceTurnedOverAreItsHollows) {
   EXPECT_NEAR(peaks[0].height_m, 0.01, 0.0002);
 }
 
+TEST(Peaks, AreNotTheHighEdgeOfATiltedGround) {
+  // 100 mm long, it rises by 6 mm; a hill of 5 mm stands on its low part.
+  const auto tilt = [](double x, double) { return 0.003 + 0.06 * x; };
+  EXPECT_TRUE(find_peaks(*models::relief_of(surface_scene(tilt))).empty());
+  const auto scene =
+      surface_scene([&](double x, double y) { return tilt(x, y) + bump(x, y, -0.03, 0.01, 0.005); });
+  const auto peaks = find_peaks(*models::relief_of(scene));
+  ASSERT_EQ(peaks.size(), 1U);
+  EXPECT_NEAR(peaks[0].place.x_m, -0.03, 0.001);
+  EXPECT_NEAR(peaks[0].height_m, 0.003 - 0.0018 + 0.005, 0.0002) << "height, not height above the ground";
+  EXPECT_NEAR(peaks[0].prominence_m, 0.005, 0.0003);
+  PeakOptions options;
+  options.above_ground = false;
+  EXPECT_EQ(find_peaks(*models::relief_of(scene), options).size(), 2U);
+}
+
 TEST(Peaks, AreNoneOnALevelSurface) {
   const auto level = surface_scene([](double, double) { return 0.002; });
   EXPECT_TRUE(find_peaks(*models::relief_of(level)).empty());

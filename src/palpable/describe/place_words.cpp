@@ -84,6 +84,16 @@ std::string region_words(Place place, double size_x_m, double size_y_m) {
   return fmt::format("{} {}", row, *column == '\0' ? "middle" : column);
 }
 
+std::string counted_places(const std::vector<std::string>& places) {
+  std::vector<std::string> words;
+  for (auto at = places.begin(); at != places.end(); ++at) {
+    if (std::find(places.begin(), at, *at) != at) continue;
+    const auto count = std::count(at, places.end(), *at);
+    words.push_back(count == 1 ? *at : fmt::format("{} {}", count, *at));
+  }
+  return fmt::format("{}", fmt::join(words, "; "));
+}
+
 std::string offset_words(double dx_m, double dy_m) {
   std::vector<std::string> parts;
   if (std::abs(dx_m) >= kHere_m)

@@ -6,6 +6,7 @@
 #include "palpable/models/scene/scene.hpp"
 
 #include <string>
+#include <vector>
 
 // Describes in words where a probe is and what is there. `height_factor` is the user's factor on the height
 // of a relief: -4 ... 4, negative if the scene is engraved.
@@ -14,6 +15,8 @@ namespace palpable::describe {
 
 /// Which ninth of a rectangle around the origin contains a place: "upper left", "centre", "middle right".
 std::string region_words(Place place, double size_x_m, double size_y_m);
+/// Places in their order, each once: "3 upper left; centre". Empty without any.
+std::string counted_places(const std::vector<std::string>& places);
 /// "32 millimetres left, 12 millimetres up"; "here" within half a millimetre.
 std::string offset_words(double dx_m, double dy_m);
 /// "at the middle", or the offset "from the middle".

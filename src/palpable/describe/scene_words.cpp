@@ -148,6 +148,16 @@ std::string smaller_words(const models::Scene& scene, double height_factor) {
                      most->first);
 }
 
+/// "The ground is tilted, rising gently to the right. "; empty for a level ground or none.
+std::string tilt_words(const models::Relief& surface, double height_factor) {
+  PeakOptions options;
+  options.turned_over = height_factor < 0.0;
+  const auto ground = tilted_ground(surface, options);
+  if (!ground) return {};
+  const std::string slope = slope_words(height_factor * ground->dzdx, height_factor * ground->dzdy);
+  return slope == "level" ? std::string() : fmt::format("The ground is tilted, {}. ", slope);
+}
+
 std::string brief_of_surface(const models::Scene& scene, double height_factor,
                              const std::vector<Object>& objects) {
   const models::Relief& surface = *models::relief_of(scene);
@@ -158,13 +168,14 @@ std::string brief_of_surface(const models::Scene& scene, double height_factor,
   std::vector<std::string> places;
   for (std::size_t k = 0; k < std::min(objects.size(), kMostListed); ++k)
     places.push_back(at_region(objects[k], scene));
+  words += tilt_words(surface, height_factor);
   const bool one = objects.size() == 1;
   words += fmt::format("{} {} above the {}", capitalised(counted(objects.size(), "object", "objects")),
                        one ? "rises" : "rise", ground_name(scene));
   const std::string smaller = smaller_words(scene, height_factor);
   if (objects.empty()) return words + "." + smaller;
   const char* const most = objects.size() > kMostListed ? "; the most prominent" : "";
-  return words + fmt::format("{}: {}.{}", most, fmt::join(places, "; "), smaller);
+  return words + fmt::format("{}: {}.{}", most, counted_places(places), smaller);
 }
 
 std::string objects_part(const std::vector<Object>& objects, double height_factor, Place probe,
@@ -259,13 +270,15 @@ std::string name_of(const models::Scene& scene) {
 }
 
 std::string opening_words(const models::Scene& scene) {
-  return fmt::format("Ready to touch: {} {}Press D to hear what is where, H for help.",
+  return fmt::format("Ready to touch: {} {}{}Press D to hear what is where, H for help.",
                      sentence(name_of(scene)),
-                     scene.description.empty() ? "" : sentence(scene.description) + " ");
+                     scene.description.empty() ? "" : sentence(scene.description) + " ",
+                     scene.warnings.empty() ? "" : fmt::format("{} ", fmt::join(scene.warnings, " ")));
 }
 
 std::vector<std::string> scene_parts(const models::Scene& scene, double height_factor, Place probe) {
   auto parts = parts_of(scene, height_factor, probe);
+  for (const std::string& warning : scene.warnings) parts.front() += " " + sentence(warning);
   if (!scene.description.empty() && scene.map == nullptr)
     parts.insert(parts.begin() + 1, sentence(scene.description));
   return parts;

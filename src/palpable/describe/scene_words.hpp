@@ -12,12 +12,13 @@ namespace palpable::describe {
 /// The name of a scene: its title, else the names of its source files, else its kind.
 std::string name_of(const models::Scene& scene);
 
-/// Spoken before a touch begins: the name and the maker's description.
+/// Spoken before a touch begins: the name, the maker's description, and what of the scene cannot be trusted.
 std::string opening_words(const models::Scene& scene);
 
 /// The description of a scene in parts, from short to long; the user requests them one after another.
 ///   - Name and size. Then the number and places of the objects above the ground (peaks.hpp) or of the lines
-///   (contour_words.hpp); of a solid its parts, openings and outline (solid_words.hpp).
+///   (contour_words.hpp); of a solid its parts, openings and outline (solid_words.hpp). Then the scene's
+///   warnings.
 ///   - The maker's description, if there is one.
 ///   - Each object or line with place and size, and the offset from `probe` to the highest point or nearest
 ///   line.

@@ -55,6 +55,29 @@ TEST(SceneWords, SayHowManyPeaksAreTooSmallToBeObjects) {
               HasSubstr("1 object rises above the ground: middle left. 12 smaller ones, upper right."));
 }
 
+TEST(SceneWords, SayThatTheGroundIsTiltedInsteadOfCountingItsEdge) {
+  const auto scene =
+      surface_scene([](double x, double y) { return 0.005 + 0.06 * x + bump(x, y, -0.03, 0.02, 0.005); });
+  EXPECT_THAT(scene_parts(scene, 1.0, {})[0],
+              HasSubstr("The ground is tilted, rising gently to the right. 1 object rises above the ground: "
+                        "upper left."));
+}
+
+TEST(SceneWords, SayAPlaceOnceThatSeveralObjectsShare) {
+  const auto scene = surface_scene([](double x, double y) {
+    return bump(x, y, -0.04, 0.03, 0.008) + bump(x, y, -0.02, 0.02, 0.0081) + bump(x, y, 0.03, -0.02, 0.007);
+  });
+  EXPECT_THAT(scene_parts(scene, 1.0, {})[0],
+              HasSubstr("3 objects rise above the ground: 2 upper left; lower right."));
+}
+
+TEST(SceneWords, SayInTheFirstPartAndBeforeTheTouchWhatCannotBeTrusted) {
+  models::Scene scene = two_hills();
+  scene.warnings = {"Heights are out of proportion."};
+  EXPECT_THAT(scene_parts(scene, 1.0, {})[0], EndsWith("lower right. Heights are out of proportion."));
+  EXPECT_THAT(opening_words(scene), HasSubstr("twin.png. Heights are out of proportion. Press D"));
+}
+
 TEST(SceneWords, GiveTheMakersDescriptionSecond) {
   models::Scene scene = two_hills();
   scene.description = "Seen from the south";
@@ -91,7 +114,13 @@ TEST(SceneWords, ListAtMostEightObjects) {
   });
   const std::string brief = scene_parts(scene, 1.0, {})[0];
   EXPECT_THAT(brief, HasSubstr("12 objects rise above the ground; the most prominent: "));
-  EXPECT_EQ(std::count(brief.begin(), brief.end(), ';'), 1 + 7);
+  // "2 centre" stands for two of them.
+  const std::size_t begin = brief.find("prominent: ");
+  ASSERT_NE(begin, brief.npos);
+  std::size_t listed = 0;
+  for (std::size_t at = begin + 9; at != brief.npos; at = brief.find("; ", at + 2))
+    listed += std::isdigit(brief.at(at + 2)) != 0 ? static_cast<std::size_t>(brief[at + 2] - '0') : 1;
+  EXPECT_EQ(listed, 8U) << brief;
 }
 
 TEST(SceneWords, ApplyTheDepthAndInvertEngravedScenes) {

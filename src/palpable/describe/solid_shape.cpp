@@ -219,8 +219,12 @@ SolidShape solid_shape(const models::Relief& from_above, double base_m, const So
       overlap(whole, box, [&](int x, int y) { return whole(box.left + box.right - x, y) != 0; });
   shape.top_bottom =
       overlap(whole, box, [&](int x, int y) { return whole(x, box.top + box.bottom - y) != 0; });
-  PeakOptions peaks{options.least_prominence, options.least_area, false,
-                    std::max(surface.samples_m().width(), surface.samples_m().height())};
+  PeakOptions peaks;
+  peaks.least_prominence = options.least_prominence;
+  peaks.least_area = options.least_area;
+  // A solid has a base; a tilted face of it is no ground.
+  peaks.above_ground = false;
+  peaks.longest_side = std::max(surface.samples_m().width(), surface.samples_m().height());
   shape.parts = find_peaks(surface, peaks);
   for (Peak& part : shape.parts) raise_to_samples(surface, part);
   shape.is_flat =

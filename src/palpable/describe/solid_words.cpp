@@ -105,22 +105,10 @@ std::string extents(const SolidView& solid) {
                      flat ? "deep" : "high", spoken_length(size.z), flat ? "high" : "deep");
 }
 
-/// The regions of parts; several in one region as "3 upper left".
 std::string part_places(std::span<const Peak> parts, const SolidView& solid) {
-  std::vector<std::pair<std::string, std::size_t>> regions;
-  for (const Peak& part : parts) {
-    const std::string region = region_of(part.place, solid);
-    const auto same =
-        std::find_if(regions.begin(), regions.end(), [&](const auto& r) { return r.first == region; });
-    if (same == regions.end())
-      regions.emplace_back(region, 1);
-    else
-      ++same->second;
-  }
-  std::vector<std::string> places;
-  for (const auto& [region, count] : regions)
-    places.push_back(count == 1 ? region : fmt::format("{} {}", count, region));
-  return fmt::format("{}", fmt::join(places, "; "));
+  std::vector<std::string> regions;
+  for (const Peak& part : parts) regions.push_back(region_of(part.place, solid));
+  return counted_places(regions);
 }
 
 std::string brief_of(const SolidShape& shape, const SolidView& solid, const std::string& heading) {
