@@ -143,6 +143,19 @@ describe('the page in every size', () => {
     expect(boxes).toMatchObject({ aboveFooter: true, scrolls: false });
     expect(boxes.footer).toBeLessThanOrEqual(size.height + 0.5);
     expect(boxes.stage[1]! / size.height).toBeGreaterThan(0.4);
+    // The caption shows whole lines only, however long it is.
+    const caption = await page.locator('#spoken').evaluate((spoken) => {
+      const words = spoken.textContent;
+      spoken.textContent = 'A sentence that is much longer than the caption. '.repeat(20);
+      const style = getComputedStyle(spoken);
+      const shown = spoken.clientHeight - parseFloat(style.paddingTop) - parseFloat(style.paddingBottom);
+      const cut = spoken.scrollHeight > spoken.clientHeight;
+      spoken.textContent = words;
+      return { cut, lines: shown / parseFloat(style.lineHeight) };
+    });
+    expect(caption.cut).toBe(true);
+    expect(caption.lines).toBeGreaterThanOrEqual(1);
+    expect(Math.abs(caption.lines - Math.round(caption.lines))).toBeLessThan(0.05);
     // The relief fills the height or the width of the stage except for a margin.
     const drawn = await page.locator('#stage canvas').evaluate((canvas) => {
       const { width, height } = canvas as HTMLCanvasElement;

@@ -2,12 +2,27 @@
 // SPDX-License-Identifier: Apache-2.0
 import { beforeEach, describe, expect, it } from 'vitest';
 import { Surface } from '../surface';
-import { Camera, cameraTilt, frontPose, leastZoom, mostZoom } from './camera';
+import { Camera, cameraTilt, frontPose, leastZoom, mostZoom, shiftWords, turnWords } from './camera';
 
 const surface = new Surface(2, 2, new Float32Array(4), 0.1, 0.08);
 let camera: Camera;
 beforeEach(() => {
   camera = new Camera();
+});
+
+describe('the view in words', () => {
+  it('says how far the picture is turned and tilted', () => {
+    expect(turnWords(frontPose, 40)).toBe('Not turned, tilted 40 degrees.');
+    camera.turnBy(20);
+    expect(turnWords(camera.pose, 40)).toBe('Turned 20 degrees clockwise, tilted 40 degrees.');
+    camera.turnBy(-30);
+    expect(turnWords(camera.pose, 0)).toBe('Turned 10 degrees anticlockwise, tilted 0 degrees.');
+  });
+  it('says where in the scene its middle is', () => {
+    expect(shiftWords(frontPose)).toBe('The picture shows the middle of the scene.');
+    camera.panBy(-0.02, 0.001, surface);
+    expect(shiftWords(camera.pose)).toBe('The picture is centred 20 millimetres right, 1 millimetre down from the middle of the scene.');
+  });
 });
 
 describe('the camera', () => {

@@ -19,6 +19,26 @@ export const frontPose: CameraPose = { turn: 0, zoom: 1, centre: { x: 0, y: 0 } 
 /** The camera's rotation from straight before the scene, degrees: positive below it, as over a table; above an upright solid. */
 export const cameraTilt = (tilt: number, surface: Surface): number => (surface.isUpright ? -tilt : tilt);
 
+const millimetres = (metres: number): string => {
+  const rounded = Math.round(1000 * Math.abs(metres));
+  return `${rounded} ${rounded === 1 ? 'millimetre' : 'millimetres'}`;
+};
+
+/** The picture after a turn, in a sentence; the tilt in degrees. */
+export function turnWords({ turn }: CameraPose, tilt: number): string {
+  const degrees = Math.round(Math.abs(turn));
+  const way = degrees === 0 ? 'Not turned' : degrees === 180 ? 'Turned by 180 degrees' : `Turned ${degrees} degrees ${turn > 0 ? 'clockwise' : 'anticlockwise'}`;
+  return `${way}, tilted ${Math.round(tilt)} degrees.`;
+}
+
+/** The picture after a shift, in a sentence. */
+export function shiftWords({ centre }: CameraPose): string {
+  const parts: string[] = [];
+  if (Math.abs(centre.x) >= 0.0005) parts.push(`${millimetres(centre.x)} ${centre.x > 0 ? 'right' : 'left'}`);
+  if (Math.abs(centre.y) >= 0.0005) parts.push(`${millimetres(centre.y)} ${centre.y > 0 ? 'up' : 'down'}`);
+  return parts.length === 0 ? 'The picture shows the middle of the scene.' : `The picture is centred ${parts.join(', ')} from the middle of the scene.`;
+}
+
 export class Camera {
   private now = frontPose;
 

@@ -5,7 +5,7 @@ import type { PictureFrame } from '../codec';
 import { element } from '../dom';
 import { defaults, type Preferences } from '../settings/preferences';
 import type { Place, Surface } from '../surface';
-import { Camera, cameraTilt } from './camera';
+import { Camera, cameraTilt, shiftWords, turnWords } from './camera';
 import { bindGestures } from './gestures';
 import type { ProbeView, View } from './view';
 import { View3d } from './view3d';
@@ -120,7 +120,7 @@ export class Stage {
     if (this.surface) this.camera.zoomBy(factor, about, this.surface);
     this.aim();
   }
-  /** Handles keys that move the picture; false for other keys. */
+  /** Handles keys that move the picture, and says the new view; false for other keys. */
   moveViewBy({ key, shiftKey, ctrlKey, altKey, metaKey }: KeyboardEvent): boolean {
     if (!this.moving || ctrlKey || altKey || metaKey) return false;
     const arrows: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
@@ -128,8 +128,13 @@ export class Stage {
     if (way === undefined) return false;
     const [right, down] = way;
     const tenth = Math.min(this.element.clientWidth, this.element.clientHeight) / 10;
-    if (shiftKey) this.pan(right * tenth, down * tenth);
-    else this.turn(-right * keyTurn, -down * keyTurn);
+    if (shiftKey) {
+      this.pan(right * tenth, down * tenth);
+      this.target.say(shiftWords(this.camera.pose));
+    } else {
+      this.turn(-right * keyTurn, -down * keyTurn);
+      this.target.say(this.kind === 'flat' ? 'Seen from above the picture does not turn. Arrows with Shift shift it.' : turnWords(this.camera.pose, this.look.tilt));
+    }
     return true;
   }
 
