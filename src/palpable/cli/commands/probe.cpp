@@ -111,7 +111,7 @@ Result<Answer> probe(const ProbeArguments& arguments, Console& console) {
   const auto parameters = probe_law(arguments, scene);
   if (!parameters) return parameters.error();
   if (const auto unused = note_on_unused(arguments.law, parameters->law)) console.note(*unused);
-  const auto touchable = haptics::make_touchable(scene, *parameters);
+  const auto touchable = haptics::make_touchable(scene, *parameters, nullptr, console.work());
   if (!touchable) return touchable.error();
 
   std::string csv = "t_s,x_m,y_m,z_m,fx_N,fy_N,fz_N,contact,proxy_x_m,proxy_y_m,proxy_z_m,label";

@@ -69,10 +69,13 @@ MaterialMap materials_of(const models::Scene& scene, const Relief& relief, const
 }
 
 Result<std::shared_ptr<const Relief>> dilated_surface(const std::shared_ptr<const Relief>& relief,
-                                                      double radius_m, DilatedRelief* kept) {
+                                                      double radius_m, DilatedRelief* kept,
+                                                      const Work& work) {
   if (radius_m == 0.0) return relief;
   if (kept != nullptr && kept->of == relief && kept->radius_m == radius_m) return kept->surface;
-  auto dilated = Relief::from_samples(models::dilate_by_ball(*relief, radius_m, Work{}), relief->pixel_m());
+  auto values = models::dilate_by_ball(*relief, radius_m, work);
+  if (work.cancelled()) return Work::interrupted();
+  auto dilated = Relief::from_samples(std::move(values), relief->pixel_m());
   if (!dilated) return dilated.error();
   auto surface = std::make_shared<const Relief>(std::move(*dilated));
   if (kept != nullptr) *kept = {relief, radius_m, surface};

@@ -28,6 +28,7 @@ struct LawInput {
   const LawParameters& parameters;
   /// Cache of the dilated relief; null: no cache.
   DilatedRelief* kept = nullptr;
+  Work work = {};
 };
 
 struct MadeLaw {
@@ -51,9 +52,10 @@ MaterialMap materials_of(const models::Scene& scene, const models::Relief& relie
                          const LawParameters& parameters);
 
 /// The relief itself for a point; dilated for a ball. The slope of the dilated relief does not exceed the
-/// relief's.
+/// relief's. Errors: interrupted.
 Result<std::shared_ptr<const models::Relief>> dilated_surface(
-    const std::shared_ptr<const models::Relief>& relief, double radius_m, DilatedRelief* kept);
+    const std::shared_ptr<const models::Relief>& relief, double radius_m, DilatedRelief* kept,
+    const Work& work);
 
 /// Reads every page of a model once.
 void read_pages(const void* data, std::size_t bytes) noexcept;
@@ -122,7 +124,7 @@ template <class Make>
 MadeLaw make_on_relief(const LawInput& in, Make&& make) {
   const std::shared_ptr<const models::Relief>& relief = models::relief_of(in.scene);
   const double radius_m = in.parameters.radius_m.value_or(0.0);
-  auto surface = dilated_surface(relief, radius_m, in.kept);
+  auto surface = dilated_surface(relief, radius_m, in.kept, in.work);
   if (!surface) return {surface.error()};
   const std::uint64_t family =
       mixed(mixed(static_cast<std::uint64_t>(in.parameters.law), content_hash(*relief)), radius_m);

@@ -73,15 +73,15 @@ std::vector<Law> laws_for(const models::Scene& scene) {
 }
 
 Result<std::shared_ptr<const Touchable>> make_touchable(const models::Scene& scene,
-                                                        const LawParameters& parameters,
-                                                        DilatedRelief* kept) {
+                                                        const LawParameters& parameters, DilatedRelief* kept,
+                                                        const Work& work) {
   if (const auto valid = check(parameters); !valid) return valid.error();
   if (!models::has_model(scene)) return usage_error("the scene has no model");
   const LawDescription& law = description_of(parameters.law);
   if (!renders(law, scene))
     return usage_error("the law " + std::string(law.name) + " does not exist for a " +
                        models::kind_of(scene.model));
-  return law.make({scene, parameters, kept}).touchable;
+  return law.make({scene, parameters, kept, work}).touchable;
 }
 
 }  // namespace palpable::haptics

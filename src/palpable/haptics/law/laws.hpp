@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
 #include "palpable/haptics/law/law.hpp"
 #include "palpable/haptics/law/touchable.hpp"
 #include "palpable/models/scene/scene.hpp"
@@ -34,11 +35,11 @@ struct DilatedRelief {
 
 /// Creates the Touchable of a scene and a law for the servo loop. One-time work (dilating a relief by the
 /// ball) is done here, outside the tick; for a relief of 4 megapixels it takes seconds, longer for large
-/// radii and rough surfaces, cannot be interrupted, and is skipped if `kept` contains the result. Errors:
-/// usage for a scene without a model, a parameter of the law out of range, or a law that does not support
-/// this kind of scene.
+/// radii and rough surfaces, and is skipped if `kept` contains the result. Long work: reports progress, polls
+/// cancel. Errors: usage for a scene without a model, a parameter of the law out of range, or a law that does
+/// not support this kind of scene; interrupted.
 Result<std::shared_ptr<const Touchable>> make_touchable(const models::Scene& scene,
                                                         const LawParameters& parameters,
-                                                        DilatedRelief* kept = nullptr);
+                                                        DilatedRelief* kept = nullptr, const Work& work = {});
 
 }  // namespace palpable::haptics

@@ -6,6 +6,8 @@
 #include "palpable/haptics/law/test_scenes.hpp"
 #include "palpable/haptics/servo/probe_path.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -110,6 +112,24 @@ TEST(Laws, RefuseParametersOutOfTheirRange) {
   LawParameters p;
   p.radius_m = 0.5;
   EXPECT_FALSE(make_touchable(flat_ground(), p));
+}
+
+TEST(Laws, AreInterruptedWhileTheBallRollsOverTheRelief) {
+  LawParameters p;
+  p.radius_m = 0.001;
+  std::atomic<bool> cancel = true;
+  Work work;
+  work.cancel = &cancel;
+  const auto refused = make_touchable(flat_ground(), p, nullptr, work);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::interrupted);
+  cancel = false;
+  std::vector<double> fractions;
+  work.progress = [&fractions](double fraction, std::string_view) { fractions.push_back(fraction); };
+  EXPECT_TRUE(make_touchable(flat_ground(), p, nullptr, work));
+  ASSERT_FALSE(fractions.empty());
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_EQ(fractions.back(), 1.0);
 }
 
 TEST(Laws, RefuseASceneWithoutAModel) {

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <mutex>
 #include <vector>
 
 namespace palpable::models {
@@ -118,6 +120,25 @@ Raster<float> control_values_for(const Raster<float>& heights, double most_bent)
   return values;
 }
 
+/// Counts finished rows on all threads, and reports every hundredth.
+class RowsDone {
+ public:
+  RowsDone(const Work& work, int rows) : work_(work), rows_(rows) {}
+  void add() {
+    const std::lock_guard lock(mutex_);
+    ++done_;
+    if (100 * done_ / rows_ != 100 * (done_ - 1) / rows_)
+      work_.report(static_cast<double>(done_) / static_cast<double>(rows_),
+                   "rolling the ball over the relief");
+  }
+
+ private:
+  const Work& work_;
+  std::int64_t rows_;
+  std::int64_t done_ = 0;
+  std::mutex mutex_;
+};
+
 }  // namespace
 
 Raster<float> dilate_by_ball(const Relief& relief, double radius_m, const Work& work) {
@@ -130,9 +151,10 @@ Raster<float> dilate_by_ball(const Relief& relief, double radius_m, const Work& 
   const int w = heights.width();
   const int h = heights.height();
   Raster<float> centre(w, h);
+  RowsDone done(work, h);
   parallel_for(work, h, 8, [&](int begin, int end) {
     std::vector<ContactOffset> found(static_cast<std::size_t>(w));
-    for (int y = begin; y < end; ++y) {
+    for (int y = begin; y < end && !work.cancelled(); ++y) {
       contacts.find_row(y, found);
       for (int x = 0; x < w; ++x) {
         const ContactOffset contact = found[static_cast<std::size_t>(x)];
@@ -140,6 +162,7 @@ Raster<float> dilate_by_ball(const Relief& relief, double radius_m, const Work& 
         centre(x, y) = static_cast<float>(centre_height(relief, radius_m, (x - 0.5 * (w - 1)) * pixel_m,
                                                         (0.5 * (h - 1) - y) * pixel_m, offset));
       }
+      done.add();
     }
   });
   const double steep2 = 1.0 + relief.steepest_slope() * relief.steepest_slope();

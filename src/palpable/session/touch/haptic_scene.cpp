@@ -200,7 +200,7 @@ Result<models::Scene> with_kept_height(const models::Scene& scene, double height
 Result<PreparedScene> prepare_scene(const models::Scene& scene, const TouchSettings& settings,
                                     const device::Traits& device, double rate_hz,
                                     const Transform<SceneFrame, DeviceFrame>& scene_from_device,
-                                    KeptSurfaces& kept) {
+                                    KeptSurfaces& kept, const Work& work) {
   PreparedScene prepared;
   prepared.law = settings.law;
   const auto laws = haptics::laws_for(scene);
@@ -231,7 +231,7 @@ Result<PreparedScene> prepare_scene(const models::Scene& scene, const TouchSetti
     make_safe(*scaled, device, rate_hz, scene_from_device.scale, settings.hand_damping_Ns_per_m, prepared);
   make_carried(*scaled, device, rate_hz, scene_from_device.scale, prepared);
   prepared.materials = scaled->materials;
-  auto touchable = haptics::make_touchable(*scaled, prepared.law, &kept.dilated);
+  auto touchable = haptics::make_touchable(*scaled, prepared.law, &kept.dilated, work);
   if (!touchable) return std::move(touchable).error();
   prepared.scene.touchable = std::move(*touchable);
   prepared.scene.scene_from_device = scene_from_device;

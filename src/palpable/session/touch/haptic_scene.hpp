@@ -40,11 +40,11 @@ struct KeptSurfaces {
 };
 
 /// Prepares a law on a scene for a device. Stiffness is limited to what the device can render at that rate
-/// (haptics/safety/stability.hpp). If only parameters changed, the surface is taken from `kept`. Errors: as
-/// make_touchable() and with_height_factor().
+/// (haptics/safety/stability.hpp). If only parameters changed, the surface is taken from `kept`. Long work:
+/// reports progress, polls cancel. Errors: as make_touchable() and with_height_factor().
 Result<PreparedScene> prepare_scene(const models::Scene& scene, const TouchSettings& settings,
                                     const device::Traits& device, double rate_hz,
                                     const Transform<SceneFrame, DeviceFrame>& scene_from_device,
-                                    KeptSurfaces& kept);
+                                    KeptSurfaces& kept, const Work& work = {});
 
 }  // namespace palpable::session

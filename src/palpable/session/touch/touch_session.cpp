@@ -89,8 +89,8 @@ device::RecordedScene TouchSession::Impl::described(const PreparedScene& prepare
 Result<void> TouchSession::Impl::change(std::shared_ptr<const models::Scene> to_scene,
                                         const TouchSettings& to_settings,
                                         const Transform<SceneFrame, DeviceFrame>& to_place) {
-  auto prepared =
-      prepare_scene(*to_scene, to_settings, loop->device_traits(), options.servo.rate_hz, to_place, kept);
+  auto prepared = prepare_scene(*to_scene, to_settings, loop->device_traits(), options.servo.rate_hz,
+                                to_place, kept, options.work);
   if (!prepared) return std::move(prepared).error();
   prepared->scene.id = ++last_scene_id;
   auto description = described(*prepared, to_scene, to_settings);
@@ -143,8 +143,8 @@ Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const m
     return Error{ErrorCode::usage,
                  "the limits may be off on simulated devices and on those of at most 4 N only", device_url};
   const auto place = haptics::fit_workspace(*scene, (*device)->traits());
-  auto prepared =
-      prepare_scene(*scene, settings, (*device)->traits(), options.servo.rate_hz, place, impl->kept);
+  auto prepared = prepare_scene(*scene, settings, (*device)->traits(), options.servo.rate_hz, place,
+                                impl->kept, options.work);
   if (!prepared) return std::move(prepared).error();
   prepared->scene.id = ++impl->last_scene_id;
   impl->described_now = impl->described(*prepared, scene, settings);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
 #include "palpable/device/device.hpp"
 #include "palpable/haptics/servo/servo_loop.hpp"
 #include "palpable/models/scene/scene.hpp"
@@ -31,6 +32,8 @@ struct SessionOptions {
   std::vector<std::string> command;
   /// File in which the touch is recorded from the first tick; empty = none.
   std::filesystem::path recording;
+  /// Preparing a scene (haptic_scene.hpp) takes seconds for a large relief and a ball.
+  Work work;
   /// Number of probes besides the hand, moved by move_pointer(); at most haptics::kMaxLiveProbes - 1.
   std::size_t further_probes = 0;
 };

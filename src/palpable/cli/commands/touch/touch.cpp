@@ -42,6 +42,8 @@ Result<Answer> touch(TouchArguments arguments, Console& console) {
   }
   if (const auto filled = fill_plan(arguments, *published, plan); !filled) return filled.error();
   plan.options.seed = console.options().seed;
+  // Without progress: the maker of scenes reports its own at the same time.
+  plan.options.work = {console.work().threads, console.work().seed, {}, &interrupted()};
   plan.options.command = console.options().command;
   plan.options.made_by = std::string("palpable ") + PALPABLE_VERSION + " (build " + build_id() + ")";
   constexpr double kRate_Hz = 1000.0;
