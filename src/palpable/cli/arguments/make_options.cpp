@@ -360,7 +360,7 @@ Result<sculpt::ShapeSetOptions> shape_options(const MakeArguments& arguments,
 Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   session::MakeOptions options;
   options.made_by = kMadeBy;
-  if (!arguments.no_cache) options.cache.folder = session::user_cache_folder();
+  if (!arguments.no_cache) options.cache = {session::user_cache_folder(), session::user_cache_limit_bytes()};
   options.as = make_as_from(arguments.as);
   auto input = input_options(arguments);
   if (!input) return input.error();

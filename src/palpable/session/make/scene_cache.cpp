@@ -8,8 +8,10 @@
 #include "palpable/formats/scene/scene_file.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
 #include <span>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -151,6 +153,16 @@ fs::path user_cache_folder() {
   if (const fs::path cache = absolute("XDG_CACHE_HOME"); !cache.empty()) return cache / "palpable" / "scenes";
   if (const fs::path home = absolute("HOME"); !home.empty()) return home / ".cache" / "palpable" / "scenes";
   return {};
+}
+
+std::uintmax_t user_cache_limit_bytes() {
+  const char* const value = std::getenv("PALPABLE_CACHE_MB");
+  const std::string_view text = value != nullptr ? value : "";
+  std::uint32_t megabytes = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), megabytes);
+  if (text.empty() || error != std::errc() || end != text.data() + text.size())
+    return SceneCache{}.most_bytes;
+  return std::uintmax_t{megabytes} * 1'000'000U;
 }
 
 std::string cache_key(const Mesh& mesh, const recipes::FieldRecipe& recipe, const std::string& made_by) {

@@ -25,6 +25,10 @@ struct SceneCache {
 /// $XDG_CACHE_HOME/palpable/scenes, or ~/.cache/palpable/scenes; empty if neither is an absolute path.
 std::filesystem::path user_cache_folder();
 
+/// The limit of its size that $PALPABLE_CACHE_MB states, a whole number of megabytes (10^6 bytes; 0: nothing
+/// is stored); that of SceneCache if it is not set or no such number.
+std::uintmax_t user_cache_limit_bytes();
+
 /// Everything that the field of a mesh depends on, as text: the hash of the mesh, the recipe, the version
 /// `made_by`, and the identifier of the running program, so that an entry is not used by another build.
 std::string cache_key(const Mesh& mesh, const recipes::FieldRecipe& recipe, const std::string& made_by);

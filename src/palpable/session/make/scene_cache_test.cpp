@@ -12,6 +12,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -163,6 +164,19 @@ TEST_F(SceneCacheTest, GivesATouchTheFineFieldAtOnce) {
   scenes = 0;
   ASSERT_TRUE(make_scenes(options_, take, {}));
   EXPECT_EQ(scenes, 1);
+}
+
+TEST_F(SceneCacheTest, TakesAsMuchAsTheUserAllows) {
+  ASSERT_EQ(unsetenv("PALPABLE_CACHE_MB"), 0);
+  EXPECT_EQ(user_cache_limit_bytes(), SceneCache{}.most_bytes);
+  for (const auto& [text, bytes] : {std::pair{"100", 100'000'000U}, std::pair{"0", 0U}}) {
+    ASSERT_EQ(setenv("PALPABLE_CACHE_MB", text, 1), 0);
+    EXPECT_EQ(user_cache_limit_bytes(), bytes);
+  }
+  for (const char* const text : {"", "much", "-1", "100 MB", "99999999999999"}) {
+    ASSERT_EQ(setenv("PALPABLE_CACHE_MB", text, 1), 0);
+    EXPECT_EQ(user_cache_limit_bytes(), SceneCache{}.most_bytes) << text;
+  }
 }
 
 TEST_F(SceneCacheTest, LiesInTheFolderThatTheDesktopStandardNames) {
