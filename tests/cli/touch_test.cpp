@@ -152,6 +152,7 @@ TEST_F(Touch, EndsAtOnceWhenInterruptedTwice) {
 TEST_F(Touch, ServesThePageAndPrintsItsAddress) {
   Running running({"touch", path("left.png"), path("right.png"), "--no-browser"});
   EXPECT_TRUE(running.says("http://127.0.0.1:", std::chrono::seconds(20))) << running.err();
+  EXPECT_TRUE(running.says("lets one browser in, once", std::chrono::seconds(20))) << running.err();
   running.send(SIGTERM);
   const Outcome outcome = running.wait(std::chrono::seconds(20));
   EXPECT_EQ(outcome.exit_code, 130);

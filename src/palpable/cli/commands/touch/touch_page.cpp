@@ -66,7 +66,10 @@ Result<void> serve_page(const TouchArguments& arguments, const TouchPlan& plan,
   page::ServeOptions options;
   options.port = static_cast<std::uint16_t>(arguments.port);
   options.on_ready = [&](const std::string& address) {
-    console.say(fmt::format("Touch the scene at {}\nEnd with Ctrl-C.", address));
+    console.say(fmt::format(
+        "Touch the scene at {}\nThe address lets one browser in, once; its further tabs need only "
+        "what stands before the #. End with Ctrl-C.",
+        address));
     if (!arguments.no_browser) browser.emplace(address);
   };
   auto served = page::serve(host, options, interrupted());
