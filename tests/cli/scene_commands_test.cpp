@@ -1,7 +1,10 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "program.hpp"
 #include "test_pictures.hpp"
@@ -14,6 +17,20 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
+
+/// Lengths in millimetres of the paths of an SVG that consist of straight lines, "M1.0 2.0L3.0 4.0".
+std::vector<double> path_lengths_mm(const std::string& svg) {
+  std::vector<double> lengths;
+  for (std::size_t at = svg.find(" d=\"M"); at != std::string::npos; at = svg.find(" d=\"M", at + 1)) {
+    std::istringstream points(svg.substr(at + 5, svg.find('"', at + 5) - at - 5));
+    double x = 0.0, y = 0.0, length = 0.0;
+    char line = '\0';
+    points >> x >> y;
+    for (double u = 0.0, v = 0.0; points >> line >> u >> v; x = u, y = v) length += std::hypot(u - x, v - y);
+    lengths.push_back(length);
+  }
+  return lengths;
+}
 
 /// One scene for all tests of this file.
 class SceneCommands : public testing::Test {
@@ -51,6 +68,25 @@ TEST_F(SceneCommands, MakeReportsItsResult) {
   EXPECT_NEAR(json["size_m"][0], 0.1, 1e-9);
   EXPECT_NEAR(json["size_m"][1], 0.075, 1e-9);
   EXPECT_TRUE(std::filesystem::exists(in("a.palp")));
+}
+
+TEST_F(SceneCommands, SwellPaperOfAReliefWithoutAGroundHasNoLinesThatAreTooShort) {
+  // A dome with specks of 2 x 2 pixels: rings of about 3 mm around each of them.
+  std::string picture = "P2 200 150 255\n";
+  for (int y = 0; y < 150; ++y)
+    for (int x = 0; x < 200; ++x) {
+      const double r2 = (std::pow(x - 100.0, 2) + std::pow(y - 75.0, 2)) / 4000.0;
+      const bool is_speck = x % 10 < 2 && y % 10 < 2;
+      picture += std::to_string(static_cast<int>(200.0 * std::exp(-r2)) + (is_speck ? 40 : 0)) + "\n";
+    }
+  write_text(in("dome.pgm"), picture);
+  const Outcome dome = palpable({"make", in("dome.pgm"), "--kind", "depth", "--depth-as", "disparity",
+                                 "--detail", "linear", "-o", in("dome.palp")});
+  ASSERT_EQ(dome.exit_code, 0) << dome.err;
+  ASSERT_EQ(palpable({"export", in("dome.palp"), "-o", in("dome.svg"), "--interval", "1"}).exit_code, 0);
+  const auto lengths = path_lengths_mm(read_text(in("dome.svg")));
+  ASSERT_GE(lengths.size(), 3U);
+  EXPECT_GE(*std::min_element(lengths.begin(), lengths.end()), 6.0);
 }
 
 TEST_F(SceneCommands, InfoHasAllDocumentedFields) {

@@ -36,10 +36,8 @@ Result<void> write_height_lines(const models::Relief& relief, const TactileArgum
   formats::HeightLineOptions options;
   options.interval_m = arguments.interval_mm / 1000.0;
   const auto above = sculpt::heights_above_ground(relief, work);
-  if (above) {
-    options.outline_m = kOutlineShare * (relief.highest_m() - relief.lowest_m());
-    options.least_length_m = kLeastLength_m;
-  }
+  options.least_length_m = kLeastLength_m;
+  if (above) options.outline_m = kOutlineShare * (relief.highest_m() - relief.lowest_m());
   return write_text(
       formats::encode_height_lines(above ? *above : relief.samples_m(), relief.pixel_m(), options), output);
 }
