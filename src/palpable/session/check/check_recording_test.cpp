@@ -290,6 +290,18 @@ TEST(CheckRecording, SaysWhenTheSceneIsAnother) {
   EXPECT_NE(said(report).find("another scene was touched than the one given"), std::string::npos);
 }
 
+TEST(CheckRecording, RecomputesTheLawOnTheSecondSceneWhereTheFirstIsNotGiven) {
+  auto options = recorded_touch_of(2.0, "second-scene.rec");
+  ASSERT_TRUE(touch_headless(makes({waves(0.010), waves(0.012)}), options, {}));
+  const auto report = checked(options.recording, {waves(0.012)});
+  EXPECT_TRUE(report.is_clean()) << said(report);
+  EXPECT_EQ(report.recomputed, 0U);
+  EXPECT_GT(report.law_recomputed, report.ticks / 2) << said(report);
+  EXPECT_EQ(report.differing, 0U);
+  EXPECT_NE(said(report).find("only the law's force was recomputed: ticks before it could not be"),
+            std::string::npos);
+}
+
 TEST(CheckRecording, CanBeStopped) {
   std::atomic<bool> stop{true};
   Work work;

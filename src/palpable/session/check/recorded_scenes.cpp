@@ -2,9 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/check/recorded_scenes.hpp"
 
+#include <filesystem>
+#include <string>
 #include <utility>
 
 namespace palpable::session {
+
+namespace {
+
+/// " (field of mesh, 96 cells; from spot.obj)"; empty if the recording does not say.
+std::string words_of(const RecordedTouch& touch) {
+  std::string words = touch.method;
+  for (const std::string& input : touch.inputs)
+    words += (words.empty() ? "from " : "; from ") + std::filesystem::path(input).filename().string();
+  return words.empty() ? words : " (" + words + ")";
+}
+
+}  // namespace
 
 RecordedScenes::RecordedScenes(const std::vector<std::shared_ptr<const models::Scene>>& at_hand) {
   for (const auto& scene : at_hand) at_hand_.push_back({scene, {scene_hash(*scene), shape_hash(*scene)}});
@@ -38,7 +52,8 @@ const haptics::HapticScene* RecordedScenes::scene(std::uint32_t id) {
   if (std::exchange(noted.tried, true)) return noted.made.get();
   const models::Scene* scene = find(noted.touch);
   if (scene == nullptr) {
-    why_ = at_hand_.empty() ? "the scene is not given" : "another scene was touched than the one given";
+    why_ = at_hand_.empty() ? "the scene is not given"
+                            : "another scene was touched than the one given" + words_of(noted.touch);
     return nullptr;
   }
   auto made = remade_scene(noted.touch, *scene, id, kept_);

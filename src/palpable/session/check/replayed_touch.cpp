@@ -103,15 +103,19 @@ std::optional<haptics::LawOutput> ReplayedLaw::step(const device::TouchSample& r
   if (recorded.has(flag::kFading | flag::kNotFinite)) known_ = false;
   if (!follows) known_ = false;
   const bool good = recorded.status == device::Status::ok && !recorded.has(flag::kImplausible);
-  if (good && recorded.has(flag::kNewTouch) && !recorded.has(flag::kFading)) {
-    known_ = true;
+  const bool is_new = recorded.has(flag::kNewTouch), is_free = !recorded.has(flag::kContact);
+  const bool begins = good && !recorded.has(flag::kFading) && (is_new || (!known_ && is_free));
+  if (begins) {
     state_ = {};
+    assumed_ = !is_new;
   }
-  if (!known_ || !good) return std::nullopt;
+  if (!(known_ || begins) || !good) return std::nullopt;
   const haptics::HapticScene* scene = scenes_.scene(recorded.scene_id);
   if (scene == nullptr) return std::nullopt;
   const haptics::ServoArithmetic arithmetic;
-  return scene->touchable->evaluate(recorded_hand(recorded, *scene), state_);
+  const haptics::LawOutput output = scene->touchable->evaluate(recorded_hand(recorded, *scene), state_);
+  known_ = known_ || is_new || !output.contact;
+  return output;
 }
 
 }  // namespace palpable::session

@@ -44,19 +44,25 @@ class ReplayedTouch {
   bool lost_ = false;
 };
 
-/// Recomputes the law alone at the recorded hand positions, from the first tick of each touch. This works for
-/// old recordings and for those that began during a touch, but not during changes of scene. One thread.
+/// Recomputes the law alone at the recorded hand positions, from the first tick of each touch; and from the
+/// first one in free air, where the law's state is assumed to be that of a new touch. This works for old
+/// recordings, for those that began during a touch, and after another scene that is not given, but not during
+/// changes of scene. One thread.
 class ReplayedLaw {
  public:
   explicit ReplayedLaw(RecordedScenes& scenes) : scenes_(scenes) {}
 
   /// The law's output at the next recorded tick; nullopt if it cannot be determined.
   std::optional<haptics::LawOutput> step(const device::TouchSample& recorded);
+  /// Whether the state of the last output was assumed: a law may remember from earlier contacts where it
+  /// looks for the surface, so single forces may differ by a little.
+  bool is_assumed() const { return assumed_; }
 
  private:
   RecordedScenes& scenes_;
   haptics::TouchState state_;
   bool known_ = false;
+  bool assumed_ = false;
   std::uint32_t scene_id_ = 0;
   std::uint64_t next_tick_ = 0;
 };

@@ -3,6 +3,7 @@
 #include "palpable/session/touch/scene_hash.hpp"
 
 #include "palpable/core/files/fnv1a.hpp"
+#include "palpable/formats/scene/field_streams.hpp"
 
 #include <bit>
 #include <cmath>
@@ -36,7 +37,10 @@ void add_model(Fnv1a& hash, const std::shared_ptr<const models::Contours>& conto
 void add_model(Fnv1a& hash, const std::shared_ptr<const models::Field>& field) {
   const models::FieldGrid& grid = field->distance.grid();
   for (const double v : {grid.origin_m.x, grid.origin_m.y, grid.origin_m.z, grid.cell_m}) hash.add(v);
-  const models::FieldTree& tree = field->distance.tree();
+  // The order of nodes in memory depends on how the tree was built. A scene file gives them an order of its
+  // own, so the same field has one hash before it is saved and after.
+  const auto stored = formats::tree_from(grid, formats::streams_of(grid, field->distance.tree()));
+  const models::FieldTree& tree = stored ? *stored : field->distance.tree();
   for (const auto* part : {&tree.roots, &tree.nodes, &tree.words})
     for (const std::uint32_t word : *part) hash.add(word);
 }
@@ -68,10 +72,17 @@ void add_texture(Fnv1a& hash, const models::TouchTexture& texture) {
 
 }  // namespace
 
-std::string scene_hash(const models::Scene& scene) {
+namespace {
+
+/// The beginning that both hashes have in common: kind and model.
+Fnv1a model_hash(const models::Scene& scene) {
   Fnv1a hash;
   hash.add(std::string_view(models::kind_of(scene.model)));
   std::visit([&](const auto& model) { add_model(hash, model); }, scene.model);
+  return hash;
+}
+
+std::string scene_hash_from(Fnv1a hash, const models::Scene& scene) {
   for (const auto& material : scene.materials) {
     hash.add(material.stiffness_N_per_m);
     hash.add(material.damping_Ns_per_m);
@@ -83,17 +94,21 @@ std::string scene_hash(const models::Scene& scene) {
   return hash.digits();
 }
 
-std::string shape_hash(const models::Scene& scene) {
-  Fnv1a hash;
-  hash.add(std::string_view(models::kind_of(scene.model)));
-  std::visit([&](const auto& model) { add_model(hash, model); }, scene.model);
+std::string shape_hash_from(Fnv1a hash, const models::Scene& scene) {
   add_raster(hash, scene.labels);
   return hash.digits();
 }
 
+}  // namespace
+
+std::string scene_hash(const models::Scene& scene) { return scene_hash_from(model_hash(scene), scene); }
+
+std::string shape_hash(const models::Scene& scene) { return shape_hash_from(model_hash(scene), scene); }
+
 SceneHash SceneHashes::of(const std::shared_ptr<const models::Scene>& scene) {
   if (scene_ != scene) {
-    hash_ = {scene_hash(*scene), shape_hash(*scene)};
+    const Fnv1a model = model_hash(*scene);
+    hash_ = {scene_hash_from(model, *scene), shape_hash_from(model, *scene)};
     scene_ = scene;
   }
   return hash_;

@@ -3,8 +3,13 @@
 #include "palpable/session/touch/scene_hash.hpp"
 
 #include "palpable/formats/scene/scene_file.hpp"
+#include "palpable/recipes/solid/field_recipe.hpp"
 
 #include <cmath>
+#include <cstdint>
+#include <memory>
+#include <numbers>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -26,6 +31,41 @@ models::Scene with_texture(models::TouchTexture::Kind kind, double pitch_m) {
   for (int k = 0; k < models::kTextureSide * models::kTextureSide; ++k)
     scene.materials.front().texture.tile.push_back(std::sin(0.1F * static_cast<float>(k)));
   return scene;
+}
+
+/// A bumpy ball of 40 mm with 4 threads, whose branches are built at the same time.
+models::Scene bumpy_ball() {
+  constexpr int kRound = 48, kUp = 24;
+  Mesh mesh;
+  for (int j = 0; j <= kUp; ++j)
+    for (int i = 0; i < kRound; ++i) {
+      const double a = 2.0 * std::numbers::pi * i / kRound, b = std::numbers::pi * j / kUp;
+      const double r_m = 0.02 + 0.002 * std::sin(5.0 * a) * std::sin(b) * std::sin(4.0 * b);
+      mesh.vertices_m.push_back(
+          {r_m * std::sin(b) * std::cos(a), r_m * std::sin(b) * std::sin(a), -r_m * std::cos(b)});
+    }
+  const auto at = [](int i, int j) { return static_cast<std::uint32_t>(j * kRound + i % kRound); };
+  for (int j = 0; j < kUp; ++j)
+    for (int i = 0; i < kRound; ++i) {
+      if (j > 0) mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      if (j < kUp - 1) mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  recipes::FieldRecipe recipe;
+  recipe.field.resolution = 48;
+  recipe.field.max_error_m = 1e-4;
+  Work work;
+  work.threads = 4;
+  return recipes::field_from_mesh(std::move(mesh), recipe, work)->scene;
+}
+
+TEST(SceneHash, OfAFieldIsTheSameBeforeItIsSavedAndAfter) {
+  const models::Scene made = bumpy_ball();
+  const auto read = formats::decode_scene(*formats::encode_scene(made));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(scene_hash(read->scene), scene_hash(made));
+  EXPECT_EQ(shape_hash(read->scene), shape_hash(made));
+  SceneHashes hashes;
+  EXPECT_EQ(hashes.of(std::make_shared<const models::Scene>(made)).shape, shape_hash(made));
 }
 
 TEST(SceneHash, DistinguishesTextures) {
