@@ -3,6 +3,7 @@
 // What a scene cannot be trusted for is measured by its recipe, and stays with the scene.
 #include "palpable/recipes/contours_recipe.hpp"
 #include "palpable/recipes/relief/relief_recipe.hpp"
+#include "palpable/recipes/solid/grid_recipe.hpp"
 #include "palpable/recipes/solid/sheet_recipe.hpp"
 
 #include <algorithm>
@@ -78,6 +79,9 @@ TEST(Warnings, SayOfAPairThatHardlyMatchesWhatItsVerdictSays) {
   ASSERT_FALSE(unlike->scene.warnings.empty());
   EXPECT_THAT(unlike->scene.warnings.front(), HasSubstr("This pair is hardly fit to touch"));
   expect_notes_too(*unlike);
+  const auto grid = grid_from_pair(pair_of(8, false), stereo, {}, {}, {});
+  ASSERT_TRUE(grid) << grid.error().sentence();
+  EXPECT_EQ(grid->scene.warnings, unlike->scene.warnings);
   const auto alike = relief_from_pair(pair_of(8, true), stereo, {}, {});
   ASSERT_TRUE(alike);
   EXPECT_THAT(alike->scene.warnings, testing::Not(testing::Contains(HasSubstr("This pair"))));

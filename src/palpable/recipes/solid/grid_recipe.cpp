@@ -129,6 +129,7 @@ Result<MadeScene> grid_from_pair(const vision::StereoPair& pair, const StereoRec
   auto made = grid_from_disparity(std::move(treated->disparity), recipe, work);
   if (!made) return made;
   made->notes.insert(made->notes.begin(), treated->notes.begin(), treated->notes.end());
+  made->scene.warnings = std::move(treated->regions.warnings);
   made->scene.source.method = treated->method + ", filled into a grid from the camera";
   return made;
 }
