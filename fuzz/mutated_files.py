@@ -150,7 +150,7 @@ def fault_of(command, damaged):
 
 def says_damage(text):
     """Whether the program reports the damage of a recording; it still reads the part before the damage."""
-    return "damage" in text or "interrupted" in text
+    return any(word in text for word in ("damage", "cut off", "interrupted"))
 
 
 def main():

@@ -41,6 +41,8 @@ def recording(data):
         body = data[at + 12:at + 12 + size]
         if len(body) < size or zlib.crc32(body) != expected:
             return "a checksum is wrong, or a chunk is cut off"
+        if kind == b"HEAD" and at > 8:
+            return "there is a second header"
         at += 12 + size
         if kind == b"END ":
             return "" if at == len(data) else "more follows its end"

@@ -126,6 +126,15 @@ TEST_F(Touch, CheckRecomputesWhatWasRecordedAndFindsWhatWasChanged) {
   const Outcome changed = palpable({"check", path("changed.rec"), path("scene.palp")});
   EXPECT_EQ(changed.exit_code, 1);
   EXPECT_THAT(changed.out, HasSubstr("the file is damaged"));
+  const Outcome exported = palpable({"export", path("changed.rec"), "-o", path("changed.csv")});
+  EXPECT_EQ(exported.exit_code, 3);
+  EXPECT_THAT(exported.err, HasSubstr("is a recording that is damaged after"));
+  EXPECT_FALSE(std::filesystem::exists(path("changed.csv")));
+  write_text(path("cut.rec"), read_text(path("check.rec")).substr(0, bytes.size() * 2 / 3));
+  const Outcome cut = palpable({"check", path("cut.rec"), path("scene.palp")});
+  EXPECT_EQ(cut.exit_code, 0) << cut.out;
+  EXPECT_THAT(cut.out, HasSubstr("the recording was cut off there"));
+  EXPECT_THAT(cut.out, Not(HasSubstr("\nClean.")));
   EXPECT_EQ(palpable({"check", path("scene.palp")}).exit_code, 3);
 }
 

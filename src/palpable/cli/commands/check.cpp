@@ -166,8 +166,12 @@ std::string text_of(const CheckReport& report, const CheckArguments& arguments) 
   if (rest > 0) text += fmt::format("        and {} more (--list N, --json).\n", rest);
   if (!is_judged(report) && report.is_clean())
     text += "Not judged: no force could be recomputed; name the scene that was touched.\n";
+  else if (!is_clean(report, arguments))
+    text += "Not clean.\n";
   else
-    text += is_clean(report, arguments) ? "Clean.\n" : "Not clean.\n";
+    text += report.end == device::RecordingEnd::cut
+                ? "Clean up to its end; the recording was cut off there: its end mark is missing.\n"
+                : "Clean.\n";
   return text;
 }
 

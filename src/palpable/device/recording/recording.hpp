@@ -36,11 +36,12 @@ struct Recording {
   bool complete = false;
 };
 
-/// Reads a whole recording. If a file is truncated or damaged, the part before that place is returned with
-/// complete = false. Errors (invalid_input): not a recording, a newer version, a damaged header, more ticks
-/// than fit into memory.
+/// Reads a whole recording. If a file is truncated, the part before that place is returned with complete =
+/// false. Errors (invalid_input): not a recording, a newer version, a damaged one, more ticks than fit into
+/// memory.
 Result<Recording> read_recording(const std::filesystem::path& file);
-/// The same from memory; `name` is the place of errors.
+/// The same from memory, except that of a damaged recording too the part before the damage is returned;
+/// `name` is the place of errors.
 Result<Recording> parse_recording(std::span<const std::byte> bytes, const std::string& name);
 
 /// How a recording's file ends.
@@ -70,6 +71,9 @@ class RecordingReader {
   const Recording* next();
   /// How the file ends; valid after next() returned null.
   RecordingEnd end() const;
+  /// Error (invalid_input) for a damaged file, with the size of its undamaged part; a truncated one is valid.
+  /// After next() returned null.
+  Result<void> check_end() const;
   /// Recording::lost, after a complete end.
   std::uint64_t lost() const;
   /// The fraction of the file that was read, 0 ... 1.

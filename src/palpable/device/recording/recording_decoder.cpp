@@ -53,6 +53,9 @@ void add_turn(ByteReader& in, TouchSample& tick) {
 bool RecordingDecoder::take(const RecordingChunk& chunk, Recording& recording) {
   ByteReader in(chunk.payload);
   switch (chunk.kind) {
+    case format::kHeader:
+      // There is one, at the beginning.
+      return false;
     case format::kProgram:
       if (chunk.payload.size() < 4 || chunk.payload.size() > format::kMostText_bytes) return false;
       recording.scenes.push_back({in.u32(), std::string(as_text(in.bytes(in.left())))});

@@ -81,9 +81,14 @@ struct RecordingReader::Impl {
   RecordingEnd next_chunk(RecordingChunk& chunk);
 
   std::FILE* stream = nullptr;
+  std::string name;
   std::string header_json;
   std::uintmax_t size = 0;
   std::uintmax_t done = 0;
+  /// Up to the end of the last valid chunk.
+  std::uintmax_t valid_bytes = 0;
+  /// Of the hand.
+  std::uint64_t ticks = 0;
   std::vector<std::byte> buffer;
   RecordingDecoder decoder;
   Recording piece;
@@ -102,8 +107,8 @@ RecordingEnd RecordingReader::Impl::next_chunk(RecordingChunk& chunk) {
   if (!read(format::kChunkHead_bytes)) return RecordingEnd::cut;
   ByteReader in(buffer);
   const Head head = head_of(in);
-  if (head.size > size - std::min(size, done)) return RecordingEnd::cut;
   if (head.size > kMostChunk_bytes) return RecordingEnd::damaged;
+  if (head.size > size - std::min(size, done)) return RecordingEnd::cut;
   if (!read(head.size)) return RecordingEnd::cut;
   chunk = {head.kind, buffer};
   return crc32(chunk.payload) == head.sum ? RecordingEnd::not_yet : RecordingEnd::damaged;
@@ -127,7 +132,9 @@ Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const std::filesy
   RecordingChunk chunk;
   if (impl->next_chunk(chunk) != RecordingEnd::not_yet || !is_header(chunk))
     return damaged_header(file.string());
+  impl->name = file.string();
   impl->header_json = as_text(chunk.payload);
+  impl->valid_bytes = impl->done;
   return std::unique_ptr<RecordingReader>(new RecordingReader(std::move(impl)));
 }
 
@@ -142,9 +149,12 @@ const Recording* RecordingReader::next() {
   RecordingChunk chunk;
   it.end = it.next_chunk(chunk);
   if (it.end == RecordingEnd::not_yet && !it.decoder.take(chunk, it.piece)) it.end = RecordingEnd::damaged;
+  if (it.end == RecordingEnd::not_yet) it.valid_bytes = it.done;
   if (it.end == RecordingEnd::not_yet && it.piece.complete)
     it.end = it.done < it.size ? RecordingEnd::more_after_end : RecordingEnd::complete;
-  return it.end == RecordingEnd::not_yet ? &it.piece : nullptr;
+  if (it.end != RecordingEnd::not_yet) return nullptr;
+  it.ticks += it.piece.ticks.size();
+  return &it.piece;
 }
 
 Result<Recording> read_recording(const std::filesystem::path& file) {
@@ -168,12 +178,25 @@ Result<Recording> read_recording(const std::filesystem::path& file) {
     recording.ticks.insert(recording.ticks.end(), piece->ticks.begin(), piece->ticks.end());
     recording.further.insert(recording.further.end(), piece->further.begin(), piece->further.end());
   }
+  if (auto valid = (*reader)->check_end(); !valid) return std::move(valid).error();
   recording.complete = (*reader)->end() == RecordingEnd::complete;
   recording.lost = (*reader)->lost();
   return recording;
 }
 
 RecordingEnd RecordingReader::end() const { return impl_->end; }
+
+Result<void> RecordingReader::check_end() const {
+  const std::string where = "; its first " + std::to_string(impl_->valid_bytes) + " bytes are readable alone";
+  if (impl_->end == RecordingEnd::damaged)
+    return invalid_input("is a recording that is damaged after " + std::to_string(impl_->ticks) +
+                             (impl_->ticks == 1 ? " tick" : " ticks") + where,
+                         impl_->name);
+  if (impl_->end == RecordingEnd::more_after_end)
+    return invalid_input("is a recording with data after its end mark" + where, impl_->name);
+  return {};
+}
+
 std::uint64_t RecordingReader::lost() const { return impl_->piece.lost; }
 double RecordingReader::fraction() const {
   return impl_->size > 0 ? static_cast<double>(impl_->done) / static_cast<double>(impl_->size) : 1.0;

@@ -6,6 +6,7 @@
 #include "palpable/core/files/read_file.hpp"
 #include "palpable/device/drivers/open.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -94,6 +95,31 @@ TEST(Recording, DamagedAnywhereNeverGivesWrongTicks) {
     ASSERT_LE(read->ticks.size(), whole.ticks.size());
     for (std::size_t n = 0; n < read->ticks.size(); ++n) ASSERT_EQ(read->ticks[n], whole.ticks[n]);
   }
+}
+
+TEST(Recording, ASecondHeaderOrAChunkThatIsTooLargeIsDamage) {
+  const auto bytes = *read_file(written(100, "blocks.rec"));
+  // After the magic: a head of 12 bytes, whose second number is the size of the payload.
+  const std::size_t header = 12 + std::to_integer<std::size_t>(bytes[12]);
+  const auto read = [&](std::size_t at, std::span<const std::byte> added) {
+    auto changed = bytes;
+    changed.insert(changed.begin() + static_cast<std::ptrdiff_t>(at), added.begin(), added.end());
+    const auto file = std::filesystem::path(testing::TempDir()) / "changed_blocks.rec";
+    EXPECT_TRUE(write_file_atomically(file, changed));
+    const auto recording = read_recording(file);
+    return recording ? std::string() : recording.error().message;
+  };
+  const std::size_t first = 8 + header;
+  EXPECT_EQ(read(first, std::span(bytes).subspan(8, header)),
+            "is a recording that is damaged after 0 ticks; its first " + std::to_string(first) +
+                " bytes are readable alone");
+  const std::array<std::byte, 12> huge{std::byte{'T'}, std::byte{'I'}, std::byte{'C'}, std::byte{'K'},
+                                       std::byte{0},   std::byte{0},   std::byte{0},   std::byte{0x7F}};
+  EXPECT_EQ(read(bytes.size() - 20, huge), "is a recording that is damaged after 100 ticks; its first " +
+                                               std::to_string(bytes.size() - 20) +
+                                               " bytes are readable alone");
+  EXPECT_EQ(read(bytes.size(), huge), "is a recording with data after its end mark; its first " +
+                                          std::to_string(bytes.size()) + " bytes are readable alone");
 }
 
 TEST(Recording, SaysWhatItCannotRead) {

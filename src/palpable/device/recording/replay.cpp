@@ -24,10 +24,7 @@ Result<RecordingEnd> end_of(const std::string& file) {
   if (!reader) return reader.error();
   std::uint64_t ticks = 0;
   while (const Recording* piece = (*reader)->next()) ticks += piece->ticks.size();
-  if ((*reader)->end() == RecordingEnd::damaged)
-    return invalid_input("is a recording that is damaged after " + std::to_string(ticks) + " ticks", file);
-  if ((*reader)->end() == RecordingEnd::more_after_end)
-    return invalid_input("is a recording with data after its end mark", file);
+  if (const auto valid = (*reader)->check_end(); !valid) return valid.error();
   if (ticks == 0) return invalid_input("is a recording without a tick", file);
   return (*reader)->end();
 }

@@ -33,7 +33,7 @@ constexpr std::array<FindingWords, kFindingKinds> kFindingWords{{
     {"damage", "", true, "the file is damaged"},
     {"lost-ticks", "ticks", true, "{:.0f} ticks are missing in the file"},
     {"missed-ticks", "ticks", false, "up to {:.0f} ticks in a row were missed because the machine was busy"},
-    {"interrupted", "", false, "the recording was interrupted"},
+    {"interrupted", "", false, "the recording was cut off after this tick"},
     {"not-recomputed", "", false, "not recomputed as a whole"},
 }};
 

@@ -155,6 +155,7 @@ Result<ExportedRecording> export_csv(const std::filesystem::path& recording,
     together.insert(together.end(), piece->further.begin(), piece->further.end());
     has_further = has_further || !piece->further.empty();
   }
+  if (auto valid = (*reader)->check_end(); !valid) return std::move(valid).error();
   if (auto written = write_together(); !written) return std::move(written).error();
   if (auto written = lines.flush(); !written) return std::move(written).error();
   if (auto written = file->commit(); !written) return std::move(written).error();

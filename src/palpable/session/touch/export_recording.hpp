@@ -20,8 +20,9 @@ struct ExportedRecording {
 
 /// Writes a recording in the format of the output's suffix. .csv: one line per tick with named columns and
 /// units, an empty field for a value that is not finite; for recordings of any size, in about ten megabytes
-/// of memory. .npz: one array per column group, for recordings that fit in memory (docs/recording.md).
-/// Errors: usage (another suffix), as device::read_recording(), failed (cannot be written), interrupted.
+/// of memory. .npz: one array per column group, for recordings that fit in memory (docs/recording.md). A
+/// truncated recording is exported up to its end; nothing is written of a damaged one. Errors: usage (another
+/// suffix), as device::read_recording(), failed (cannot be written), interrupted.
 Result<ExportedRecording> export_recording(const std::filesystem::path& recording,
                                            const std::filesystem::path& output, const Work& work);
 

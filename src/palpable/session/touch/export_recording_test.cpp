@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/touch/export_recording.hpp"
 
+#include "palpable/core/files/atomic_file.hpp"
 #include "palpable/core/files/byte_reader.hpp"
 #include "palpable/core/files/read_file.hpp"
 #include "palpable/device/recording/recording.hpp"
@@ -87,6 +88,31 @@ TEST(ExportRecording, WritesArraysThatNumPyReads) {
   EXPECT_EQ(position.shape, (std::vector<std::size_t>{2, 3}));
   EXPECT_EQ(position.number(4), -0.02);
   EXPECT_EQ(arrays->at("label").number(1), 7.0);
+}
+
+TEST(ExportRecording, WritesATruncatedRecordingUpToThereAndNothingOfADamagedOne) {
+  const auto file = recorded(two_ticks());
+  const auto bytes = *read_file(file);
+  const auto exported = [&](std::span<const std::byte> content, const char* name) {
+    EXPECT_TRUE(write_file_atomically(file, content));
+    return export_recording(file, fs::path(testing::TempDir()) / name, {});
+  };
+  auto damaged = bytes;
+  damaged[damaged.size() - 100] ^= std::byte{1};
+  for (const char* name : {"part.csv", "part.npz"}) {
+    const fs::path output = fs::path(testing::TempDir()) / name;
+    fs::remove(output);
+    const auto refused = exported(damaged, name);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::invalid_input);
+    EXPECT_NE(refused.error().message.find("damaged after 1 tick"), std::string::npos)
+        << refused.error().message;
+    EXPECT_FALSE(fs::exists(output));
+    const auto cut = exported(std::span(bytes).first(bytes.size() - 30), name);
+    ASSERT_TRUE(cut) << cut.error().sentence();
+    EXPECT_FALSE(cut->complete);
+    EXPECT_EQ(cut->ticks, 1U);
+  }
 }
 
 TEST(ExportRecording, RefusesAnotherEnding) {

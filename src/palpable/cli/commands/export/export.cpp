@@ -303,8 +303,9 @@ Result<Answer> run_export_recording(const ExportArguments& arguments, const Work
   answer.json["ticks"] = recording->ticks;
   answer.json["lost"] = recording->lost;
   answer.json["complete"] = recording->complete;
-  answer.text = fmt::format("{}: {} ticks{}\n", arguments.output, recording->ticks,
-                            recording->complete ? "" : "; the recording was interrupted");
+  answer.text =
+      fmt::format("{}: {} ticks{}\n", arguments.output, recording->ticks,
+                  recording->complete ? "" : "; the recording was cut off there: its end mark is missing");
   return answer;
 }
 
