@@ -11,6 +11,7 @@
 #include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <netinet/in.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -233,6 +234,22 @@ TEST_F(BadInput, CtrlCEndsWith130AndLeavesNoIncompleteFile) {
   EXPECT_FALSE(std::filesystem::exists(path("d.pfm")));
   for (const auto& entry : std::filesystem::directory_iterator(folder_))
     EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr("d.pfm."))) << "left behind";
+}
+
+// The program once checked its outputs before it ignored SIGXFSZ, and ended by it without a word.
+TEST_F(BadInput, AFileSizeLimitIsOneSentence) {
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  rlimit limited = before;
+  limited.rlim_cur = 1024;
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limited), 0);
+  Running running({"marker", "-o", path("sheet.pdf")});
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  const Outcome outcome = running.wait();
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(is_one_sentence(outcome.err)) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("sheet.pdf: cannot be written: File too large"));
+  EXPECT_FALSE(std::filesystem::exists(path("sheet.pdf")));
 }
 
 TEST_F(BadInput, APortInUseIsReported) {

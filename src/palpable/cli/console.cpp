@@ -3,6 +3,7 @@
 #include "palpable/cli/console.hpp"
 
 #include "palpable/cli/hints.hpp"
+#include "palpable/core/files/atomic_file.hpp"
 #include "palpable/core/text/plain_text.hpp"
 #include "palpable/haptics/safety/zero_force.hpp"
 
@@ -72,6 +73,7 @@ void catch_interrupts() {
   sigaction(SIGALRM, &action, nullptr);
   // A pipe without a reader and a file at its size limit are errors of the write call.
   for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);
+  refuse_commits_after(&interrupt_flag);
 }
 
 Console::Console(const CommonOptions& options)

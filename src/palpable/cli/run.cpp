@@ -215,6 +215,13 @@ Result<void> check_command_outputs(const Program& program) {
   return check_outputs(outputs, words);
 }
 
+bool writes_files(const Program& program) {
+  const CLI::App* const command = &chosen_command(program.app);
+  return std::any_of(program.outputs.begin(), program.outputs.end(), [command](const OutputOption& output) {
+    return output.command == command && output.option->count() > 0;
+  });
+}
+
 int parse_and_run(int argc, char** argv) {
   Program program;
   describe(program);
@@ -230,15 +237,16 @@ int parse_and_run(int argc, char** argv) {
   }
   if (auto writable = check_command_outputs(program); !writable) return report(writable.error());
   if (!program.action) return finish(Answer{{}, program.app.help()}, {});
-  catch_interrupts();
   auto answer = [&program] {
     // Its destructor removes the progress line.
     Console console(program.common);
     return program.action(console);
   }();
-  // After Ctrl-C the command is reported as interrupted, even if its work was just finished.
+  // After Ctrl-C no file is put in place, so an answer of a command that writes files means that all of them
+  // were complete before. Without files nothing shows whether the work was cut short.
   const bool says_so = answer && answer->exit_code == static_cast<int>(ErrorCode::interrupted);
-  if (interrupted() && !says_so) return report(Work::interrupted());
+  const bool is_complete = answer && writes_files(program);
+  if (interrupted() && !says_so && !is_complete) return report(Work::interrupted());
   return finish(answer, program.common);
 }
 
@@ -279,6 +287,8 @@ static void keep_standard_streams() {
 }
 
 int run(int argc, char** argv) {
+  // First of all: a signal that finds no handler ends the program without a sentence.
+  catch_interrupts();
   keep_standard_streams();
   // Ceres logs warnings that nobody can act on to the terminal.
   FLAGS_minloglevel = google::GLOG_FATAL;

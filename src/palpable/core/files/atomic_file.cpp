@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/core/files/atomic_file.hpp"
 
+#include "palpable/core/work.hpp"
+
 #include <array>
 #include <cerrno>
 #include <cstdint>
@@ -69,6 +71,9 @@ std::filesystem::path name_pattern(const std::filesystem::path& path) {
 
 constexpr int kMostNames = 1000;
 
+// Global, since the files of all commands and modules pass here.
+std::atomic<const std::atomic<bool>*> commits_end_with{nullptr};
+
 /// Differs between processes and between calls.
 std::string random_name(const std::filesystem::path& path, int attempt) {
   constexpr std::string_view kCharacters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
@@ -110,6 +115,14 @@ void sync_folder(const std::filesystem::path& folder) {
 }
 
 }  // namespace
+
+void refuse_commits_after(const std::atomic<bool>* cancelled) noexcept { commits_end_with = cancelled; }
+
+Result<void> check_commits_allowed() {
+  const std::atomic<bool>* const cancelled = commits_end_with;
+  if (cancelled != nullptr && *cancelled) return Work::interrupted();
+  return {};
+}
 
 Result<AtomicFile> AtomicFile::create(const std::filesystem::path& path) {
   AtomicFile file;
@@ -200,6 +213,11 @@ Result<void> AtomicFile::write(std::span<const std::byte> bytes) {
 }
 
 Result<void> AtomicFile::commit() {
+  if (auto allowed = check_commits_allowed(); !allowed) return allowed;
+  return put_in_place();
+}
+
+Result<void> AtomicFile::put_in_place() {
   if (is_stream_) {
     discard();
     return {};

@@ -4,12 +4,20 @@
 
 #include "palpable/core/result.hpp"
 
+#include <atomic>
 #include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string_view>
 
 namespace palpable {
+
+/// From now on no AtomicFile is committed once `*cancelled` is set, so that a result of work that was cut
+/// short never replaces a file: commit() then returns the error `interrupted`. Null: always committed. For
+/// the start of a program; `cancelled` must outlive all writes.
+void refuse_commits_after(const std::atomic<bool>* cancelled) noexcept;
+/// Error (interrupted) if commits are refused now.
+Result<void> check_commits_allowed();
 
 /// A file that is created completely or not at all. Bytes go into a new file in the same folder; commit()
 /// flushes it to the disk and renames it over the old file, whose permissions are kept. Without commit() the
@@ -26,11 +34,16 @@ class AtomicFile {
   ~AtomicFile();
 
   Result<void> write(std::span<const std::byte> bytes);
-  /// Flushes the file to the disk and renames it. At most once, as the last call.
+  /// Flushes the file to the disk and renames it. At most once, as the last call. Errors: failed, with the
+  /// system's reason; interrupted (refuse_commits_after()).
   Result<void> commit();
 
  private:
+  friend class AtomicFiles;
+
   AtomicFile() = default;
+  /// commit() without asking whether it is refused.
+  Result<void> put_in_place();
   Error failure(std::string_view what) const;
   void discard() noexcept;
   bool name_beside();

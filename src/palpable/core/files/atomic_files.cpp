@@ -33,8 +33,9 @@ Result<void> AtomicFiles::add(const std::filesystem::path& path, std::span<const
 }
 
 Result<void> AtomicFiles::commit() {
+  if (auto allowed = check_commits_allowed(); !allowed) return allowed;
   for (AtomicFile& file : files_)
-    if (auto committed = file.commit(); !committed) return committed;
+    if (auto placed = file.put_in_place(); !placed) return placed;
   folders_.clear();
   for (const std::filesystem::path& path : outdated_) {
     std::error_code gone;

@@ -57,6 +57,21 @@ TEST_F(AFile, LeavesTheOldFileWhenNotCommitted) {
   EXPECT_EQ(files(), 1U);
 }
 
+TEST_F(AFile, IsNotReplacedByWorkThatWasInterrupted) {
+  const fs::path path = folder_ / "a.txt";
+  ASSERT_TRUE(write_file_atomically(path, as_bytes("old")));
+  std::atomic<bool> cancelled = false;
+  refuse_commits_after(&cancelled);
+  EXPECT_TRUE(write_file_atomically(path, as_bytes("complete")));
+  cancelled = true;
+  const auto written = write_file_atomically(path, as_bytes("cut short"));
+  refuse_commits_after(nullptr);
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().code, ErrorCode::interrupted);
+  EXPECT_EQ(text_of(path), "complete");
+  EXPECT_EQ(files(), 1U);
+}
+
 TEST_F(AFile, RemovesWhatKilledProgramsLeftAndNothingElse) {
   const auto make = [this](const std::string& name) {
     const int descriptor = ::open((folder_ / name).c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0600);
