@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
+
+#include <fmt/format.h>
 
 namespace palpable::cli {
 namespace {
@@ -133,6 +136,15 @@ session::MakeAs made_for(const Published& published) {
   const haptics::ModelKinds models = haptics::description_of(published.law.law).models;
   const bool only_contours = models.contours && !models.relief && !models.field;
   return only_contours ? session::MakeAs::contours : published.as;
+}
+
+Error without_its_scene(Error error, const Published& published) {
+  if (error.code != ErrorCode::usage) return error;
+  // The user named the paper, not its law.
+  if (error.place == "--law") error.place = "--as-published";
+  error.message += fmt::format(
+      "; palpable make --as-published {} makes a scene for this paper from its inputs", published.name);
+  return error;
 }
 
 void apply_published(const Published& published, MakeArguments& arguments) { published.make(arguments); }

@@ -36,6 +36,10 @@ Result<std::optional<Published>> published_as(const std::string& name);
 /// What `make` makes for the paper, whatever the inputs are. (A touch also begins with scenes of that kind.)
 session::MakeAs made_for(const Published& published);
 
+/// For an error of usage because a given scene does not suit the paper: adds which command makes one that
+/// does. Other errors are returned unchanged.
+Error without_its_scene(Error error, const Published& published);
+
 /// Sets the arguments for making the scene that `arguments` leave open.
 void apply_published(const Published& published, MakeArguments& arguments);
 /// Sets the paper's law parameters that `parameters`, which must be of that law, leave open.

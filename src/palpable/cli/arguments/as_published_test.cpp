@@ -95,6 +95,16 @@ TEST(AsPublished, MoustakasShadesTheForceOfAStoredLattice) {
   EXPECT_TRUE(notes("moustakas", "sign of the force is corrected"));
 }
 
+TEST(AsPublished, ASceneThatDoesNotSuitItsLawIsSaidToNeedMake) {
+  const Error law =
+      without_its_scene({ErrorCode::usage, "'grid' is not a law of this scene", "--law"}, paper("park"));
+  EXPECT_EQ(law.sentence(),
+            "--as-published: 'grid' is not a law of this scene; palpable make --as-published park makes a "
+            "scene for this paper from its inputs");
+  const Error other = without_its_scene({ErrorCode::device, "is gone", "sim:"}, paper("park"));
+  EXPECT_EQ(other.sentence(), "sim:: is gone");
+}
+
 TEST(AsPublished, SettingsOfTheUserTakePrecedence) {
   MakeArguments made;
   made.detail = "histogram";

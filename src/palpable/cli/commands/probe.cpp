@@ -93,7 +93,8 @@ Result<haptics::LawParameters> probe_law(const ProbeArguments& arguments, const 
   LawArguments law = arguments.law;
   law.law = haptics::name_of((*published)->law.law);
   auto parameters = law_parameters(law, scene);
-  if (parameters) apply_published(**published, *parameters);
+  if (!parameters) return without_its_scene(std::move(parameters).error(), **published);
+  apply_published(**published, *parameters);
   return parameters;
 }
 

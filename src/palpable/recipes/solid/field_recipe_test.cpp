@@ -31,6 +31,20 @@ TEST(FieldRecipe, WithAnOptionOutOfRangeIsAnErrorOfUsage) {
   }
 }
 
+TEST(FieldRecipe, RefusesShapesThatAreTooThinToBeFelt) {
+  models::Superquadric near;
+  near.size_m = {0.02, 0.015, 1e-5};
+  models::Superquadric far = near;
+  far.scene_from_shape.translation_m = {0.1, 0.0, 0.0};
+  FieldRecipe recipe;
+  recipe.field.resolution = 64;
+  const auto made = field_from_superquadrics({near, far}, recipe, {});
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().code, ErrorCode::invalid_input);
+  EXPECT_EQ(made.error().message.find("holds only shapes that are thinner than half a cell of the field"), 0U)
+      << made.error().message;
+}
+
 TEST(ReliefRecipe, WithAnOptionOutOfRangeIsAnErrorOfUsage) {
   ReliefRecipe recipe;
   recipe.ground_options.plane.trials = -1;

@@ -21,7 +21,9 @@ std::string scale_text(double scale) {
 
 /// Very small units by their number in a millimetre, since their length would be "0".
 std::string unit_text(double unit_mm) {
-  constexpr double kSmall_mm = 0.001;
+  constexpr double kSmall_mm = 0.001, kHuge = 1e15;
+  if (!(unit_mm < kHuge)) return fmt::format("one unit being {:.2g} mm", unit_mm);
+  if (!(unit_mm > 1.0 / kHuge)) return fmt::format("{:.2g} units being one mm", 1.0 / unit_mm);
   return unit_mm >= kSmall_mm ? fmt::format("one unit being {} mm", figure(unit_mm, 3))
                               : fmt::format("{} units being one mm", figure(1.0 / unit_mm, 3));
 }

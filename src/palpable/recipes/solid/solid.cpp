@@ -3,6 +3,7 @@
 #include "palpable/recipes/solid/solid.hpp"
 
 #include "palpable/core/system/memory.hpp"
+#include "palpable/core/text/figure.hpp"
 #include "palpable/recipes/solid/mesh_surface_check.hpp"
 #include "palpable/recipes/solid/placement_notes.hpp"
 #include "palpable/sculpt/solid/mesh_solid.hpp"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -87,6 +89,24 @@ models::Superquadric placed(models::Superquadric shape, const SceneFromInput& tr
   shape.size_m *= transform.scale;
   shape.bend_per_m /= transform.scale;
   return shape;
+}
+
+/// Refuses shapes of which none would be felt, and adds a note on single ones: between the corners of cells a
+/// field knows nothing of them.
+Result<void> check_thickness(const std::vector<models::Superquadric>& shapes, double cell_m,
+                             std::vector<Note>& notes) {
+  const double least_m = 0.5 * cell_m;
+  const auto thin = std::count_if(shapes.begin(), shapes.end(), [least_m](const models::Superquadric& shape) {
+    return 2.0 * std::min({shape.size_m.x, shape.size_m.y, shape.size_m.z}) < least_m;
+  });
+  if (thin == 0) return {};
+  const std::string why =
+      fmt::format("thinner than half a cell of the field, {} mm", figure(1000.0 * least_m));
+  if (thin == std::ssize(shapes))
+    return invalid_input("holds only shapes that are " + why + ": none of them would be felt");
+  notes.emplace_back(fmt::format("{} of {} shapes are {}, and may not be felt. More cells hold them.", thin,
+                                 shapes.size(), why));
+  return {};
 }
 
 /// States the greatest error too: in a badly repaired mesh a few places may be far off although 99 % are
@@ -233,6 +253,9 @@ Result<Solid> solid_of(std::vector<models::Superquadric> shapes, const FieldReci
     distance = sculpt::distance_of(shapes);
     if (!distance) return distance.error();
   }
+  const auto cell_m = sculpt::finest_cell_m((*distance)->bounds(), recipe.field);
+  if (!cell_m) return cell_m.error();
+  if (auto felt = check_thickness(shapes, *cell_m, solid.notes); !felt) return std::move(felt).error();
   solid.distance = std::move(*distance);
   solid.primitives = std::move(shapes);
   return solid;

@@ -10,13 +10,20 @@
 #include "palpable/haptics/servo/pacing.hpp"
 #include "palpable/haptics/servo/signal_thread.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace palpable::cli {
 namespace {
+
+/// Errors of laws have no place, those of making a scene the input.
+bool is_about_scene(const Error& error, const std::vector<std::string>& inputs) {
+  return error.place.empty() || std::find(inputs.begin(), inputs.end(), error.place) != inputs.end();
+}
 
 Result<Answer> touch(TouchArguments arguments, Console& console) {
   haptics::write_zero_force_on_crash();
@@ -63,6 +70,8 @@ Result<Answer> touch(TouchArguments arguments, Console& console) {
   std::optional<Result<Answer>> answer;
   haptics::run_beside_signals(servo.realtime_priority - 1,
                               [&] { answer.emplace(run(arguments, plan, console)); });
+  if (!*answer && *published && is_about_scene(answer->error(), arguments.scene.make.inputs))
+    return without_its_scene(std::move(*answer).error(), **published);
   return *std::move(answer);
 }
 
