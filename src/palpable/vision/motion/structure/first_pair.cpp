@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include <Eigen/Dense>
 #include <ceres/rotation.h>
@@ -43,23 +44,47 @@ Eigen::Vector3d direction(const Pinhole& camera, const cv::Point2d& place) {
       .normalized();
 }
 
-// Median parallax, px: the movement of points after the camera's rotation that explains most of it (Kabsch
-// 1976) is removed. Without parallax depth cannot be determined.
-double parallax_px(const CommonPlaces& places, const Pinhole& camera, const cv::Mat& inliers) {
+// The rotation that maps the first directions onto the second ones best (Kabsch 1976).
+Eigen::Matrix3d turn_between(const std::vector<Eigen::Vector3d>& first,
+                             const std::vector<Eigen::Vector3d>& second) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-  for (std::size_t i = 0; i < places.first.size(); ++i)
-    if (inliers.at<std::uint8_t>(static_cast<int>(i)) != 0)
-      sum += direction(camera, places.second[i]) * direction(camera, places.first[i]).transpose();
+  for (std::size_t i = 0; i < first.size(); ++i) sum += second[i] * first[i].transpose();
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant();
-  const Eigen::Matrix3d turn =
-      svd.matrixU() * Eigen::Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
-  std::vector<double> left_px;
+  return svd.matrixU() * Eigen::Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
+}
+
+// Median parallax, px: the movement of points after the camera's rotation and zoom that explain most of it
+// are removed. Without parallax depth cannot be determined.
+double parallax_px(const CommonPlaces& places, const Pinhole& camera, const cv::Mat& inliers) {
+  std::vector<Eigen::Vector3d> first;
+  std::vector<Eigen::Vector2d> second;
   for (std::size_t i = 0; i < places.first.size(); ++i) {
-    const Eigen::Vector3d d = turn * direction(camera, places.first[i]);
-    if (inliers.at<std::uint8_t>(static_cast<int>(i)) == 0 || d.z() <= 0) continue;
-    left_px.push_back(std::hypot(camera.fx * d.x() / d.z() + camera.cx - places.second[i].x,
-                                 camera.fy * d.y() / d.z() + camera.cy - places.second[i].y));
+    if (inliers.at<std::uint8_t>(static_cast<int>(i)) == 0) continue;
+    first.push_back(direction(camera, places.first[i]));
+    second.emplace_back((places.second[i].x - camera.cx) / camera.fx,
+                        (places.second[i].y - camera.cy) / camera.fy);
+  }
+  std::vector<double> left_px;
+  // Rotation and zoom in turn; both are almost independent, so few rounds suffice.
+  constexpr int kRounds = 8;
+  double zoom = 1.0;
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<Eigen::Vector3d> directions;
+    directions.reserve(second.size());
+    for (const Eigen::Vector2d& p : second) directions.push_back((p / zoom).homogeneous().normalized());
+    const Eigen::Matrix3d turn = turn_between(first, directions);
+    left_px.clear();
+    double along = 0.0, squares = 0.0;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      const Eigen::Vector3d d = turn * first[i];
+      if (d.z() <= 0) continue;
+      const Eigen::Vector2d turned = d.hnormalized();
+      left_px.push_back(camera.fx * (zoom * turned - second[i]).norm());
+      along += turned.dot(second[i]), squares += turned.squaredNorm();
+    }
+    constexpr double kLeast = 0.1, kMost = 10.0;
+    if (squares > 0) zoom = std::clamp(along / squares, kLeast, kMost);
   }
   return left_px.empty() ? 0.0 : quantile_of(left_px, 0.5);
 }
@@ -109,8 +134,8 @@ Error no_pair(std::span<const PointTrack> tracks, std::span<const int> keyframes
   if (moved_px < options.outlier_px)
     return invalid_input("the camera did not move: record it again, moving slowly around the model");
   return invalid_input(
-      "the camera only turned, or hardly moved sideways, so depth cannot be measured: record it again, "
-      "walking "
+      "the camera only turned or zoomed, or hardly moved sideways, so depth cannot be measured: record it "
+      "again, without zoom, walking "
       "slowly around the model with all of it in view");
 }
 

@@ -47,6 +47,27 @@ TEST(FirstPair, SaysThatTheCameraOnlyTurned) {
   EXPECT_NE(found.error().message.find("only turned"), std::string::npos);
 }
 
+TEST(FirstPair, RefusesAZoomWithoutParallax) {
+  // A picture that is enlarged about its middle, and a zoom during a small turn.
+  for (const double turn : {0.0, 0.05}) {
+    std::vector<CameraPose> poses;
+    for (int i = 0; i < 3; ++i) {
+      poses.push_back(facing_origin(i * turn));
+      poses.back().translation_m = {0, 0, -1};
+    }
+    auto tracks = tracks_of(poses);
+    for (PointTrack& track : tracks)
+      for (std::size_t i = 0; i < track.places.size(); ++i) {
+        const double zoom = 1.0 + 0.15 * static_cast<double>(i);
+        track.places[i].x = kExactCamera.cx + zoom * (track.places[i].x - kExactCamera.cx);
+        track.places[i].y = kExactCamera.cy + zoom * (track.places[i].y - kExactCamera.cy);
+      }
+    const auto found = choose_first_pair(tracks, std::array{0, 1, 2}, kExactCamera, {}, {});
+    ASSERT_FALSE(found) << turn;
+    EXPECT_NE(found.error().message.find("zoomed"), std::string::npos);
+  }
+}
+
 TEST(FirstPair, SaysThatTheCameraDidNotMove) {
   const std::vector<CameraPose> poses(3, facing_origin(0.0));
   const auto found = choose_first_pair(tracks_of(poses), std::array{0, 1, 2}, kExactCamera, {}, {});
