@@ -3,6 +3,7 @@
 #include "palpable/sculpt/correction/surface_correction.hpp"
 
 #include "palpable/sculpt/triangles/box.hpp"
+#include "palpable/sculpt/triangles/pinched_edges.hpp"
 #include "palpable/sculpt/triangles/triangle_tree.hpp"
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <utility>
@@ -33,6 +35,13 @@ struct SampleNetwork {
 };
 
 namespace {
+
+constexpr double kRadian = std::numbers::pi / 180.0;
+
+Vec3 normal_of(const Mesh& mesh, const std::array<std::uint32_t, 3>& t) {
+  const Vec3 a = mesh.vertices_m[t[0]];
+  return unit(cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a));
+}
 
 SampleNetwork network_of(const Mesh& mesh) {
   SampleNetwork n;
@@ -78,8 +87,11 @@ std::optional<double> intersection(Vec3 p, Vec3 d, Vec3 a, Vec3 b, Vec3 c) {
 
 /// For each sample the shortest signed distance along its normal to the measured surface, if there is one.
 std::vector<std::optional<double>> distances_along_normals(const Mesh& measured,
-                                                           const CorrectedSurface& surface, double reach_m,
+                                                           const CorrectedSurface& surface,
+                                                           const CorrectionOptions& options,
                                                            const Work& work) {
+  const double reach_m = options.reach_m;
+  const double least_cosine = std::cos(options.most_match_angle_deg * kRadian);
   const std::vector<Vec3>& samples = surface.predicted.vertices_m;
   std::vector<std::optional<double>> distances(samples.size());
   if (measured.triangles.empty()) return distances;
@@ -104,6 +116,7 @@ std::vector<std::optional<double>> distances_along_normals(const Mesh& measured,
         const auto distance = intersection(samples[i], normal, measured.vertices_m[c[0]],
                                            measured.vertices_m[c[1]], measured.vertices_m[c[2]]);
         if (!distance || std::abs(*distance) > reach_m) return;
+        if (dot(normal_of(measured, c), normal) < least_cosine) return;
         if (!shortest || std::abs(*distance) < std::abs(*shortest)) shortest = distance;
       });
       distances[i] = shortest;
@@ -194,13 +207,95 @@ Vec3 transition(std::uint32_t y, const CorrectedSurface& s, Geodesic& geodesic, 
   return (1.0 - u * u * u * (10.0 - u * (15.0 - 6.0 * u))) / weights * sum;
 }
 
+/// Moves the matched samples by their distances along their normals, and the transition around them.
+void move_surface(const std::vector<std::optional<double>>& distances, const CorrectionOptions& options,
+                  const Work& work, CorrectedSurface& s) {
+  s.moved.clear();
+  const SampleNetwork& network = *s.network;
+  const auto move_to = [&](std::size_t i, Vec3 translation) {
+    if (s.translations_m[i] == translation) return;
+    s.moved.push_back({static_cast<std::uint32_t>(i), s.translations_m[i]});
+    s.translations_m[i] = translation;
+  };
+  s.matched.clear();
+  for (std::uint32_t i = 0; i < distances.size(); ++i) {
+    if (!distances[i]) continue;
+    s.measurements[i] = s.measured[i] ? std::min(s.measurements[i] + 1, options.averaged_measurements) : 1;
+    s.measured[i] = true;
+    if (s.measurements[i] == 1) {
+      move_to(i, *distances[i] * network.normals[i]);
+    } else {
+      const double before_m = dot(s.translations_m[i], network.normals[i]);
+      move_to(i, (before_m + (*distances[i] - before_m) / s.measurements[i]) * network.normals[i]);
+    }
+    s.matched.push_back(i);
+  }
+  if (work.cancelled()) return;
+  work.report(0.5, "moving the transition");
+  // The transition is searched from the border of the matched samples: those with a neighbour that is not
+  // matched.
+  const auto at_border = [&](std::uint32_t i) {
+    const auto around = network.from(i);
+    return std::any_of(around.begin(), around.end(), [&](const auto& edge) { return !distances[edge.to]; });
+  };
+  std::vector<std::uint32_t> border;
+  std::copy_if(s.matched.begin(), s.matched.end(), std::back_inserter(border), at_border);
+  std::vector<std::uint32_t> in_transition;
+  {
+    Geodesic geodesic(s, options.longest_path);
+    std::vector<bool> known = s.measured;
+    for (const std::uint32_t i : border)
+      geodesic.around(i, options.transition_m, [&](std::uint32_t y) {
+        if (known[y] || geodesic.distance_m(i, y) >= options.transition_m) return;
+        known[y] = true;
+        in_transition.push_back(y);
+      });
+  }
+  std::sort(in_transition.begin(), in_transition.end());
+  std::vector<Vec3> translations(in_transition.size());
+  constexpr int kGrain = 256;
+  parallel_for(work, static_cast<int>(in_transition.size()), kGrain, [&](int begin, int end) {
+    Geodesic geodesic(s, options.longest_path);
+    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
+      translations[k] = transition(in_transition[k], s, geodesic, options.transition_m);
+  });
+  for (std::size_t k = 0; k < in_transition.size(); ++k) move_to(in_transition[k], translations[k]);
+}
+
+/// The corners of triangles that the corrections so far have turned too far.
+std::vector<std::uint32_t> corners_turned_too_far(const CorrectedSurface& s,
+                                                  const CorrectionOptions& options) {
+  const double least_cosine = std::cos(options.most_turn_deg * kRadian);
+  const Mesh now = s.adapted();
+  std::vector<std::uint32_t> out;
+  for (const auto& t : s.predicted.triangles)
+    if (dot(normal_of(now, t), normal_of(s.predicted, t)) < least_cosine)
+      out.insert(out.end(), t.begin(), t.end());
+  return out;
+}
+
 }  // namespace
 
 std::vector<Parameter> parameters_of(CorrectionOptions& o) {
   return {
       {"reach_m", &o.reach_m, {1e-6, 10.0}, "m", "greatest distance along a sample's normal"},
       {"transition_m", &o.transition_m, {1e-6, 10.0}, "m", "width of the transition"},
-      {"longest_path", &o.longest_path, {1.0, 4.0}, "", "length of a path along edges over the transition"}};
+      {"longest_path", &o.longest_path, {1.0, 4.0}, "", "length of a path along edges over the transition"},
+      {"most_match_angle_deg",
+       &o.most_match_angle_deg,
+       {1.0, 180.0},
+       "deg",
+       "greatest angle between a sample's normal and the measured surface's"},
+      {"most_turn_deg",
+       &o.most_turn_deg,
+       {1.0, 180.0},
+       "deg",
+       "greatest angle by which a triangle may be turned"},
+      {"averaged_measurements",
+       &o.averaged_measurements,
+       {1, 10000},
+       "",
+       "measurements of a sample whose mean is its place"}};
 }
 
 Mesh CorrectedSurface::adapted() const {
@@ -272,10 +367,12 @@ double CorrectedSurface::greatest_step_m() const {
 }
 
 Result<CorrectedSurface> predicted_surface(Mesh mesh) {
+  if (!is_watertight(mesh)) mesh = with_pinches_divided(mesh);
   if (!is_watertight(mesh)) return invalid_input("a predicted surface must be closed");
   CorrectedSurface s;
   s.translations_m.resize(mesh.vertices_m.size());
   s.measured.resize(mesh.vertices_m.size());
+  s.measurements.resize(mesh.vertices_m.size());
   s.network = std::make_shared<const SampleNetwork>(network_of(mesh));
   s.predicted = std::move(mesh);
   return s;
@@ -284,54 +381,29 @@ Result<CorrectedSurface> predicted_surface(Mesh mesh) {
 Result<CorrectedSurface> correct_surface(CorrectedSurface s, const Mesh& measured,
                                          const CorrectionOptions& options, const Work& work) {
   if (auto valid = check(measured, options); !valid) return std::move(valid).error();
-  s.moved.clear();
-  const SampleNetwork& network = *s.network;
   work.report(0.1, "matching the measured surface");
-  const auto distances = distances_along_normals(measured, s, options.reach_m, work);
-  const auto move_to = [&](std::size_t i, Vec3 translation) {
-    if (s.translations_m[i] == translation) return;
-    s.moved.push_back({static_cast<std::uint32_t>(i), s.translations_m[i]});
-    s.translations_m[i] = translation;
-  };
-  s.matched.clear();
-  for (std::uint32_t i = 0; i < distances.size(); ++i) {
-    if (!distances[i]) continue;
-    s.measured[i] = true;
-    move_to(i, *distances[i] * network.normals[i]);
-    s.matched.push_back(i);
-  }
+  auto distances = distances_along_normals(measured, s, options, work);
   if (work.cancelled()) return Work::interrupted();
-  work.report(0.5, "moving the transition");
-  // The transition is searched from the border of the matched samples: those with a neighbour that is not
-  // matched.
-  const auto at_border = [&](std::uint32_t i) {
-    const auto around = network.from(i);
-    return std::any_of(around.begin(), around.end(), [&](const auto& edge) { return !distances[edge.to]; });
-  };
-  std::vector<std::uint32_t> border;
-  std::copy_if(s.matched.begin(), s.matched.end(), std::back_inserter(border), at_border);
-  std::vector<std::uint32_t> in_transition;
-  {
-    Geodesic geodesic(s, options.longest_path);
-    std::vector<bool> known = s.measured;
-    for (const std::uint32_t i : border)
-      geodesic.around(i, options.transition_m, [&](std::uint32_t y) {
-        if (known[y] || geodesic.distance_m(i, y) >= options.transition_m) return;
-        known[y] = true;
-        in_transition.push_back(y);
-      });
+  if (options.most_turn_deg >= 180.0) {
+    move_surface(distances, options, work, s);
+    if (work.cancelled()) return Work::interrupted();
+    return s;
   }
-  std::sort(in_transition.begin(), in_transition.end());
-  std::vector<Vec3> translations(in_transition.size());
-  constexpr int kGrain = 256;
-  parallel_for(work, static_cast<int>(in_transition.size()), kGrain, [&](int begin, int end) {
-    Geodesic geodesic(s, options.longest_path);
-    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
-      translations[k] = transition(in_transition[k], s, geodesic, options.transition_m);
-  });
-  for (std::size_t k = 0; k < in_transition.size(); ++k) move_to(in_transition[k], translations[k]);
-  if (work.cancelled()) return Work::interrupted();
-  return s;
+  // Each round takes back the matches at the corners of folded triangles; their neighbours may fold then.
+  constexpr int kRounds = 6;
+  for (int round = 0;; ++round) {
+    CorrectedSurface tried = s;
+    move_surface(distances, options, work, tried);
+    if (work.cancelled()) return Work::interrupted();
+    bool taken_back = false;
+    for (const std::uint32_t i : corners_turned_too_far(tried, options)) {
+      if (!distances[i] && !s.measured[i]) continue;
+      distances[i].reset();
+      s.measured[i] = false;
+      taken_back = true;
+    }
+    if (!taken_back || round == kRounds) return tried;
+  }
 }
 
 }  // namespace palpable::sculpt

@@ -27,6 +27,16 @@ struct CorrectionOptions {
   /// Paths along the mesh's edges are followed up to this multiple of the transition, since edges zigzag.
   /// 1 … 4.
   double longest_path = 1.25;
+  /// A sample is matched only where the measured surface's outward normal differs from its own by at most
+  /// this angle: so the back of a thin slab does not move onto its front. 180 for a measured surface whose
+  /// triangles have no known orientation. 1 … 180 degrees.
+  double most_match_angle_deg = 180.0;
+  /// A correction that turns a triangle by more than this angle is taken back at its corners, repeatedly, and
+  /// they follow as in the transition: so the surface does not fold. 180 allows any. 1 … 180 degrees.
+  double most_turn_deg = 180.0;
+  /// The place of a sample that is measured again is the mean of all measurements so far, of which at most
+  /// this many count; 1: the last one. 1 … 10 000.
+  int averaged_measurements = 1;
 };
 
 std::vector<Parameter> parameters_of(CorrectionOptions& options);
@@ -44,6 +54,8 @@ struct CorrectedSurface {
   std::vector<Vec3> translations_m;
   /// Whether a sample belongs to the set W: samples that lie on the measured surface itself.
   std::vector<bool> measured;
+  /// How often a sample was measured, at most CorrectionOptions::averaged_measurements.
+  std::vector<std::int32_t> measurements;
   /// A sample that the last correction moved, and its translation before that.
   struct Moved {
     std::uint32_t sample = 0;
@@ -66,7 +78,8 @@ struct CorrectedSurface {
   double greatest_step_m() const;
 };
 
-/// A surface without a correction. Errors: invalid_input for a mesh that is not closed.
+/// A surface without a correction. Sheets that touch at an edge are separated (with_pinches_divided()).
+/// Errors: invalid_input for a mesh that is not closed then either.
 Result<CorrectedSurface> predicted_surface(Mesh mesh);
 
 /// Force-field correction of Moustakas et al. 2007, on the surface that the field is then made of. Samples
@@ -75,9 +88,10 @@ Result<CorrectedSurface> predicted_surface(Mesh mesh);
 ///   t(y) = phi(min GD / delta) sum w_i t_i / sum w_i,  w_i = ((delta - GD_i)+ / (delta GD_i))^2,
 ///   phi(s) = 1 - 10 s^3 + 15 s^4 - 6 s^5.
 /// So the transition has no step, no crease and no jump of curvature. Correcting again with more data keeps
-/// what was measured before (a later measurement of the same sample replaces it) and recomputes translations
-/// only within the transition of the samples that changed. Errors: usage for options out of range,
-/// invalid_input for a measured mesh that refers to missing vertices or contains NaN, interrupted.
+/// what was measured before (a later measurement of the same sample replaces it, or is averaged with it) and
+/// recomputes translations only within the transition of the samples that changed. Errors: usage for options
+/// out of range, invalid_input for a measured mesh that refers to missing vertices or contains NaN,
+/// interrupted.
 Result<CorrectedSurface> correct_surface(CorrectedSurface surface, const Mesh& measured,
                                          const CorrectionOptions& options, const Work& work);
 

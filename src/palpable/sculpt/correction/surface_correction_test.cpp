@@ -100,6 +100,96 @@ TEST(SurfaceCorrection, AddsLaterMeasurementsWithoutChangingTheRest) {
   EXPECT_NEAR(changed.least_m.z, -1.1 * kRadius, 2e-4);
 }
 
+/// A slab of 2 x 2 x 0.1 cm and the measured surface of its upper side, which faces upwards.
+Mesh slab_surface() {
+  models::Superquadric s;
+  s.e1 = s.e2 = models::kLeastExponent;
+  s.size_m = {0.01, 0.01, 0.0005};
+  return models::mesh_of(s, 0.0005);
+}
+Mesh measured_plane(double height_m) {
+  Mesh mesh;
+  mesh.vertices_m = {
+      {-0.02, -0.02, height_m}, {0.02, -0.02, height_m}, {0.02, 0.02, height_m}, {-0.02, 0.02, height_m}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  return mesh;
+}
+
+TEST(SurfaceCorrection, DoesNotPullTheBackOfASlabOntoItsMeasuredFront) {
+  CorrectionOptions options{0.003, 0.002};
+  options.most_match_angle_deg = 60.0;
+  const auto made =
+      correct_surface(*predicted_surface(slab_surface()), measured_plane(0.0008), options, Work{});
+  ASSERT_TRUE(made);
+  const Mesh adapted = made->adapted();
+  int upper = 0;
+  for (std::size_t i = 0; i < adapted.vertices_m.size(); ++i) {
+    const Vec3 was = made->predicted.vertices_m[i];
+    if (std::max(std::abs(was.x), std::abs(was.y)) > 0.007) continue;
+    if (was.z > 0.0) {
+      EXPECT_NEAR(adapted.vertices_m[i].z, 0.0008, 1e-5);
+      ++upper;
+    } else {
+      EXPECT_EQ(adapted.vertices_m[i], was);
+    }
+  }
+  EXPECT_GT(upper, 100);
+}
+
+TEST(SurfaceCorrection, TakesBackWhatWouldFoldTheSurface) {
+  // A measured plane, and in a hole of it a stray patch of 2 x 2 mm 2 mm higher.
+  Mesh step;
+  const auto add = [&](double x0, double y0, double x1, double y1, double height_m) {
+    const auto first = static_cast<std::uint32_t>(step.vertices_m.size());
+    for (const Vec3 v : {Vec3{x0, y0, height_m}, {x1, y0, height_m}, {x1, y1, height_m}, {x0, y1, height_m}})
+      step.vertices_m.push_back(v);
+    step.triangles.push_back({first, first + 1, first + 2});
+    step.triangles.push_back({first, first + 2, first + 3});
+  };
+  add(-0.001, -0.001, 0.001, 0.001, 0.0028);
+  add(-0.02, -0.02, -0.001, 0.02, 0.0008), add(0.001, -0.02, 0.02, 0.02, 0.0008);
+  add(-0.001, -0.02, 0.001, -0.001, 0.0008), add(-0.001, 0.001, 0.001, 0.02, 0.0008);
+  CorrectionOptions options{0.004, 0.003};
+  options.most_match_angle_deg = 60.0;
+  const auto folded_at = [](const CorrectedSurface& s, double least_cosine) {
+    const Mesh now = s.adapted();
+    std::size_t count = 0;
+    for (const auto& t : now.triangles) {
+      const auto normal = [&](const Mesh& m) {
+        return unit(cross(m.vertices_m[t[1]] - m.vertices_m[t[0]], m.vertices_m[t[2]] - m.vertices_m[t[0]]));
+      };
+      count += dot(normal(now), normal(s.predicted)) < least_cosine ? 1 : 0;
+    }
+    return count;
+  };
+  const double least_cosine = std::cos(60.0 * 3.14159265 / 180.0);
+  const auto free = correct_surface(*predicted_surface(slab_surface()), step, options, Work{});
+  ASSERT_TRUE(free);
+  EXPECT_GT(folded_at(*free, least_cosine), 20U);
+  options.most_turn_deg = 60.0;
+  const auto held = correct_surface(*predicted_surface(slab_surface()), step, options, Work{});
+  ASSERT_TRUE(held);
+  EXPECT_EQ(folded_at(*held, least_cosine), 0U);
+}
+
+TEST(SurfaceCorrection, AveragesRepeatedMeasurementsUpToTheirNumber) {
+  CorrectionOptions options{0.003, 0.002};
+  options.averaged_measurements = 2;
+  auto surface = predicted_surface(slab_surface());
+  for (const double height_m : {0.0008, 0.0010, 0.0013}) {
+    surface = correct_surface(*std::move(surface), measured_plane(height_m), options, Work{});
+    ASSERT_TRUE(surface);
+  }
+  const Mesh adapted = surface->adapted();
+  for (std::size_t i = 0; i < adapted.vertices_m.size(); ++i) {
+    const Vec3 was = surface->predicted.vertices_m[i];
+    // The mean of the first two is 0.9 mm; the third then counts as one of two.
+    if (was.z > 0.0 && std::max(std::abs(was.x), std::abs(was.y)) < 0.007) {
+      EXPECT_NEAR(adapted.vertices_m[i].z, 0.0011, 1e-5);
+    }
+  }
+}
+
 TEST(SurfaceCorrection, RefusesInvalidMeshesAndOptions) {
   Mesh open = sphere(kRadius, 0.002);
   open.triangles.pop_back();
