@@ -20,16 +20,20 @@
 #include <vector>
 
 #include "rendered_video.hpp"
+#include "video_surfaces.hpp"
 #include <fmt/format.h>
 
 // Structure, motion and depth of rendered videos (rendered_video.hpp) with their exact truth:
 //
 //   palpable_video_set [--seeds N] [--first SEED] [--frames N] [--threads N] [--no-depth] [--set NAME=VALUE]…
-//                      [--marker MM] [--write FOLDER]
+//                      [--marker MM] [--surfaces] [--steps] [--true-depth] [--write FOLDER]
 //
 // Names are those of `palpable make --set video.…`: tracks.…, motion.…, depth.… --write writes the frames,
-// poses.csv in metres, and intrinsics.json. --marker lays a printed marker of this side on the board, and the
-// table then states the error of the scale that follows from it.
+// poses.csv in metres, and intrinsics.json. --surfaces compares the model's surface with the truth, fused and
+// corrected;
+// --steps prints each step of the correction; --true-depth makes them of the true poses and depth with noise.
+// --marker lays a printed marker of this side on the board, and the table then states the error of the scale
+// that follows from it.
 namespace palpable::bench {
 namespace {
 
@@ -39,13 +43,11 @@ using vision::FrameDepth;
 struct Arguments {
   int seeds = 12, first = 1, frames = 60;
   unsigned threads = 2;
-  bool depth = true;
+  bool depth = true, surfaces = false, steps = false, true_depth = false;
   /// Side of a printed marker on the board; 0 = none.
   int marker_mm = 0;
   std::string folder;
-  vision::TrackOptions tracks;
-  vision::BatchMotionOptions motion;
-  vision::VideoDepthOptions video_depth;
+  recipes::VideoRecipe recipe;
 };
 
 struct Figures {
@@ -55,12 +57,12 @@ struct Figures {
   double seconds = 0;
   /// Error of the scale that a marker gives, %; NaN without a marker.
   double scale_error_percent = std::numeric_limits<double>::quiet_NaN();
+  std::vector<NamedSurface> surfaces;
 };
 
 struct PathErrors {
   Figures figures;
-  /// From the unit of the found poses to metres.
-  double scale = 1;
+  measure::CameraPathScore score;
 };
 
 Result<PathErrors> path_errors(const CameraMotion& motion, const RenderedVideo& video) {
@@ -78,7 +80,7 @@ Result<PathErrors> path_errors(const CameraMotion& motion, const RenderedVideo& 
   out.figures.position_percent = score->position_rms_percent;
   out.figures.rotation_deg = score->mean_rotation_deg;
   out.figures.reprojection_px = motion.reprojection_rms_px;
-  out.scale = score->true_from_found.scale;
+  out.score = *score;
   return out;
 }
 
@@ -103,7 +105,35 @@ void depth_errors(const std::vector<FrameDepth>& maps, const RenderedVideo& vide
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-Result<Figures> run(const RenderedVideo& video, const Arguments& arguments, const Work& work) {
+// Surfaces from the true poses and depth maps with noise of 0.2 %: the correction alone, in seconds.
+Result<Figures> run_on_true_depth(const RenderedVideo& video, Arguments& arguments, const Work& work) {
+  const double begin = processor_seconds();
+  std::vector<FrameDepth> maps;
+  std::vector<Raster<Rgb8>> pictures(static_cast<std::size_t>(video.frames()));
+  const int count = arguments.recipe.depth.maps;
+  Random random(7);
+  for (int k = 0; k < count; ++k) {
+    const int frame = k * (video.frames() - 1) / (count - 1);
+    const auto pose = video.pose(frame);
+    FrameDepth map{frame,
+                   {{video.depth(frame, work), video.camera()}, {pose.rotation, pose.translation_m, 1}}};
+    constexpr double kNoise = 0.002;
+    for (float& z : map.map.depth.depth_m.values()) {
+      const double noisy = static_cast<double>(z) * (1 + kNoise * random.normal());
+      z = z > 0 ? static_cast<float>(noisy) : kUnknownDepth;
+    }
+    maps.push_back(std::move(map));
+  }
+  pictures[static_cast<std::size_t>(maps.front().frame)] = video.picture(maps.front().frame, work);
+  auto surfaces = surfaces_of(video, std::move(maps), pictures, {}, arguments.recipe, work);
+  if (!surfaces) return surfaces.error();
+  Figures out;
+  out.surfaces = std::move(*surfaces);
+  out.seconds = processor_seconds() - begin;
+  return out;
+}
+
+Result<Figures> run(const RenderedVideo& video, Arguments& arguments, const Work& work) {
   std::vector<Raster<Rgb8>> pictures;
   std::vector<Raster<std::uint8_t>> greys;
   for (int i = 0; i < video.frames(); ++i) {
@@ -111,23 +141,28 @@ Result<Figures> run(const RenderedVideo& video, const Arguments& arguments, cons
     greys.push_back(vision::luma8(pictures.back()));
   }
   const double begin = processor_seconds();
-  const auto tracks = vision::track_points(greys, arguments.tracks, work);
+  const auto tracks = vision::track_points(greys, arguments.recipe.tracks, work);
   if (!tracks) return tracks.error();
-  const auto motion =
-      vision::motion_from_tracks(*tracks, video.frames(), {video.camera(), true}, arguments.motion, work);
+  const auto motion = vision::motion_from_tracks(*tracks, video.frames(), {video.camera(), true},
+                                                 arguments.recipe.motion, work);
   if (!motion) return motion.error();
   const auto path = path_errors(*motion, video);
   if (!path) return path.error();
   Figures out = path->figures;
   if (arguments.marker_mm > 0)
     if (const auto scale = vision::scale_from_markers(greys, *motion, {}, work))
-      out.scale_error_percent = 100 * (scale->metres_per_unit / path->scale - 1);
+      out.scale_error_percent = 100 * (scale->metres_per_unit / path->score.true_from_found.scale - 1);
   if (arguments.depth) {
     std::vector<const Raster<Rgb8>*> views;
     for (const auto& picture : pictures) views.push_back(&picture);
-    const auto maps = vision::depth_of_video(views, *motion, motion->camera, arguments.video_depth, work);
+    const auto maps = vision::depth_of_video(views, *motion, motion->camera, arguments.recipe.depth, work);
     if (!maps) return maps.error();
-    depth_errors(*maps, video, path->scale, work, out);
+    depth_errors(*maps, video, path->score.true_from_found.scale, work, out);
+    if (arguments.surfaces) {
+      auto surfaces = surfaces_of(video, *maps, pictures, path->score, arguments.recipe, work);
+      if (!surfaces) return surfaces.error();
+      out.surfaces = std::move(*surfaces);
+    }
   }
   out.seconds = processor_seconds() - begin;
   return out;
@@ -153,10 +188,8 @@ void write_video(const RenderedVideo& video, const std::string& folder, int seed
 }
 
 bool set_one(Arguments& arguments, const std::string& name, double value) {
-  std::vector<Parameter> all;
-  append_parameters(all, "tracks", vision::parameters_of(arguments.tracks));
-  append_parameters(all, "motion", vision::parameters_of(arguments.motion));
-  append_parameters(all, "depth", vision::parameters_of(arguments.video_depth));
+  std::vector<Parameter> all = recipes::parameters_of(arguments.recipe);
+  append_parameters(all, "fusion", sculpt::parameters_of(arguments.recipe.fusion));
   for (const Parameter& p : all)
     if (p.name == name) return set_parameter(p, value).has_value();
   return false;
@@ -165,8 +198,11 @@ bool set_one(Arguments& arguments, const std::string& name, double value) {
 bool read(int count, char** words, Arguments& out) {
   for (int i = 1; i < count; ++i) {
     const std::string_view word = words[i];
-    if (word == "--no-depth") {
-      out.depth = false;
+    if (word == "--no-depth" || word == "--surfaces" || word == "--steps" || word == "--true-depth") {
+      out.true_depth = out.true_depth || word == "--true-depth";
+      out.depth = out.depth && word != "--no-depth";
+      out.surfaces = out.surfaces || word != "--no-depth";
+      out.steps = out.steps || word == "--steps";
       continue;
     }
     if (i + 1 >= count) return false;
@@ -197,14 +233,23 @@ bool read(int count, char** words, Arguments& out) {
   return true;
 }
 
-void print_row(const std::string& name, const Figures& f, int frames) {
+void print_row(const std::string& name, const Figures& f, int frames, bool steps) {
   fmt::print("| {} | {} of {} | {:.3f} | {:.3f} | {:.2f} | {:.1f} | {:.1f} | {:.1f} | {:.2f} | {:.0f} |\n",
              name, f.posed, frames, f.position_percent, f.rotation_deg, f.reprojection_px, f.known,
              f.good_of_known, f.good_of_all, f.scale_error_percent, f.seconds);
+  for (std::size_t i = 0; i < f.surfaces.size(); ++i) {
+    const NamedSurface& s = f.surfaces[i];
+    const bool last_of_kind =
+        i == 0 || i + 1 == f.surfaces.size() || s.name.substr(0, 4) != f.surfaces[i + 1].name.substr(0, 4);
+    if (steps || last_of_kind)
+      fmt::print("    {}: median {:.2f} mm, mean {:.2f} mm, {:.1f} % within 1 %, {:.1f} % in air, {:.1f} s\n",
+                 s.name, s.figures.median_mm, s.figures.mean_mm, s.figures.within_percent,
+                 s.figures.in_air_percent, s.seconds);
+  }
   std::fflush(stdout);
 }
 
-int run_all(const Arguments& arguments) {
+int run_all(Arguments& arguments) {
   Work work;
   work.threads = arguments.threads;
   fmt::print(
@@ -219,12 +264,13 @@ int run_all(const Arguments& arguments) {
       write_video(video, arguments.folder, seed, work);
       continue;
     }
-    const auto figures = run(video, arguments, work);
+    const auto figures =
+        arguments.true_depth ? run_on_true_depth(video, arguments, work) : run(video, arguments, work);
     if (!figures) {
       fmt::print("| {} | {} |\n", video.description(), figures.error().message);
       continue;
     }
-    print_row(video.description(), *figures, video.frames());
+    print_row(video.description(), *figures, video.frames(), arguments.steps);
     position.push_back(figures->position_percent), rotation.push_back(figures->rotation_deg);
     good.push_back(figures->good_of_known);
   }
@@ -244,9 +290,10 @@ int run_all(const Arguments& arguments) {
 int main(int count, char** words) {
   palpable::bench::Arguments arguments;
   if (!palpable::bench::read(count, words, arguments)) {
-    fmt::print(stderr,
-               "palpable_video_set [--seeds N] [--first SEED] [--frames N] [--threads N] [--no-depth] "
-               "[--set NAME=VALUE]... [--marker MM] [--write FOLDER]\n");
+    fmt::print(
+        stderr,
+        "palpable_video_set [--seeds N] [--first SEED] [--frames N] [--threads N] [--no-depth] "
+        "[--set NAME=VALUE]... [--marker MM] [--surfaces] [--steps] [--true-depth] [--write FOLDER]\n");
     return 2;
   }
   return palpable::bench::run_all(arguments);

@@ -147,8 +147,9 @@ void add_field_options(Options& options, MakeArguments& arguments) {
                "written there");
   options.choice("--motion", arguments.motion, {"batch", "filter"},
                  "A video: the camera's path by bundle adjustment, or frame by frame by a Kalman filter");
-  options.choice("--surface", arguments.surface, {"fused", "superquadrics"},
-                 "A video: the depth maps fused, or superquadrics fitted to their points");
+  options.choice("--surface", arguments.surface, {"fused", "superquadrics", "corrected"},
+                 "A video: the depth maps fused, superquadrics fitted to their points, or these corrected by "
+                 "each depth map (Moustakas 2007)");
   options.text(
       "--length", arguments.length,
       "A video: a known length, as '120 mm between 210,240 and 330,250 of frame 40'; default: by a printed "
@@ -388,6 +389,7 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   if (arguments.motion == "filter") options.recipes.video.motion_method = recipes::VideoMotion::filter;
   if (arguments.surface == "superquadrics")
     options.recipes.video.surface = recipes::VideoSurface::superquadrics;
+  if (arguments.surface == "corrected") options.recipes.video.surface = recipes::VideoSurface::corrected;
   options.recipes.sheet.thickness_m = arguments.sheet_mm / 1000.0;
   options.recipes.fusion.near_m = arguments.near.value_or(options.recipes.fusion.near_m);
   options.recipes.fusion.far_m = arguments.far.value_or(options.recipes.fusion.far_m);

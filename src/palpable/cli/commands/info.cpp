@@ -194,6 +194,7 @@ Result<Answer> info(const std::string& path) {
       {"kind", kind},
       {"size_m", {size.x, size.y, size.z}},
       {"scene_from_input", matrix_of(scene.scene_from_input)},
+      {"scale", scene.scene_from_input.scale},
       {"memory_bytes", memory},
       {"file_bytes", file->file_bytes},
       {"source",
@@ -210,6 +211,9 @@ Result<Answer> info(const std::string& path) {
     answer.json["law_descriptions"].push_back(json_of(haptics::description_of(law)));
   answer.text = fmt::format("{}: {}, {:.1f} x {:.1f} x {:.1f} mm\n", path, kind, 1000.0 * size.x,
                             1000.0 * size.y, 1000.0 * size.z);
+  if (const double scale = scene.scene_from_input.scale; scale != 1.0)
+    answer.text +=
+        fmt::format("  scale: a length of 1 in the input is {} mm here\n", figure(1000.0 * scale, 4));
   if (!scene.title.empty()) answer.text += fmt::format("  title: {}\n", scene.title);
   if (!scene.description.empty()) answer.text += fmt::format("  description: {}\n", scene.description);
   for (const std::string& warning : scene.warnings) answer.text += fmt::format("  warning: {}\n", warning);

@@ -145,6 +145,7 @@ Result<Answer> make(MakeCommandArguments arguments, Console& console) {
   answer.json = {{"output", arguments.output},         {"kind", kind},
                  {"size_m", {size.x, size.y, size.z}}, {"method", scene.source.method},
                  {"notes", sentences_of(made->notes)}, {"seconds", seconds.count()}};
+  if (made->video && !made->video->steps.empty()) answer.json["steps"] = steps_of(*made->video);
   answer.text = fmt::format("{}: {}, {:.1f} x {:.1f} x {:.1f} mm, made in {:.2f} s\n", arguments.output, kind,
                             1000.0 * size.x, 1000.0 * size.y, 1000.0 * size.z, seconds.count());
   return answer;

@@ -11,6 +11,7 @@
 #include "palpable/sources/input/input.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <span>
@@ -170,6 +171,17 @@ Result<void> check_video_outputs(const VideoOutputs& outputs, const std::vector<
   if (!outputs.poses.empty())
     if (auto checked = check_poses_file(outputs.poses, files); !checked) return checked;
   return outputs.depth_folder.empty() ? Result<void>() : check_depth_folder(outputs.depth_folder);
+}
+
+Json steps_of(const VideoReconstruction& video) {
+  constexpr std::array kKinds{"segments", "superquadrics", "correction"};
+  Json out = Json::array();
+  for (const auto& step : video.steps)
+    out.push_back({{"kind", kKinds[static_cast<std::size_t>(step.kind)]},
+                   {"frame", step.frame_number},
+                   {"error_m", step.error_m},
+                   {"taken", step.taken}});
+  return out;
 }
 
 Result<void> add_video_outputs(const VideoOutputs& outputs, const VideoResult& result, AtomicFiles& files,

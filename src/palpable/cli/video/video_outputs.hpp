@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/cli/command.hpp"
 #include "palpable/cli/options.hpp"
 #include "palpable/core/files/atomic_files.hpp"
 #include "palpable/core/result.hpp"
@@ -50,6 +51,10 @@ Result<void> check_video_outputs(const VideoOutputs& outputs, const std::vector<
 /// The check for inputs that are no video, which have none of these outputs. Errors: of reading, for an
 /// output that is given with a file that cannot be read; otherwise usage for an output that is given.
 Result<void> check_no_video_outputs(const VideoOutputs& outputs, const std::vector<std::string>& inputs);
+
+/// The steps in which a video's corrected model was refined: kind, frame, mean distance of the measured
+/// points from the surface in metres of the scene, and whether the step was taken.
+Json steps_of(const recipes::VideoReconstruction& video);
 
 /// Adds the outputs to the command's files, which appear together. Errors: failed, as AtomicFiles::add(),
 /// video_report() and video_glb().

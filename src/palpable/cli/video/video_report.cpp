@@ -5,6 +5,7 @@
 #include "palpable/core/numbers/quantile.hpp"
 #include "palpable/draw/canvas/colour_map.hpp"
 #include "palpable/draw/view/camera_path_view.hpp"
+#include "palpable/draw/view/convergence_view.hpp"
 #include "palpable/draw/view/height_view.hpp"
 #include "palpable/draw/view/report_page.hpp"
 #include "palpable/draw/view/solid_view.hpp"
@@ -160,6 +161,38 @@ Result<draw::ReportSection> model_section(const models::Scene& scene) {
   return out;
 }
 
+Result<draw::ReportSection> steps_section(const VideoReconstruction& video) {
+  draw::ReportSection out{"How the model grew",
+                          {"The first shapes follow from the outlines in one picture alone. Superquadrics, "
+                           "which are simple round or "
+                           "angular bodies, were then fitted to the points that more and more pictures "
+                           "showed, and their surface was "
+                           "corrected by the measured distances of one picture after the other."},
+                          {},
+                          {},
+                          {}};
+  draw::ConvergenceView view{
+      {"first shapes, from one picture", "superquadrics, from the points", "correction"}, {}};
+  for (const auto& step : video.steps)
+    view.steps.push_back({static_cast<std::size_t>(step.kind), kMillimetres * step.error_m, step.taken});
+  const auto last_before_correction = std::find_if(
+      video.steps.rbegin(), video.steps.rend(),
+      [](const auto& step) { return step.taken && step.kind != recipes::ModelStep::Kind::correction; });
+  const auto last =
+      std::find_if(video.steps.rbegin(), video.steps.rend(), [](const auto& step) { return step.taken; });
+  const std::string caption = fmt::format(
+      "Mean distance of the measured points from the surface: {:.2f} mm for the superquadrics alone, {:.2f} "
+      "mm after "
+      "the correction.",
+      last_before_correction == video.steps.rend() ? 0.0 : kMillimetres * last_before_correction->error_m,
+      last == video.steps.rend() ? 0.0 : kMillimetres * last->error_m);
+  if (auto added = add_picture(draw::convergence_figure(std::move(view), {"Error after each step", ""}),
+                               caption, caption, out);
+      !added)
+    return added.error();
+  return out;
+}
+
 draw::ReportSection figures_section(const VideoReconstruction& video, const std::vector<Note>& notes) {
   const recipes::VideoFigures& f = video.figures;
   draw::ReportSection out{"Figures and notes", {}, {}, {}, {}};
@@ -194,6 +227,11 @@ Result<std::string> video_report(const std::string& name, const VideoReconstruct
       {}};
   page.sections.push_back(advice_section(video));
   for (auto section : {model_section(scene), frames_section(video), path_section(video)}) {
+    if (!section) return section.error();
+    page.sections.push_back(std::move(*section));
+  }
+  if (!video.steps.empty()) {
+    auto section = steps_section(video);
     if (!section) return section.error();
     page.sections.push_back(std::move(*section));
   }

@@ -28,6 +28,11 @@ recipes::VideoReconstruction small_reconstruction() {
   out.depth_maps.push_back(depth);
   out.structure.places_m = {{0, 0, 0}, {0.1, 0.1, 0.1}};
   out.figures.frames = 4, out.figures.tried = 3, out.figures.posed = 3;
+  using Kind = recipes::ModelStep::Kind;
+  out.steps = {{Kind::segments, 5, 0.004, true},
+               {Kind::superquadrics, 5, 0.001, true},
+               {Kind::superquadrics, 10, 0.0012, false},
+               {Kind::correction, 10, 0.00025, true}};
   out.advice.emplace_back("The left side was never seen, so the shape there is a guess.");
   return out;
 }
@@ -43,10 +48,11 @@ TEST(VideoReport, ShowsEveryStageWithAlternativeTextsAndTheAdvice) {
   ASSERT_TRUE(made) << made.error().sentence();
   const auto page = video_report("model <1>.mp4", small_reconstruction(), made->scene, {Note("A note.")});
   ASSERT_TRUE(page) << page.error().sentence();
-  for (const char* part : {"model &lt;1&gt;.mp4", "<h2>What to do better</h2>",
-                           "The left side was never seen", "alt=\"Picture 5 of the video",
-                           "alt=\"Two plots of the camera", "alt=\"The model from above, 60 x 60 x 40 mm",
-                           "alt=\"The model, 60 x 60 x 40 mm", "A note.", "3 of 3"})
+  for (const char* part :
+       {"model &lt;1&gt;.mp4", "<h2>What to do better</h2>", "The left side was never seen",
+        "alt=\"Picture 5 of the video", "alt=\"Two plots of the camera",
+        "alt=\"The model from above, 60 x 60 x 40 mm", "alt=\"The model, 60 x 60 x 40 mm", "A note.",
+        "3 of 3", "<h2>How the model grew</h2>", "1.00 mm for the superquadrics alone, 0.25 mm after"})
     EXPECT_THAT(*page, HasSubstr(part));
 }
 

@@ -51,6 +51,16 @@ Result<MadeScene> field_from_superquadrics(std::vector<models::Superquadric> sha
   return field_scene(*std::move(solid), "shapes", recipe, work);
 }
 
+Result<MadeScene> field_from_corrected_shapes(Mesh surface, std::vector<models::Superquadric> predicted,
+                                              const FieldRecipe& recipe, const Work& work) {
+  if (const auto valid = check(recipe); !valid) return valid.error();
+  auto solid = solid_of(std::move(surface), recipe, work);
+  if (!solid) return solid.error();
+  for (models::Superquadric& shape : predicted) shape = placed_in_scene(shape, solid->scene_from_input);
+  solid->primitives = std::move(predicted);
+  return field_scene(*std::move(solid), "corrected shapes", recipe, work);
+}
+
 Result<MadeScene> field_from_level_set(const LevelSet& set, const FieldRecipe& recipe, const Work& work) {
   if (const auto valid = check(recipe); !valid) return valid.error();
   auto surface = sculpt::surface_of_level_set(set, work);

@@ -61,6 +61,11 @@ Result<MadeScene> field_from_points(PointCloud cloud, const FieldRecipe& recipe,
 Result<MadeScene> field_from_superquadrics(std::vector<models::Superquadric> shapes,
                                            const FieldRecipe& recipe, const Work& work);
 
+/// The field of a closed surface that superquadrics were corrected to (sculpt::correct_surface()); they are
+/// stored as its primitives. The surface may fold: its solid is repaired as that of a mesh.
+Result<MadeScene> field_from_corrected_shapes(Mesh surface, std::vector<models::Superquadric> predicted,
+                                              const FieldRecipe& recipe, const Work& work);
+
 /// The field of a level set's surface, resampled.
 Result<MadeScene> field_from_level_set(const LevelSet& set, const FieldRecipe& recipe, const Work& work);
 

@@ -80,17 +80,6 @@ std::vector<Vec3> visible_places_of(const Mesh& mesh, double cell_m, const Work&
   return sculpt::visible_places(sculpt::TriangleTree(clean), {.beside_m = kBesideCells * cell_m}, work.seed);
 }
 
-models::Superquadric placed(models::Superquadric shape, const SceneFromInput& transform) {
-  auto& scene_from_shape = shape.scene_from_shape;
-  const Transform<SceneFrame, SceneFrame> turned{transform.rotation, {}, 1.0};
-  const Vec3 at_m = (transform * Point<models::InputFrame>{scene_from_shape.translation_m}).v;
-  scene_from_shape = turned * scene_from_shape;
-  scene_from_shape.translation_m = at_m;
-  shape.size_m *= transform.scale;
-  shape.bend_per_m /= transform.scale;
-  return shape;
-}
-
 /// Refuses shapes of which none would be felt, and adds a note on single ones: between the corners of cells a
 /// field knows nothing of them.
 Result<void> check_thickness(const std::vector<models::Superquadric>& shapes, double cell_m,
@@ -201,6 +190,17 @@ Result<StoredField> stored_densely(const Solid& solid, const FieldRecipe& recipe
 
 }  // namespace
 
+models::Superquadric placed_in_scene(models::Superquadric shape, const SceneFromInput& transform) {
+  auto& scene_from_shape = shape.scene_from_shape;
+  const Transform<SceneFrame, SceneFrame> turned{transform.rotation, {}, 1.0};
+  const Vec3 at_m = (transform * Point<models::InputFrame>{scene_from_shape.translation_m}).v;
+  scene_from_shape = turned * scene_from_shape;
+  scene_from_shape.translation_m = at_m;
+  shape.size_m *= transform.scale;
+  shape.bend_per_m /= transform.scale;
+  return shape;
+}
+
 sculpt::DenseFieldOptions dense_options(const FieldRecipe& recipe) {
   sculpt::DenseFieldOptions dense;
   if (recipe.storage == FieldStorage::paper) dense.content = models::DenseContent::distance_and_force;
@@ -249,7 +249,7 @@ Result<Solid> solid_of(std::vector<models::Superquadric> shapes, const FieldReci
   solid.pose = pose_of(*placement);
   if (placement->fitted) {
     solid.scene_from_input = placement->scene_from_input;
-    for (models::Superquadric& shape : shapes) shape = placed(shape, solid.scene_from_input);
+    for (models::Superquadric& shape : shapes) shape = placed_in_scene(shape, solid.scene_from_input);
     distance = sculpt::distance_of(shapes);
     if (!distance) return distance.error();
   }

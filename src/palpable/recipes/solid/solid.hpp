@@ -41,6 +41,9 @@ Result<Solid> solid_of(std::vector<models::Superquadric> shapes, const FieldReci
 /// The solid of a contoured surface whose accuracy is `exact_to_m`, in units of the input.
 Result<Solid> solid_of_contour(Mesh surface, double exact_to_m, const FieldRecipe& recipe);
 
+/// A superquadric of the input, in the scene's frame.
+models::Superquadric placed_in_scene(models::Superquadric shape, const SceneFromInput& scene_from_input);
+
 /// The lattice of a dense field.
 sculpt::DenseFieldOptions dense_options(const FieldRecipe& recipe);
 

@@ -28,8 +28,13 @@ struct VideoModelOptions {
   double least_raised = 0.01;
   /// Margin around the model, share of its extent, 0 … 2.
   double margin = 0.15;
-  /// Points so far above the ground, as a share of its extent, belong to the model, 0.001 … 0.5.
+  /// Points so far above the ground, as a share of its extent, belong to the model, 0.001 … 0.5 …
   double least_rise = 0.02;
+  /// … and at least so many standard deviations of the ground's own heights, 0 … 20.
+  double rise_noises = 4.0;
+  /// Heights within this many standard deviations of the ground are noise and become the ground, if this is
+  /// less than the least rise; up to twice of that they blend into what was measured. 0 … 20; 0 = none.
+  double flat_noises = 3.0;
   /// The ground is the narrowest interval of heights with this share of the points, 0.05 … 0.9.
   double ground_share = 0.3;
 };
@@ -42,6 +47,10 @@ struct VideoModel {
   /// Points on all surfaces that were seen, in the poses' world.
   PointCloud structure;
   double ground_height = 0.0;
+  /// Standard deviation of the ground's measured heights: the noise of the depth maps, and a cloth's folds.
+  double ground_noise = 0.0;
+  /// Points above this height belong to the model; everything does where hardly anything rises.
+  double raised_above = 0.0;
   /// The box of the model and of the ground around it.
   Vec3 least, most;
   /// Points of the model inside the box, above the ground; all points where hardly anything rises above it.
@@ -51,6 +60,17 @@ struct VideoModel {
 /// Finds the ground and the model on it. Empty structure where the maps know nothing.
 VideoModel video_model(std::span<const vision::FrameDepth> maps, const VideoModelOptions& options,
                        std::uint64_t seed);
+
+/// The points of one depth map that belong to the model, in its axes, at a spacing of `step_px`.
+std::vector<Vec3> raised_points(const vision::FrameDepth& map, const VideoModel& model, int step_px);
+
+/// The position in the world of a pixel with a known depth.
+Point<WorldFrame> place_of_pixel(const vision::FrameDepth& map, int x, int y);
+
+/// Moves depths that lie on the ground but for its noise onto its plane, along their lines of sight, so that
+/// a table does not become a relief. A ground that is no plane (a garden) stays as it was measured.
+void flatten_ground(std::span<vision::FrameDepth> maps, const VideoModel& model,
+                    const VideoModelOptions& options);
 
 /// Depths outside the model's box become unknown.
 void crop(std::span<vision::FrameDepth> maps, const VideoModel& model);

@@ -147,7 +147,7 @@ void judge(const VideoModel& model, const VideoAdviceOptions& options, VideoReco
 // their noise, which takes most of the time.
 FieldRecipe placed(const VideoRecipe& recipe, bool metric) {
   FieldRecipe field = recipe.field;
-  if (recipe.surface == VideoSurface::fused)
+  if (recipe.surface != VideoSurface::superquadrics)
     field.field.resolution = std::min(field.field.resolution, recipe.fusion.resolution);
   sculpt::PlacementOptions& placement = field.placement;
   placement.convention = {AxisDirection::plus_z, metric ? LengthUnit::metre : LengthUnit::unknown};
@@ -194,6 +194,28 @@ Result<MadeScene> field_of_shapes(const VideoModel& model, const VideoRecipe& re
       Note(fmt::format(
           "{} objects on the ground became {} superquadrics, {:.2f} mm from the measured points (median).",
           shapes->objects, count, 1000 * before)));
+  return made;
+}
+
+Result<MadeScene> corrected_field(const VideoModel& model, const std::vector<FrameDepth>& maps,
+                                  const VideoRecipe& recipe, const FieldRecipe& field, const Work& work,
+                                  VideoReconstruction& video) {
+  auto corrected = corrected_model(model, maps, video.depth_maps.front().picture, recipe.shapes,
+                                   recipe.corrected, {}, work);
+  if (!corrected) return corrected.error();
+  auto made = field_from_corrected_shapes(std::move(corrected->surface), std::move(corrected->shapes.shapes),
+                                          field, work);
+  if (!made) return made;
+  const double scale = made->scene.scene_from_input.scale;
+  for (const ModelStep& step : corrected->steps)
+    video.steps.push_back(
+        {step.kind, video.depth_maps[step.map].frame_number, scale * step.error, step.taken});
+  made->notes.insert(
+      made->notes.begin(),
+      Note(fmt::format("The superquadrics of {} objects are {:.2f} mm from the measured points (mean); their "
+                       "correction by {} depth maps left {:.2f} mm.",
+                       corrected->shapes.objects, 1000 * scale * corrected->predicted_error, maps.size(),
+                       1000 * scale * corrected->corrected_error)));
   return made;
 }
 
@@ -248,6 +270,20 @@ void state_world(const VideoModel& model, MadeScene& made, VideoReconstruction& 
   video.scene_from_world = {all.rotation, all.translation_m, all.scale};
 }
 
+Result<MadeScene> field_of_surface(const VideoModel& model, const std::vector<FrameDepth>& maps,
+                                   const VideoRecipe& recipe, const FieldRecipe& field, const Work& work,
+                                   VideoReconstruction& video) {
+  switch (recipe.surface) {
+    case VideoSurface::superquadrics:
+      return field_of_shapes(model, recipe, field, work);
+    case VideoSurface::corrected:
+      return corrected_field(model, maps, recipe, field, work, video);
+    case VideoSurface::fused:
+      break;
+  }
+  return fused_field(model, maps, recipe, field, work);
+}
+
 // All notes in the order in which a person needs them.
 std::vector<Note> notes_of(const Frames& frames, const VideoReconstruction& video, const VideoScale& scale,
                            const std::vector<Note>& of_field) {
@@ -291,6 +327,7 @@ std::vector<Parameter> parameters_of(VideoRecipe& recipe) {
   append_parameters(out, "depth", vision::parameters_of(recipe.depth));
   append_parameters(out, "model", parameters_of(recipe.model));
   append_parameters(out, "shapes", parameters_of(recipe.shapes));
+  append_parameters(out, "corrected", parameters_of(recipe.corrected));
   append_parameters(out, "scale", parameters_of(recipe.scale));
   append_parameters(out, "advice", parameters_of(recipe.advice));
   return out;
@@ -321,10 +358,10 @@ Result<MadeScene> field_from_video(const std::vector<VideoFrame>& given, const v
   VideoReconstruction video = reconstruction_of(*frames, *motion, depth->maps);
   video.metric = depth->scale.metres_per_unit.has_value();
   judge(model, recipe.advice, video);
+  flatten_ground(depth->maps, model, recipe.model);
   crop(depth->maps, model);
   const FieldRecipe field = placed(recipe, video.metric);
-  auto made = recipe.surface == VideoSurface::fused ? fused_field(model, depth->maps, recipe, field, work)
-                                                    : field_of_shapes(model, recipe, field, work);
+  auto made = field_of_surface(model, depth->maps, recipe, field, work, video);
   if (!made) return made.error();
   state_world(model, *made, video);
   made->notes = notes_of(*frames, video, depth->scale, made->notes);

@@ -9,6 +9,7 @@
 #include "palpable/core/work.hpp"
 #include "palpable/recipes/made_scene.hpp"
 #include "palpable/recipes/solid/field_recipe.hpp"
+#include "palpable/recipes/video/corrected_model.hpp"
 #include "palpable/recipes/video/model_shapes.hpp"
 #include "palpable/recipes/video/video_advice.hpp"
 #include "palpable/recipes/video/video_model.hpp"
@@ -37,7 +38,9 @@ enum class VideoSurface {
   /// The depth maps, fused.
   fused,
   /// Superquadrics that were fitted to the points (shapes_of_model()).
-  superquadrics
+  superquadrics,
+  /// These superquadrics, corrected by each depth map in turn (corrected_model()).
+  corrected
 };
 
 /// When points are followed from frame to frame; if this fails, they are matched between pictures instead.
@@ -67,6 +70,7 @@ struct VideoRecipe {
   vision::VideoDepthOptions depth;
   VideoModelOptions model;
   ModelShapesOptions shapes;
+  CorrectedModelOptions corrected;
   VideoScaleOptions scale;
   VideoAdviceOptions advice;
   sculpt::FusionOptions fusion;
@@ -95,6 +99,15 @@ struct VideoReconstruction {
   Pinhole camera;
   Transform<SceneFrame, WorldFrame> scene_from_world;
   VideoFigures figures;
+  /// The steps in which a corrected model was refined; empty for other surfaces. In metres of the scene.
+  struct Step {
+    ModelStep::Kind kind = ModelStep::Kind::segments;
+    /// Number of the last frame whose depth was used.
+    int frame_number = 0;
+    double error_m = 0.0;
+    bool taken = true;
+  };
+  std::vector<Step> steps;
   /// What to do better, for people without technical knowledge.
   std::vector<Note> advice;
 };

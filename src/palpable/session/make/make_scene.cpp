@@ -299,10 +299,13 @@ Result<void> make_scenes(const MakeOptions& options, const TakeScene& take, cons
       if (!made) return made.error();
       take(std::move(*made));
     }
-    if (auto made = quick_scene(from->values, options, work))
-      take(*finished(std::move(*made), *from, options));
+    auto quick = quick_scene(from->values, options, work);
+    const bool begun = quick.has_value();
+    if (begun) take(*finished(*std::exchange(quick, std::nullopt), *from, options));
     auto made = finished(made_for_cache(std::move(from->values), options, key, work), *from, options);
     if (!made) return made.error();
+    if (begun)
+      made->notes.emplace(made->notes.begin(), "The better model is ready: from now on you touch it.");
     take(std::move(*made));
     return {};
   }
