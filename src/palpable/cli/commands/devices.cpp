@@ -17,8 +17,8 @@ Result<Answer> devices() {
                                       {"description", kind.description},
                                       {"available", kind.available},
                                       {"note", kind.note}});
-    answer.text += fmt::format("{:12}{}: {}\n", kind.url, kind.name, kind.description);
-    if (!kind.available) answer.text += fmt::format("{:12}Not available here: {}.\n", "", kind.note);
+    answer.text += fmt::format("{:16}{}: {}\n", kind.url, kind.name, kind.description);
+    if (!kind.available) answer.text += fmt::format("{:16}Not available here: {}.\n", "", kind.note);
   }
   return answer;
 }
