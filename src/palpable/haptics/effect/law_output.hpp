@@ -5,6 +5,7 @@
 #include "palpable/core/frame.hpp"
 #include "palpable/device/device.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -21,7 +22,15 @@ struct Hand {
   /// Time from the reading to the middle of the interval in which the motors hold the resulting force: the
   /// device's delay plus half a tick. 0 if no loop holds a force.
   double acts_after_s = 0.0;
+  /// The expected change of the velocity until then, as far as the acceleration of the last ticks tells it.
+  Vector<SceneFrame> gains_m_per_s = {};
 };
+
+/// By how much the hand will move faster along `outward` when the force acts; >= 0. A damper at that velocity
+/// does not push out a hand that turns by itself: its force would help the hand on its way out.
+inline double speeds_up(const Hand& hand, Vec3 outward) noexcept {
+  return std::max(0.0, dot(hand.gains_m_per_s.v, outward));
+}
 
 /// The result of a law in one tick, before caps, ramps and passivity control.
 struct LawOutput {

@@ -49,7 +49,7 @@ class PenaltyLaw : public ContactLaw<Surface> {
         contact.stiffness_N_per_m * penetration_m * (shading_ + (1.0 - shading_) * length);
     const Vec3 velocity = hand.velocity_m_per_s.v;
     output.force_N.v =
-        damped_push(spring_N, outward, velocity, contact) +
+        damped_push(spring_N, outward, velocity + speeds_up(hand, outward) * outward, contact) +
         (1.0 - shading_) * drag(velocity - dot(velocity, outward) * outward, spring_N, contact);
     return output;
   }

@@ -26,6 +26,9 @@ class RandomSolid {
     };
     wave_m_ = uniform(0.0, 1.0) < 0.5 ? 0.0 : uniform(0.0005, 0.0025);
     per_m_ = {2.0 * std::numbers::pi / uniform(0.004, 0.016), 2.0 * std::numbers::pi / uniform(0.004, 0.016)};
+    // Their distance is estimated from the height above them, so it is up to sqrt(1 + slope^2) times too
+    // large. A field's is at most a fourth too large.
+    wave_m_ = std::min(wave_m_, kSteepestWave / std::max(per_m_.x, per_m_.y));
     cell_m_ = uniform(0.0, 1.0) < 0.5 ? 2e-4 : 4e-4;
     rounding_m_ = uniform(0.0, 1.0) < 0.5 ? 0.0 : 2.0 * cell_m_;
     const int count = std::uniform_int_distribution<int>(8, 28)(random);
@@ -52,6 +55,7 @@ class RandomSolid {
   std::size_t memory_bytes() const noexcept { return sizeof(*this); }
 
  private:
+  static constexpr double kSteepestWave = 0.7;
   enum class Kind { ball, box, cone };
   struct Part {
     Kind kind = Kind::ball;

@@ -107,7 +107,8 @@ inline Vec3 proxy_force(const Hand& hand, const Contact& contact, Vec3 place_m, 
                         const Outward& out) noexcept {
   const Vec3 spring = contact.stiffness_N_per_m * (place_m - hand.position.v);
   const double spring_out = dot(spring, out.v);
-  const double damper_out = -contact.damping_Ns_per_m * dot(hand.velocity_m_per_s.v, out.v);
+  const double damper_out =
+      -contact.damping_Ns_per_m * (dot(hand.velocity_m_per_s.v, out.v) + speeds_up(hand, out.v));
   // The damper may cancel the push but never turns it into a pull. If the surface released the proxy in this
   // tick, only the spring acts.
   const double pressing_out = spring_out > 0.0 ? std::max(0.0, spring_out + damper_out) : spring_out;

@@ -31,6 +31,7 @@ TickPipeline::TickPipeline(device::Device& device, const HapticScene& scene, con
       readings_(device.traits(), options),
       velocity_(known_or(device.traits().position_resolution_m, 0.0)),
       fine_(known_or(device.traits().position_resolution_m, 0.0)),
+      gain_(device.traits().delay_samples),
       has_torque_(device.traits().has_torque),
       ramp_(options.ramp_down_s, options.ramp_up_s),
       delay_(static_cast<std::size_t>(std::clamp(device.traits().delay_samples, 0, kMaxDelay))) {
@@ -99,6 +100,8 @@ ReadingUse TickPipeline::accept(const device::Reading& reading, double dt_s) noe
 void TickPipeline::take(const device::Reading& reading, const JudgedReading& judged) noexcept {
   position_ = reading.position;
   velocity_m_per_s_ = velocity_.update(position_, judged.passed_s);
+  gains_m_per_s_ =
+      gain_.update(velocity_m_per_s_, velocity_.age_s(), acts_after_s(judged.passed_s), judged.passed_s);
   const Point<DeviceFrame> before = fine_.place();
   const Point<DeviceFrame> now = fine_.update(position_, velocity_m_per_s_, judged.passed_s);
   if (!judged.first) moved_ = now - before;
@@ -121,14 +124,21 @@ void TickPipeline::drop_force() noexcept {
   sent_.fill({});
   transient_.stop();
   velocity_.begin();
+  gain_.begin();
+  gains_m_per_s_ = {};
   shortened_ = true;
   scene_changes_ = false;
+}
+
+double TickPipeline::acts_after_s(double dt_s) const noexcept {
+  return (static_cast<double>(delay_) + 0.5) * std::min(dt_s, options_.max_rise_time_s);
 }
 
 bool TickPipeline::evaluate_law(Side& side, double dt_s) noexcept {
   const auto& scene_from_device = side.scene->scene_from_device;
   Hand hand{scene_from_device * position_, scene_from_device * velocity_m_per_s_, dt_s};
-  hand.acts_after_s = (static_cast<double>(delay_) + 0.5) * std::min(dt_s, options_.max_rise_time_s);
+  hand.acts_after_s = acts_after_s(dt_s);
+  hand.gains_m_per_s = scene_from_device * gains_m_per_s_;
   if (has_torque_) {
     hand.rotation = rotation_in_scene(scene_from_device, rotation_.rotation());
     hand.angular_velocity_rad_per_s = rotate_force(scene_from_device, rotation_.velocity_rad_per_s());
@@ -178,6 +188,8 @@ void TickPipeline::begin_touch() noexcept {
   uncontrolled_rise_.reset();
   velocity_.begin();
   velocity_m_per_s_ = {};
+  gain_.begin();
+  gains_m_per_s_ = {};
   rotation_.begin();
   flags_ |= flag::kNewTouch;
 }

@@ -73,6 +73,8 @@ class TickPipeline {
   ReadingUse accept(const device::Reading& reading, double dt_s) noexcept;
   void take(const device::Reading& reading, const JudgedReading& judged) noexcept;
   void drop_force() noexcept;
+  /// Hand::acts_after_s.
+  double acts_after_s(double dt_s) const noexcept;
   bool evaluate_law(Side& side, double dt_s) noexcept;
   Vector<DeviceFrame> device_force_N(const Side& side, Vector<SceneFrame> force_N) const noexcept;
   Vector<DeviceFrame> device_torque_Nm(const Side& side, Vector<SceneFrame> torque_Nm) const noexcept;
@@ -135,6 +137,8 @@ class TickPipeline {
   VelocityEstimator velocity_;
   FinePosition fine_;
   Vector<DeviceFrame> velocity_m_per_s_;
+  VelocityGain gain_;
+  Vector<DeviceFrame> gains_m_per_s_;
   Point<DeviceFrame> position_;
   /// Since the previous tick, m.
   Vector<DeviceFrame> moved_;

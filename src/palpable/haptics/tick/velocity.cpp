@@ -18,16 +18,18 @@ Vector<DeviceFrame> VelocityEstimator::update(Point<DeviceFrame> position, doubl
   return {{slope(&Vec3::x), slope(&Vec3::y), slope(&Vec3::z)}};
 }
 
-double VelocityEstimator::slope(double Vec3::*axis) const noexcept {
+double VelocityEstimator::slope(double Vec3::*axis) noexcept {
   const double now_m = positions_m_[at(0)].*axis;
   const auto slope_over = [&](int age) { return (now_m - positions_m_[at(age)].*axis) / -times_s_[at(age)]; };
   double best = slope_over(1);
+  age_s_.*axis = -0.5 * times_s_[at(1)];
   for (int age = 2; age < count_; ++age) {
     const double line = slope_over(age);
     for (int between = 1; between < age; ++between)
       if (std::abs(now_m + line * times_s_[at(between)] - positions_m_[at(between)].*axis) > resolution_m_)
         return best;
     best = line;
+    age_s_.*axis = -0.5 * times_s_[at(age)];
   }
   return best;
 }

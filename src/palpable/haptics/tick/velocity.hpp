@@ -27,18 +27,56 @@ class VelocityEstimator {
   /// The velocity in m/s at `position`, reached `dt_s` > 0 after the previous one.
   Vector<DeviceFrame> update(Point<DeviceFrame> position, double dt_s) noexcept;
 
+  /// How long ago the hand had the last velocity on each axis, s: half of its window.
+  Vec3 age_s() const noexcept { return age_s_; }
+
  private:
-  double slope(double Vec3::*axis) const noexcept;
+  double slope(double Vec3::*axis) noexcept;
   /// Index of the sample `age` samples ago.
   std::size_t at(int age) const noexcept {
     return static_cast<std::size_t>((newest_ + kSamples - age) % kSamples);
   }
 
   double resolution_m_;
+  Vec3 age_s_;
   std::array<Vec3, kSamples> positions_m_{};
   std::array<double, kSamples> times_s_{};
   int newest_ = 0;
   int count_ = 0;
+};
+
+/// The change of the velocity until a force acts that is sent now: the mean acceleration of the last 2 d + 1
+/// ticks, for a device with a delay of d, times the estimate's age and the time until then. Over that many
+/// ticks a change by the sensor's steps is about the velocity's own error. Tick path.
+class VelocityGain {
+ public:
+  static constexpr int kMostDelay = 15;
+
+  explicit VelocityGain(int delay) : span_(2 * std::clamp(delay, 0, kMostDelay) + 1) {}
+
+  void begin() noexcept { count_ = 0; }
+
+  /// `age_s`: of this estimate, on each axis.
+  Vector<DeviceFrame> update(Vector<DeviceFrame> velocity_m_per_s, Vec3 age_s, double acts_after_s,
+                             double dt_s) noexcept {
+    const auto at = static_cast<std::size_t>(next_);
+    const Vec3 gained = (velocity_m_per_s - past_[at]).v;
+    past_[at] = velocity_m_per_s;
+    next_ = (next_ + 1) % span_;
+    if (count_ < span_) {
+      ++count_;
+      return {};
+    }
+    const double per_s = 1.0 / (span_ * dt_s);
+    return {{per_s * (acts_after_s + age_s.x) * gained.x, per_s * (acts_after_s + age_s.y) * gained.y,
+             per_s * (acts_after_s + age_s.z) * gained.z}};
+  }
+
+ private:
+  int span_;
+  int next_ = 0;
+  int count_ = 0;
+  std::array<Vector<DeviceFrame>, 2 * kMostDelay + 1> past_{};
 };
 
 /// Estimates the position within the sensor's quantisation step. A reading only tells the step; within it the
