@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/packing/zstd_frame.hpp"
 
+#include <cstddef>
 #include <memory>
 #include <string>
 
@@ -22,8 +23,8 @@ Result<std::vector<std::byte>> zstd_frame(std::span<const std::byte> bytes, int 
   const std::size_t size = ZSTD_compress2(context.get(), out.data(), out.size(), bytes.data(), bytes.size());
   if (ZSTD_isError(size) != 0U)
     return Error{ErrorCode::failed, std::string("cannot be packed: ") + ZSTD_getErrorName(size), {}};
-  out.resize(size);
-  return out;
+  // Not the room for bytes that do not shrink: a dense field's members wait together until they are written.
+  return std::vector<std::byte>(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(size));
 }
 
 }  // namespace palpable::formats

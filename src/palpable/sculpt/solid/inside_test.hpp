@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace palpable::sculpt {
@@ -34,12 +35,15 @@ struct InsideTest {
   }
 };
 
-/// Whether a point is inside: the same as at a previous point if that is nearer than any surface, else by the
-/// winding number. `surface_m`: the point's distance from the surface.
+/// Whether a point is inside: the same as at a previous point if no surface can lie between, else by the
+/// winding number. `surface_m`: the point's distance from the surface. A segment that crosses the surface is
+/// at least as long as both ends' distances together.
 inline bool is_behind(const InsideTest& solid, Vec3 p, double surface_m, const DistanceSource::Hint& hint) {
-  for (const auto& last : hint.last)
-    if (squared_norm(p - last.place_m) < 0.99 * last.distance_m * last.distance_m)
-      return last.distance_m < 0.0;
+  for (const auto& last : hint.last) {
+    if (last.distance_m == 0.0) continue;
+    const double clear_m = surface_m + std::abs(last.distance_m);
+    if (squared_norm(p - last.place_m) < 0.99 * clear_m * clear_m) return last.distance_m < 0.0;
+  }
   return solid.contains(p, surface_m);
 }
 /// Whether a point is inside, by the `normal` at the nearest point of a closed surface and the vector `way`
