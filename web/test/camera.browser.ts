@@ -77,7 +77,7 @@ describe('the picture from above', () => {
     await page.keyboard.press('c');
     expect(await page.getByRole('button', { name: 'Move picture' }).getAttribute('aria-pressed')).toBe('true');
     await page.keyboard.press('Shift+ArrowUp');
-    await page.locator('#spoken').filter({ hasText: /The picture is centred \d+ millimetres up from the middle/ }).waitFor();
+    await page.locator('#spoken').filter({ hasText: /The picture is centred \d+ millimetres down from the middle/ }).waitFor();
     await page.keyboard.press('ArrowLeft');
     await page.locator('#spoken').filter({ hasText: 'Seen from above the picture does not turn.' }).waitFor();
     expect(await position(page)).toEqual([0, 0]);

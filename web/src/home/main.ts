@@ -51,6 +51,7 @@ class TouchPage implements KeyTarget {
     tilted: (tilt) => this.settings.changePage({ tilt }, 'tilt'),
     flattened: () => this.settings.changePage({ view: 'flat' }, 'view'),
     say: (words) => this.voice.say(words, Importance.news),
+    answer: (words) => this.voice.say(words, Importance.answer),
   });
   private readonly voice = new Voice();
   private readonly feedback = new Feedback();

@@ -19,6 +19,8 @@ export interface StageTarget {
   /** The user accepts the flat view that is offered on a slow machine. */
   flattened(): void;
   say(words: string): void;
+  /** The answer to a key. */
+  answer(words: string): void;
 }
 
 /** Degrees per pixel of a drag, and per press of an arrow key. */
@@ -130,10 +132,10 @@ export class Stage {
     const tenth = Math.min(this.element.clientWidth, this.element.clientHeight) / 10;
     if (shiftKey) {
       this.pan(right * tenth, down * tenth);
-      this.target.say(shiftWords(this.camera.pose));
+      this.target.answer(shiftWords(this.camera.pose));
     } else {
       this.turn(-right * keyTurn, -down * keyTurn);
-      this.target.say(this.kind === 'flat' ? 'Seen from above the picture does not turn. Arrows with Shift shift it.' : turnWords(this.camera.pose, this.look.tilt));
+      this.target.answer(this.kind === 'flat' ? 'Seen from above the picture does not turn. Arrows with Shift shift it.' : turnWords(this.camera.pose, this.look.tilt));
     }
     return true;
   }
