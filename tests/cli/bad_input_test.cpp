@@ -61,6 +61,10 @@ TEST_F(BadInput, AMissingFileIsNamed) {
 TEST_F(BadInput, AScenePipeOrFolderIsRefusedAtOnce) {
   ASSERT_EQ(mkfifo(path("pipe.palp").c_str(), 0600), 0);
   expect_refused(palpable({"info", path("pipe.palp")}), "pipe.palp", "is not a regular file");
+  expect_refused(palpable({"check", path("pipe.palp")}), "pipe.palp", "is not a regular file");
+  expect_refused(palpable({"touch", path("left.png"), path("right.png"), "--headless", "--device",
+                           "replay:" + path("pipe.palp"), "--quiet"}),
+                 "pipe.palp", "is not a regular file");
   expect_refused(palpable({"info", folder_.string()}), folder_.string(), "is a folder, and not a scene");
 }
 
@@ -69,6 +73,11 @@ TEST_F(BadInput, APipeInPlaceOfAPictureOrVideoIsRefusedAtOnce) {
     ASSERT_EQ(mkfifo(path(name).c_str(), 0600), 0);
     expect_refused(palpable({"make", path(name), "-o", path("out.palp")}), name, "is a pipe");
   }
+}
+
+TEST_F(BadInput, APictureIsNoMapExtract) {
+  expect_refused(palpable({"make", path("left.png"), "--kind", "map", "-o", path("out.palp")}), "left.png",
+                 "is not a map extract");
 }
 
 TEST_F(BadInput, APictureInPlaceOfAMeshIsNamedAsOne) {

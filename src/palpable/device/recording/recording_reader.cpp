@@ -120,9 +120,13 @@ RecordingReader::~RecordingReader() = default;
 Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const std::filesystem::path& file) {
   auto impl = std::make_unique<Impl>();
   std::error_code error;
-  if (std::filesystem::is_directory(file, error))
-    return invalid_input("is a folder, not a file", file.string());
-  impl->stream = std::fopen(file.c_str(), "rb");
+  const auto status = std::filesystem::status(file, error);
+  if (std::filesystem::is_directory(status)) return invalid_input("is a folder, not a file", file.string());
+  // Opening a pipe would wait for its writer.
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    return invalid_input("is not a regular file: a recording cannot be read from a pipe or a device",
+                         file.string());
+  impl->stream = std::fopen(file.c_str(), "rbe");
   if (impl->stream == nullptr)
     return invalid_input(std::string("cannot be read: ") + std::strerror(errno), file.string());
   impl->size = std::filesystem::file_size(file, error);

@@ -16,6 +16,7 @@
 #include <thread>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 namespace palpable::device {
 namespace {
@@ -130,6 +131,16 @@ TEST(Recording, SaysWhatItCannotRead) {
   EXPECT_EQ(message("hello"), "x.rec: is not a recording");
   EXPECT_EQ(message("PALPREC2........"), "x.rec: is a recording of a newer version than this program reads");
   EXPECT_EQ(message("PALPREC1"), "x.rec: is a recording with a damaged header");
+}
+
+// Opening it would wait for a writer.
+TEST(Recording, IsNotReadFromAPipe) {
+  const auto pipe = std::filesystem::path(testing::TempDir()) / "pipe.rec";
+  std::filesystem::remove(pipe);
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const auto read = read_recording(pipe);
+  ASSERT_FALSE(read);
+  EXPECT_NE(read.error().message.find("is not a regular file"), std::string::npos) << read.error().message;
 }
 
 TEST(Recording, IsNotWrittenIntoAMissingFolder) {

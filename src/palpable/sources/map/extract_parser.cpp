@@ -143,7 +143,12 @@ class Collector : public osmium::handler::Handler {
 
 Result<MapExtract> parse_map_extract(std::span<const std::byte> file) {
   const std::string_view text = as_text(file);
-  const osmium::io::File input(text.data(), text.size(), has_magic(file, "OSMHeader", 6) ? "pbf" : "osm");
+  const bool is_pbf = has_magic(file, "OSMHeader", 6);
+  // XML begins with a tag, after a byte order mark and blanks at most.
+  const auto begin = text.find_first_not_of(std::string_view("\xEF\xBB\xBF\xFF\xFE\0 \t\r\n", 10));
+  if (!is_pbf && (begin == std::string_view::npos || text[begin] != '<'))
+    return invalid_input("is not a map extract, which is OSM XML or PBF");
+  const osmium::io::File input(text.data(), text.size(), is_pbf ? "pbf" : "osm");
   osmium::TagsFilter filter{false};
   for (const AreaTag& tag : kAreaTags) {
     if (std::string_view(tag.value) == "*")

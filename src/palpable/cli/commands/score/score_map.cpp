@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/arguments/scene_argument.hpp"
 #include "palpable/cli/command.hpp"
+#include "palpable/core/files/read_file.hpp"
 #include "palpable/core/geometry/street_map.hpp"
 #include "palpable/core/text/json_integer.hpp"
 #include "palpable/measure/street_map_score.hpp"
 
-#include <fstream>
 #include <memory>
 
 #include <fmt/format.h>
@@ -41,10 +41,10 @@ measure::TrueStreetMap true_map_of(const Json& json) {
 }
 
 Result<measure::TrueStreetMap> read_true_map(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) return Error{ErrorCode::invalid_input, "cannot be read", path};
+  const auto text = read_text_file(path);
+  if (!text) return text.error();
   try {
-    return true_map_of(Json::parse(file));
+    return true_map_of(Json::parse(*text));
   } catch (const Json::exception&) {
     return Error{ErrorCode::invalid_input, "is not the truth of a street map (docs/maps.md)", path};
   }
