@@ -92,7 +92,7 @@ class TrueModel {
 double processor_seconds_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 std::string name_of(const recipes::ModelStep& step, const std::vector<vision::FrameDepth>& maps) {
-  constexpr const char* kNames[] = {"segments", "superquadrics", "corrected"};
+  constexpr const char* kNames[] = {"segments", "superquadrics", "sampled", "corrected"};
   return fmt::format("{}, frame {}, own error {:.5f}{}", kNames[static_cast<int>(step.kind)],
                      maps[step.map].frame, step.error, step.taken ? "" : ", not taken");
 }

@@ -174,7 +174,7 @@ Result<void> check_video_outputs(const VideoOutputs& outputs, const std::vector<
 }
 
 Json steps_of(const VideoReconstruction& video) {
-  constexpr std::array kKinds{"segments", "superquadrics", "correction"};
+  constexpr std::array kKinds{"segments", "superquadrics", "sampling", "correction"};
   Json out = Json::array();
   for (const auto& step : video.steps)
     out.push_back({{"kind", kKinds[static_cast<std::size_t>(step.kind)]},

@@ -171,8 +171,9 @@ Result<draw::ReportSection> steps_section(const VideoReconstruction& video) {
                           {},
                           {},
                           {}};
-  draw::ConvergenceView view{
-      {"first shapes, from one picture", "superquadrics, from the points", "correction"}, {}};
+  draw::ConvergenceView view{{"first shapes, from one picture", "superquadrics, from the points",
+                              "their surface as samples", "correction"},
+                             {}};
   for (const auto& step : video.steps)
     view.steps.push_back({static_cast<std::size_t>(step.kind), kMillimetres * step.error_m, step.taken});
   const auto last_before_correction = std::find_if(

@@ -91,6 +91,10 @@ class Growth {
   Result<void> correct() {
     auto predicted = closed_surface_of(out_.shapes.shapes);
     if (!predicted) return predicted.error();
+    // Samples have errors of their own, by rounded edges and thickened slabs.
+    error_ = error_of(*predicted);
+    out_.steps.push_back({ModelStep::Kind::sampling, maps_.size() - 1, error_, true});
+    if (observer_) observer_(out_.steps.back(), *predicted);
     for (int pass = 0; pass < options_.passes; ++pass) {
       const double before = error_;
       auto corrected = corrected_by_all(*std::move(predicted));
@@ -98,8 +102,8 @@ class Growth {
       predicted = std::move(corrected);
       if (error_ > (1 - options_.least_gain) * before) break;
     }
-    out_.surface = *std::move(predicted);
-    out_.corrected_error = error_;
+    out_.corrected_error = std::min(error_, out_.predicted_error);
+    if (error_ <= out_.predicted_error) out_.surface = *std::move(predicted);
     return {};
   }
 
@@ -167,7 +171,15 @@ class Growth {
     return out;
   }
 
-  Result<Mesh> surface_of(const Shapes& shapes) const {
+  // Slabs thinner than a few samples would be lost between them.
+  Shapes thickened(Shapes shapes) const {
+    const double least = 0.5 * options_.least_thickness_spacings * spacing_;
+    for (models::Superquadric& shape : shapes)
+      for (double* half : {&shape.size_m.x, &shape.size_m.y, &shape.size_m.z}) *half = std::max(*half, least);
+    return shapes;
+  }
+  Result<Mesh> surface_of(const Shapes& given) const {
+    const Shapes shapes = thickened(given);
     const auto source = sculpt::distance_of(shapes);
     if (!source) return source.error();
     sculpt::Box box = (*source)->bounds();
@@ -260,6 +272,11 @@ std::vector<Parameter> parameters_of(CorrectedModelOptions& o) {
       {"least_rest", &o.least_rest, {0, 1}, "", "Least share of such points"},
       {"passes", &o.passes, {1, 20}, "", "Most passes of the correction over all maps"},
       {"least_gain", &o.least_gain, {0, 1}, "", "Gain of a pass below which it is the last"},
+      {"least_thickness_spacings",
+       &o.least_thickness_spacings,
+       {1, 10},
+       "",
+       "Least thickness of shapes whose surface is sampled, spacings of samples"},
       {"sample_spacings",
        &o.sample_spacings,
        {0.5, 10},

@@ -42,6 +42,8 @@ struct CorrectedModelOptions {
   /// Spacing of the predicted surface's samples, in spacings of the measured surface's corners, 0.5 … 10; at
   /// most so many samples along the model's extent, 32 … 1024.
   double sample_spacings = 1.0;
+  /// Shapes are at least so many spacings of samples thick where their surface is sampled, 1 … 10.
+  double least_thickness_spacings = 3.0;
   int most_samples = 200;
   /// The reach of the correction is this quantile of the distances between the model's points and its
   /// superquadrics, 0.5 … 1; at least so many spacings of samples, 0.5 … 20; at most a share of the extent,
@@ -65,6 +67,8 @@ struct ModelStep {
     segments,
     /// Superquadrics from the points of the depth maps so far.
     superquadrics,
+    /// The closed surface of all superquadrics as samples, from which the corrections start.
+    sampling,
     /// The surface corrected by one depth map.
     correction
   };
@@ -74,14 +78,14 @@ struct ModelStep {
   /// The model's error after the step if it was taken, else the error that it would have had; in the unit of
   /// the model's axes (CorrectedModelOptions::error_points).
   double error = 0.0;
-  /// A step that would raise the error is not taken.
+  /// A step that would raise the error is not taken, except for sampling.
   bool taken = true;
 };
 
 /// A model's superquadrics and their correction, in the model's axes.
 struct CorrectedModel {
   ModelShapes shapes;
-  /// Closed; corrected as far as `steps` says..
+  /// Closed; corrected as far as `steps` says. Empty if the superquadrics themselves have a smaller error..
   Mesh surface;
   std::vector<ModelStep> steps;
   /// Errors before and after the corrections, in the unit of the axes.

@@ -203,8 +203,10 @@ Result<MadeScene> corrected_field(const VideoModel& model, const std::vector<Fra
   auto corrected = corrected_model(model, maps, video.depth_maps.front().picture, recipe.shapes,
                                    recipe.corrected, {}, work);
   if (!corrected) return corrected.error();
-  auto made = field_from_corrected_shapes(std::move(corrected->surface), std::move(corrected->shapes.shapes),
-                                          field, work);
+  const bool kept = corrected->surface.triangles.empty();
+  auto made = kept ? field_from_superquadrics(std::move(corrected->shapes.shapes), field, work)
+                   : field_from_corrected_shapes(std::move(corrected->surface),
+                                                 std::move(corrected->shapes.shapes), field, work);
   if (!made) return made;
   const double scale = made->scene.scene_from_input.scale;
   for (const ModelStep& step : corrected->steps)
@@ -212,10 +214,11 @@ Result<MadeScene> corrected_field(const VideoModel& model, const std::vector<Fra
         {step.kind, video.depth_maps[step.map].frame_number, scale * step.error, step.taken});
   made->notes.insert(
       made->notes.begin(),
-      Note(fmt::format("The superquadrics of {} objects are {:.2f} mm from the measured points (mean); their "
-                       "correction by {} depth maps left {:.2f} mm.",
-                       corrected->shapes.objects, 1000 * scale * corrected->predicted_error, maps.size(),
-                       1000 * scale * corrected->corrected_error)));
+      Note(fmt::format("The superquadrics of {} objects are {:.2f} mm from the measured points (mean); {}.",
+                       corrected->shapes.objects, 1000 * scale * corrected->predicted_error,
+                       kept ? std::string("their correction was not closer, so they were kept")
+                            : fmt::format("their correction by {} depth maps left {:.2f} mm", maps.size(),
+                                          1000 * scale * corrected->corrected_error))));
   return made;
 }
 
