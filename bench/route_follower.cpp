@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "route_follower.hpp"
 
+#include "palpable/core/geometry/map_place.hpp"
 #include "palpable/describe/place_words.hpp"
 
 #include <algorithm>
@@ -27,12 +28,14 @@ class Follower {
  public:
   Follower(const models::Scene& scene, Place start, const FollowerOptions& options)
       : scene_(scene), surface_(*models::relief_of(scene)), options_(options), at_(start) {
-    // The groove that the hand begins in is its measure of depth; land is felt around it.
+    // The groove that the hand begins in is its measure of depth; land is felt around it. Between merged
+    // grooves the surface is less than half as deep.
+    constexpr double kGroovePart = 0.65;
     double land = -1e9;
     for (int k = 0; k < kRing; ++k)
       for (const double reach : {1.0, 2.0, 3.0})
         land = std::max(land, height(moved(start, kFullTurn * k / kRing, reach * options.reach_m)));
-    in_groove_below_ = 0.5 * (land + height(start));
+    in_groove_below_ = land + kGroovePart * (height(start) - land);
   }
 
   Place follow(const std::vector<SpokenLeg>& legs) {
@@ -56,9 +59,7 @@ class Follower {
            height(p) < in_groove_below_;
   }
   std::string name(Place p) const { return describe::name_at(scene_, p); }
-  bool is_called(Place p, const std::string& street) const {
-    return name(p) == (street.empty() ? "street" : street);
-  }
+  bool is_called(Place p, const std::string& street) const { return name(p) == street; }
 
   /// Whether a finger can slide there in the groove.
   bool is_open(double bearing, double reach_m) const {
@@ -133,16 +134,23 @@ class Follower {
     return false;
   }
 
-  /// Goes along a leg until its end is felt or its length is over; false if the next street is not found.
+  bool hears_end(const SpokenLeg& leg) const {
+    return leg.is_last && std::hypot(at_.x_m - leg.end.x_m, at_.y_m - leg.end.y_m) <= options_.end_m;
+  }
+
+  /// Goes along a leg until the next street or the end is found; back and forth where it is not. False if it
+  /// is not found at all.
   bool walk(const SpokenLeg& leg, const SpokenLeg* next) {
+    constexpr double kLonger = 1.15;
+    constexpr int kMostReturns = 2;
     const double early = std::min(0.006 + 0.1 * leg.length_m, leg.length_m);
-    double gone = travelled_, most = leg.length_m + options_.overshoot_m;
+    double gone = travelled_, most = kLonger * leg.length_m + options_.overshoot_m;
     travelled_ = 0.0;
-    bool back = false;
+    int returns = 0;
     Place mark = at_;
     for (int k = 0; k < kMostSteps; ++k) {
-      if (next == nullptr && gone >= leg.length_m) return true;
-      if (next != nullptr && (back || gone >= leg.length_m - early) && turn_into(*next)) return true;
+      if (hears_end(leg)) return true;
+      if (next != nullptr && (returns > 0 || gone >= leg.length_m - early) && turn_into(*next)) return true;
       const bool went = gone < most && step(leg.name);
       // Over several steps, so that trembling does not count.
       if ((k + 1) % kStepsOfChord == 0) {
@@ -150,13 +158,12 @@ class Follower {
         mark = at_;
       }
       if (went) continue;
-      if (next == nullptr) return true;
-      if (back) return false;
-      // Too far: back along the same groove, and look on the way.
-      back = true;
+      if (returns == kMostReturns) return false;
+      // Too far: back along the same groove, and look on the way; the second time beyond the leg's beginning.
+      ++returns;
       heading_ += std::numbers::pi;
+      most = gone + 2.0 * options_.overshoot_m + returns * leg.length_m;
       gone = 0.0;
-      most = 2.0 * options_.overshoot_m + early;
     }
     return false;
   }
@@ -184,8 +191,9 @@ std::vector<SpokenLeg> spoken_legs(const describe::MapGuide& guide, const models
       const double metres = leg.length_px * metres_per_px, step = metres < 100.0 ? 5.0 : 10.0;
       length_px = std::max(step, step * std::round(metres / step)) / metres_per_px;
     }
-    legs.push_back(
-        {leg.name, eighth * std::round(leg.first_bearing / eighth), guide.metres_on_device(length_px)});
+    legs.push_back({leg.name.empty() ? std::string(kind_words(leg.kind)) : leg.name,
+                    eighth * std::round(leg.first_bearing / eighth), guide.metres_on_device(length_px),
+                    guide.place_of(route.line.back()), legs.size() + 1 == route.legs.size()});
   }
   return legs;
 }

@@ -14,10 +14,15 @@ namespace palpable::bench {
 
 /// A leg as it is spoken: its street, one of eight directions, and a rounded length.
 struct SpokenLeg {
+  /// As it is heard: "street" or "steps" without a name.
   std::string name;
   /// Radians clockwise from up, a multiple of 45 degrees.
   double direction = 0.0;
   double length_m = 0.0;
+  /// Where the route ends, for its last leg: the hand hears it within FollowerOptions::end_m
+  /// (describe::is_at_route_end()).
+  describe::Place end;
+  bool is_last = false;
 };
 
 /// What a listener knows of a route: its legs without their exact bearings and lengths.
@@ -29,10 +34,13 @@ struct FollowerOptions {
   double reach_m = 0.004;
   /// How far beyond the spoken length a turn is looked for before the hand goes back, m on the device.
   double overshoot_m = 0.010;
+  /// How near to the end of the route it is heard.
+  double end_m = 0.003;
 };
 
 /// Where the hand ends that begins at a place and knows the spoken legs. It senses heights of the relief
-/// under and within reach of the finger, and the names that are spoken there; nothing else.
+/// under and within reach of the finger, and the names that are spoken there, that of the route's end
+/// included; nothing else.
 describe::Place follow_route(const models::Scene& scene, describe::Place start,
                              const std::vector<SpokenLeg>& legs, const FollowerOptions& options);
 

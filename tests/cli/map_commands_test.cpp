@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
+#include <string>
 
 #include "program.hpp"
 #include "test_pictures.hpp"
@@ -178,6 +180,52 @@ TEST_F(MapCommands, MakeAMapOfAnExtract) {
   const auto empty = palpable({"make", path("empty.osm"), "-o", path("empty.palp")});
   EXPECT_EQ(empty.exit_code, 3);
   EXPECT_THAT(empty.err, HasSubstr("is an extract without streets"));
+}
+
+TEST_F(MapCommands, TheSampleMapHasSpecialPlacesAndLayers) {
+  const auto made = palpable({"make", "sample:map", "-o", path("map.palp")});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const auto kinds = [&] {
+    std::map<std::string, int> counts;
+    const auto listed = info();
+    for (const auto& place : listed["special"]) ++counts[place["kind"].get<std::string>()];
+    for (const auto& street : listed["streets"]) ++counts[street["kind"].get<std::string>()];
+    return counts;
+  };
+  auto counts = kinds();
+  for (const char* const kind : {"church", "station", "hospital", "school", "town_hall", "roundabout"})
+    EXPECT_EQ(counts[kind], 1) << kind;
+  EXPECT_EQ(counts["bus_stop"], 3);
+  EXPECT_EQ(counts["crossing"], 5);
+  EXPECT_EQ(counts["steps"], 1);
+  EXPECT_EQ(counts["entrance"], 0);
+  bool is_felt = false;
+  for (const auto& material : info()["materials"])
+    is_felt = is_felt || material["name"] == "Oldbridge Station";
+  EXPECT_TRUE(is_felt);
+  ASSERT_EQ(palpable({"export", path("map.palp"), "-o", path("map.txt")}).exit_code, 0);
+  EXPECT_THAT(read_text(path("map.txt")), HasSubstr("St Anne's Church"));
+  ASSERT_EQ(palpable({"make", "sample:map", "-o", path("map.palp"), "--layers", "entrances"}).exit_code, 0);
+  counts = kinds();
+  EXPECT_EQ(counts["entrance"], 2);
+  EXPECT_EQ(counts["crossing"], 0);
+  EXPECT_EQ(counts["steps"], 0);
+  const auto refused = palpable({"make", "sample:map", "-o", path("map.palp"), "--layers", "stops,trees"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("'trees' is no layer of a map"));
+}
+
+TEST_F(MapCommands, ARouteIsPulledRecordedAndRecomputed) {
+  const auto touched = palpable({"touch", "sample:map", "--route", "Mill Lane to Church Lane", "--headless",
+                                 "--seconds", "0.5", "--record", path("touch.rec"), "--json"});
+  ASSERT_EQ(touched.exit_code, 0) << touched.err;
+  EXPECT_THAT(touched.err, HasSubstr("The route from Mill Lane to Church Lane"));
+  ASSERT_EQ(palpable({"make", "sample:map", "-o", path("map.palp")}).exit_code, 0);
+  const auto checked = palpable({"check", path("touch.rec"), path("map.palp")});
+  EXPECT_EQ(checked.exit_code, 0) << checked.out << checked.err;
+  const auto refused = palpable({"touch", "sample:map", "--pull", "0.2", "--headless", "--seconds", "0.1"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--route"));
 }
 
 }  // namespace

@@ -15,7 +15,9 @@ namespace {
 std::string sweep_name(const models::Scene& scene, Place place) {
   const std::string name = name_at(scene, place);
   // Between the streets of a map nothing is said.
-  if (scene.map != nullptr && models::label_at(scene, {{place.x_m, place.y_m, 0.0}}) == 0) return {};
+  if (scene.map != nullptr && name != kRouteEnd &&
+      models::label_at(scene, {{place.x_m, place.y_m, 0.0}}) == 0)
+    return {};
   const auto* contours = std::get_if<std::shared_ptr<const models::Contours>>(&scene.model);
   if (contours == nullptr || !name.empty()) return name;
   return nearest_line((*contours)->boundaries, place, kOnLine_m) ? "on the line" : std::string();

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/describe/map_route_words.hpp"
 
+#include "palpable/core/geometry/map_place.hpp"
 #include "palpable/core/text/edit_distance.hpp"
+#include "palpable/describe/map_places.hpp"
 #include "palpable/describe/map_text.hpp"
 #include "palpable/describe/numbers.hpp"
 
@@ -13,6 +15,7 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -28,8 +31,6 @@ constexpr double kOnStreet_m = 0.003;
 constexpr double kAtJunction_m = 0.0025;
 
 double distance_px(MapPoint a, MapPoint b) { return std::hypot(b.x - a.x, b.y - a.y); }
-
-std::string name_or_unnamed(const std::string& name) { return name.empty() ? kUnnamedStreet : name; }
 
 /// "120 metres to the north-east", "12 millimetres up".
 std::string offset_to(const MapGuide& guide, MapPoint from, MapPoint to) {
@@ -68,22 +69,6 @@ std::string end_of_piece(const MapGuide& guide, std::size_t node, const StreetPo
                            : end.pieces.size() == 1   ? "a dead end"
                                                       : "a junction";
   return fmt::format("{} {}", what, offset_to(guide, on.at, end.at));
-}
-
-/// A place that a label names.
-struct LabelPlace {
-  std::string name;
-  MapPoint at;
-};
-
-std::vector<LabelPlace> label_places(const StreetMap& map) {
-  std::vector<LabelPlace> places;
-  for (const MapLabel& label : map.labels)
-    if (!label.names_street && !label.box.empty()) {
-      const MapPoint a = label.box.front(), b = label.box[label.box.size() / 2];
-      places.push_back({label.text, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}});
-    }
-  return places;
 }
 
 std::string small_letters(std::string text) {
@@ -131,14 +116,14 @@ Meant meant(const std::string& asked, const std::vector<std::string>& names) {
 /// What can be asked for: the streets, the places, then the streets that are not felt.
 struct Askable {
   std::vector<std::string> names;
-  std::vector<LabelPlace> places;
+  std::vector<NamedPlace> places;
   std::size_t streets = 0;
 };
 
 Askable askable(const MapGuide& guide) {
-  Askable all{{}, label_places(guide.map()), guide.streets().size()};
+  Askable all{{}, named_places(guide.map()), guide.streets().size()};
   for (const auto& street : guide.streets()) all.names.push_back(street.name);
-  for (const LabelPlace& place : all.places) all.names.push_back(place.name);
+  for (const NamedPlace& place : all.places) all.names.push_back(place.name);
   all.names.insert(all.names.end(), guide.missing_names().begin(), guide.missing_names().end());
   return all;
 }
@@ -234,18 +219,22 @@ std::vector<std::size_t> dividers(const std::string& text) {
 
 }  // namespace
 
-std::string map_position_words(const MapGuide& guide, Place place) {
-  const MapPoint at = guide.pixel_of(place);
+std::string map_position_words(const MapGuide& guide, Place probe) {
+  const MapPoint at = guide.pixel_of(probe);
   const auto junction =
       nearest_node(guide, at, [&](std::size_t i) { return guide.network().nodes()[i].pieces.size() > 2; });
+  const MapPlace* const place = place_at(guide, at);
+  const std::string here = place != nullptr ? fmt::format("At {}. ", words_of(*place)) : std::string();
   if (junction && distance_px(guide.network().nodes()[*junction].at, at) <= guide.pixels_of(kAtJunction_m))
-    return fmt::format("At a junction: {}.", bearings_words(guide, *junction));
+    return fmt::format("{}At a {}: {}.", here,
+                       guide.network().nodes()[*junction].roundabout ? "roundabout" : "junction",
+                       bearings_words(guide, *junction));
   const auto on = guide.network().nearest(at, std::numeric_limits<double>::infinity());
   if (!on) return "No street.";
-  const std::string name = name_or_unnamed(guide.map().streets[on->piece].name);
+  const std::string name = called(guide.map().streets[on->piece]);
   if (on->distance_px > guide.pixels_of(kOnStreet_m))
-    return fmt::format("The nearest street is {}, {}.", name, offset_to(guide, at, on->at));
-  return fmt::format("On {}, between {} and {}.", name,
+    return fmt::format("{}The nearest street is {}, {}.", here, name, offset_to(guide, at, on->at));
+  return fmt::format("{}On {}, between {} and {}.", here, name,
                      end_of_piece(guide, guide.network().first_node(on->piece), *on),
                      end_of_piece(guide, guide.network().last_node(on->piece), *on));
 }
@@ -258,6 +247,7 @@ std::string around_words(const MapGuide& guide, Place place) {
   struct Near {
     double distance;
     std::string words;
+    std::string name;
   };
   std::vector<Near> near;
   for (const auto& street : guide.streets()) {
@@ -268,15 +258,19 @@ std::string around_words(const MapGuide& guide, Place place) {
       const MapPoint p = models::nearest_on(run.line, at);
       if (const double d = distance_px(p, at); d < least) least = d, nearest = p;
     }
-    if (nearest) near.push_back({least, fmt::format("{} {}", street.name, offset_to(guide, at, *nearest))});
+    if (nearest)
+      near.push_back({least, fmt::format("{} {}", street.name, offset_to(guide, at, *nearest)), street.name});
   }
-  for (const LabelPlace& label : label_places(guide.map()))
-    near.push_back(
-        {distance_px(label.at, at), fmt::format("{} {}", label.name, offset_to(guide, at, label.at))});
+  for (const NamedPlace& named : named_places(guide.map()))
+    near.push_back({distance_px(named.at, at),
+                    fmt::format("{} {}", named.words, offset_to(guide, at, named.at)), named.words});
   if (near.empty()) return "Nothing with a name is around.";
   std::sort(near.begin(), near.end(), [](const Near& a, const Near& b) { return a.distance < b.distance; });
   std::vector<std::string> words;
-  for (std::size_t k = 0; k < std::min(kMostNamed, near.size()); ++k) words.push_back(near[k].words);
+  // Of several crossings the nearest one is enough.
+  std::set<std::string> named;
+  for (const Near& one : near)
+    if (words.size() < kMostNamed && named.insert(one.name).second) words.push_back(one.words);
   return fmt::format("Around: {}.", fmt::join(words, "; "));
 }
 
@@ -285,12 +279,14 @@ std::vector<std::string> map_parts(const models::Scene& scene, Place probe) {
   std::string heading = map_heading(scene, MapGuide(scene));
   std::replace(heading.begin(), heading.end(), '\n', ' ');
   heading.pop_back();
-  std::string longest = "The longest streets.";
   constexpr std::size_t kMostListed = 6;
+  std::string longest = "The longest streets.";
   for (std::size_t i = 0; i < std::min(kMostListed, guide.streets().size()); ++i)
     longest += " " + street_words(guide, guide.streets()[i]);
   std::vector<std::string> parts{heading,
                                  map_position_words(guide, probe) + " " + around_words(guide, probe)};
+  if (std::string places = special_places_words(guide, kMostListed); !places.empty())
+    parts.push_back(std::move(places));
   if (!guide.streets().empty()) parts.push_back(longest);
   return parts;
 }
@@ -307,6 +303,11 @@ Result<StreetPosition> find_on_map(const MapGuide& guide, const std::string& nam
     }
     if (first_error) return *first_error;
   }
+  // As it is said, with its kind.
+  for (const NamedPlace& place : all.places)
+    if (place.kind && small_letters(place.words) == small_letters(name))
+      if (const auto on = guide.network().nearest(place.at, std::numeric_limits<double>::infinity()))
+        return *on;
   const auto found = one_name(name, all);
   if (!found) return found.error();
   const MapPoint at = *found < all.streets
@@ -362,7 +363,7 @@ std::vector<std::string> route_words(const MapGuide& guide, const models::Street
   std::vector<std::string> words;
   for (std::size_t k = 0; k < route.legs.size(); ++k) {
     const models::RouteLeg& leg = route.legs[k];
-    std::string step = name_or_unnamed(leg.name);
+    std::string step = called(leg.name, leg.kind);
     if (k > 0) {
       const double turn =
           std::remainder(leg.first_bearing - route.legs[k - 1].last_bearing, 2.0 * std::numbers::pi);

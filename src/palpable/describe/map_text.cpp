@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/describe/map_text.hpp"
 
+#include "palpable/describe/map_places.hpp"
 #include "palpable/describe/map_words.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/describe/scene_words.hpp"
@@ -61,11 +62,11 @@ Sides sides_at(const MapGuide& guide, std::size_t node, const std::string& own, 
   Sides sides;
   const StreetNode& here = guide.network().nodes()[node];
   for (std::size_t k = 0; k < here.pieces.size(); ++k) {
-    const std::string& name = guide.map().streets[here.pieces[k]].name;
-    if (name == own) continue;
+    const MapStreet& street = guide.map().streets[here.pieces[k]];
+    if (street.name == own) continue;
     const double turn = std::remainder(here.bearings[k] - bearing, 2.0 * std::numbers::pi);
     auto& side = std::abs(turn) < kAhead ? sides.ahead : turn < 0.0 ? sides.left : sides.right;
-    side.insert(name.empty() ? kUnnamedStreet : name);
+    side.insert(called(street));
   }
   return sides;
 }
@@ -98,8 +99,8 @@ std::string end_words(const MapGuide& guide, std::size_t node, const std::string
   if (guide.is_at_edge(at)) return "the map's edge, " + guide.region_of(at);
   std::set<std::string> names;
   for (const std::size_t piece : guide.network().nodes()[node].pieces) {
-    const std::string& name = guide.map().streets[piece].name;
-    if (name != own) names.insert(name.empty() ? kUnnamedStreet : name);
+    const MapStreet& street = guide.map().streets[piece];
+    if (street.name != own) names.insert(called(street));
   }
   if (names.empty()) return "a dead end, " + guide.region_of(at);
   return fmt::format("{}, {}", listed_names(names), guide.region_of(at));
@@ -207,12 +208,9 @@ std::string regions_of(const MapGuide& guide, MapArea::Kind kind) {
 
 void add_places(std::string& text, const MapGuide& guide) {
   std::vector<std::string> places;
-  for (const MapLabel& label : guide.map().labels) {
-    if (label.names_street || label.box.empty()) continue;
-    const MapPoint at{0.5 * (label.box.front().x + label.box[label.box.size() / 2].x),
-                      0.5 * (label.box.front().y + label.box[label.box.size() / 2].y)};
-    places.push_back(fmt::format("{}, {}.\n", label.text, guide.region_of(at)));
-  }
+  for (const NamedPlace& place : named_places(guide.map()))
+    if (!place.kind) places.push_back(fmt::format("{}, {}.\n", place.words, guide.region_of(place.at)));
+  text += special_places_text(guide);
   if (!places.empty()) text += fmt::format("\nPlaces.\n{}", fmt::join(places, ""));
 }
 
@@ -248,8 +246,7 @@ std::string bearings_words(const MapGuide& guide, std::size_t at) {
   for (const double bearing : node.bearings) ++counts[guide.direction_words(bearing)];
   std::vector<std::pair<std::string, std::vector<std::string>>> streets;
   for (std::size_t k = 0; k < node.pieces.size(); ++k) {
-    const std::string& given = guide.map().streets[node.pieces[k]].name;
-    const std::string name = given.empty() ? kUnnamedStreet : given;
+    const std::string name = called(guide.map().streets[node.pieces[k]]);
     std::string words = guide.direction_words(node.bearings[k]);
     if (counts[words] > 1)
       words += fmt::format(" at {:.0f} degrees", node.bearings[k] * 180.0 / std::numbers::pi);
@@ -282,8 +279,9 @@ std::string map_heading(const models::Scene& scene, const MapGuide& guide) {
   const auto junctions =
       static_cast<std::size_t>(std::count_if(guide.network().nodes().begin(), guide.network().nodes().end(),
                                              [](const StreetNode& node) { return node.pieces.size() > 2; }));
-  const auto unnamed = std::count_if(map.streets.begin(), map.streets.end(),
-                                     [](const MapStreet& s) { return s.name.empty(); });
+  const auto unnamed = std::count_if(map.streets.begin(), map.streets.end(), [](const MapStreet& s) {
+    return s.name.empty() && s.kind == MapStreet::Kind::street;
+  });
   text +=
       fmt::format("{} with {}, {}, {}.\n", capitalised(counted(guide.streets().size(), "street", "streets")),
                   guide.streets().size() == 1 ? "a name" : "names",

@@ -26,6 +26,12 @@ double beside_px(const StreetMap& map) {
 
 }  // namespace
 
+std::string called(const std::string& name, MapStreet::Kind kind) {
+  if (!name.empty()) return name;
+  if (kind == MapStreet::Kind::steps) return "steps";
+  return kind == MapStreet::Kind::sidewalk ? "a sidewalk" : kUnnamedStreet;
+}
+
 MapGuide::MapGuide(const models::Scene& scene, MapStreets streets)
     : network_(streets == MapStreets::all ? scene.map : models::felt_part(*scene.map)),
       scene_m_per_px_(models::size_m(scene).x / std::max(1, scene.map->width_px)),

@@ -58,4 +58,8 @@ class MapGuide {
 /// How a street without a name is called.
 inline constexpr const char* kUnnamedStreet = "a street without a name";
 
+/// How a street with this name is called: its name, else what it is ("steps", "a sidewalk").
+std::string called(const std::string& name, MapStreet::Kind kind);
+inline std::string called(const MapStreet& street) { return called(street.name, street.kind); }
+
 }  // namespace palpable::describe

@@ -139,7 +139,15 @@ std::string line_words(double angle_rad) {
   return kWays[static_cast<std::size_t>((quarters % 4 + 4) % 4)];
 }
 
+bool is_at_route_end(const models::Scene& scene, Place place) {
+  constexpr double kAtEnd_m = 0.003;
+  if (scene.guide == nullptr || scene.guide->line_m.empty()) return false;
+  const auto& end = scene.guide->line_m.back();
+  return std::hypot(end[0] - place.x_m, end[1] - place.y_m) <= kAtEnd_m;
+}
+
 std::string name_at(const models::Scene& scene, Place place) {
+  if (is_at_route_end(scene, place)) return kRouteEnd;
   const models::Material& material = scene.materials[models::label_at(scene, {{place.x_m, place.y_m, 0.0}})];
   return material.name == models::Material{}.name ? std::string() : material.name;
 }
@@ -152,8 +160,9 @@ std::string position_words(const models::Scene& scene, double height_factor, Pla
                                                                  surface_at(scene, height_factor, place);
   if (scene.map != nullptr) {
     const MapGuide guide(scene, MapStreets::felt);
-    return fmt::format("{}. {} {}", capitalised(where(scene, place)), map_position_words(guide, place),
-                       around_words(guide, place));
+    return fmt::format("{}. {}{} {}", capitalised(where(scene, place)),
+                       is_at_route_end(scene, place) ? capitalised(kRouteEnd) + ". " : std::string(),
+                       map_position_words(guide, place), around_words(guide, place));
   }
   const std::string name = name_at(scene, place);
   return fmt::format("{}. {}.{}", capitalised(where(scene, place)), what,

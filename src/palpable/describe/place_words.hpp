@@ -29,7 +29,11 @@ std::string heading_words(double heading_rad);
 /// The direction of an undirected line: "from left to right", "from lower left to upper right".
 std::string line_words(double angle_rad);
 
-/// The name of the material at a place; empty where it has none of its own.
+/// What is said at the end of a map's route, within 3 mm of it.
+inline constexpr const char* kRouteEnd = "the end of the route";
+bool is_at_route_end(const models::Scene& scene, Place place);
+
+/// The name of the material at a place, or kRouteEnd; empty where it has none of its own.
 std::string name_at(const models::Scene& scene, Place place);
 
 /// Everything about a place: region, offset from the middle, height and slope (for contours: the line), name.

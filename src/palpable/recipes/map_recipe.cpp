@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/recipes/map_recipe.hpp"
 
+#include "palpable/models/streets/special_place_search.hpp"
 #include "palpable/sculpt/relief/relief_from_depth.hpp"
 #include "palpable/vision/image/reduced_picture.hpp"
 
@@ -30,6 +31,10 @@ void enlarge(StreetMap& map, int width, int height) {
     for (MapPoint& p : area.outline) move(p);
   for (MapLabel& label : map.labels)
     for (MapPoint& p : label.box) move(p);
+  for (MapPlace& place : map.places) {
+    move(place.at);
+    for (MapPoint& p : place.outline) move(p);
+  }
   map.metres_per_px /= 0.5 * (sx + sy);
   map.width_px = width;
   map.height_px = height;
@@ -79,6 +84,13 @@ std::vector<Note> notes_on(const sculpt::StreetRelief& made, const sculpt::Tacti
   if (made.waters.left_out > 0)
     notes.emplace_back(fmt::format("{} of {} areas of water are left out: too small, or too near to streets.",
                                    made.waters.left_out, made.waters.drawn));
+  const auto unfelt_places =
+      static_cast<std::size_t>(std::count(made.felt_places.begin(), made.felt_places.end(), false));
+  if (unfelt_places > 0)
+    notes.emplace_back(
+        fmt::format("{} of {} special places are not felt: there is no room for them. They are named "
+                    "when you ask what is around.",
+                    unfelt_places, made.felt_places.size()));
   return notes;
 }
 
@@ -92,6 +104,7 @@ Result<MadeScene> scene_of(StreetMap map, const MapRecipe& recipe, const char* m
   scene.materials = std::move(made->materials);
   scene.source.method = method;
   for (std::size_t i = 0; i < map.streets.size(); ++i) map.streets[i].felt = made->streets.felt[i];
+  for (std::size_t i = 0; i < map.places.size(); ++i) map.places[i].felt = made->felt_places[i];
   auto notes = notes_on(*made, recipe.relief.rules, map.streets.size());
   scene.map = std::make_shared<const StreetMap>(std::move(map));
   MadeScene out{std::move(scene), std::move(notes)};
@@ -101,6 +114,32 @@ Result<MadeScene> scene_of(StreetMap map, const MapRecipe& recipe, const char* m
         "part of the map with fewer streets has room for all.",
         made->left_out_names));
   return out;
+}
+
+/// The pixels of a scene's picture that a view shows.
+Raster<Rgb8> part_of_picture(const Raster<Rgb8>& picture, const models::MapView& view, const StreetMap& map) {
+  const double sx = static_cast<double>(picture.width()) / map.width_px;
+  const double sy = static_cast<double>(picture.height()) / map.height_px;
+  Raster<Rgb8> part(std::max(1, static_cast<int>(picture.width() / view.zoom)),
+                    std::max(1, static_cast<int>(picture.height() / view.zoom)));
+  const int left = static_cast<int>(view.corner.x * sx), top = static_cast<int>(view.corner.y * sy);
+  for (int y = 0; y < part.height(); ++y)
+    for (int x = 0; x < part.width(); ++x)
+      part(x, y) = picture(std::min(picture.width() - 1, left + x), std::min(picture.height() - 1, top + y));
+  return part;
+}
+
+/// The same way on the enlarged plate.
+std::shared_ptr<const models::RouteGuide> guide_in_part(models::RouteGuide guide, const models::MapView& view,
+                                                        const StreetMap& map, Vec3 size_m) {
+  // The plate's place 0, 0 is the middle of the map.
+  const double m_per_px = size_m.x / map.width_px;
+  const double left_m = view.corner.x * m_per_px - 0.5 * size_m.x,
+               top_m = 0.5 * size_m.y - view.corner.y * m_per_px;
+  for (auto& place : guide.line_m)
+    place = {(place[0] - left_m) * view.zoom - 0.5 * size_m.x,
+             0.5 * size_m.y - (top_m - place[1]) * view.zoom};
+  return std::make_shared<const models::RouteGuide>(std::move(guide));
 }
 
 }  // namespace
@@ -119,10 +158,36 @@ Result<MadeScene> map_from_picture(Image picture, const MapRecipe& recipe, const
   if (!found) return found.error();
   notes.insert(notes.end(), found->notes.begin(), found->notes.end());
   enlarge(found->map, width, height);
+  models::add_special_places(found->map, recipe.places);
   auto made = scene_of(std::move(found->map), recipe, "street map");
   if (!made) return made;
   made->scene.texture = rgb8(picture);
   made->notes.insert(made->notes.begin(), notes.begin(), notes.end());
+  return made;
+}
+
+Result<MadeScene> part_of_map(const models::Scene& whole, const models::MapView& view,
+                              const MapRecipe& recipe) {
+  constexpr double kMostZoom = 100.0;
+  if (!(view.zoom >= 1.0 && view.zoom <= kMostZoom))
+    return Error{ErrorCode::usage, "a map is enlarged 1 to 100 times", {}};
+  StreetMap part = models::part_of_map(*whole.map, view);
+  if (part.streets.empty()) return invalid_input("has no streets in this part");
+  MapRecipe same_size = recipe;
+  const Vec3 size = models::size_m(whole);
+  same_size.relief.width_m = size.x;
+  same_size.relief.height_m = size.y;
+  auto made = scene_of(std::move(part), same_size, whole.source.method.c_str());
+  if (!made) return made;
+  models::Scene& scene = made->scene;
+  scene.title = whole.title;
+  scene.description = whole.description;
+  scene.source = whole.source;
+  for (models::Material& material : scene.materials)
+    for (const models::Material& known : whole.materials)
+      if (known.name == material.name) material = known;
+  if (!whole.texture.empty()) scene.texture = part_of_picture(whole.texture, view, *whole.map);
+  if (whole.guide != nullptr) scene.guide = guide_in_part(*whole.guide, view, *whole.map, size);
   return made;
 }
 

@@ -72,8 +72,10 @@ sculpt::PlacementOptions placement_options(const MakeArguments& arguments) {
 void add_input_options(Options& options, MakeArguments& arguments) {
   constexpr int kMostInputs = 4096;
   constexpr Range kDepthUnits{-1e6, 1e6};
-  options.arguments("INPUT", arguments.inputs, kMostInputs,
-                    "A pair (left first), a depth map, a mesh, points, shapes, a video, or a scene");
+  options.arguments(
+      "INPUT", arguments.inputs, kMostInputs,
+      "A pair (left first), a depth map, a mesh, points, shapes, a video, a map extract, or a scene; "
+      "sample:map is the included street map");
   options.under("How the scene is made");
   options.choice(
       "--as", arguments.as, {"relief", "contours", "field", "grid", "map"},

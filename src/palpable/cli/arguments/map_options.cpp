@@ -7,8 +7,10 @@
 #include "palpable/core/text/number_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -28,6 +30,36 @@ Result<sources::GeoPoint> geo_point_from(const std::string& text) {
                fmt::format("'{}' is not LATITUDE,LONGITUDE in degrees, as 47.1410,9.5220", text), "--center"};
 }
 
+/// Parses "steps,stops", "all" or "none". Errors: usage.
+Result<sources::ExtractLayers> layers_from(std::string_view text) {
+  sources::ExtractLayers layers;
+  const std::array<std::pair<std::string_view, bool*>, 5> known{{{"sidewalks", &layers.sidewalks},
+                                                                 {"crossings", &layers.crossings},
+                                                                 {"steps", &layers.steps},
+                                                                 {"entrances", &layers.entrances},
+                                                                 {"stops", &layers.stops}}};
+  if (text == "none") return layers;
+  if (text == "all") return sources::ExtractLayers{true, true, true, true, true};
+  for (bool more = true; more;) {
+    const std::size_t comma = text.find(',');
+    more = comma != std::string_view::npos;
+    const std::string_view name = text.substr(0, comma);
+    const auto layer =
+        std::find_if(known.begin(), known.end(), [name](const auto& one) { return one.first == name; });
+    if (layer == known.end())
+      return Error{
+          ErrorCode::usage,
+          fmt::format(
+              "'{}' is no layer of a map; there are sidewalks, crossings, steps, entrances and stops, "
+              "with commas between them, or all, or none",
+              name),
+          "--layers"};
+    *layer->second = true;
+    if (more) text.remove_prefix(comma + 1);
+  }
+  return layers;
+}
+
 }  // namespace
 
 void add_map_options(Options& options, MapArguments& arguments) {
@@ -37,6 +69,11 @@ void add_map_options(Options& options, MapArguments& arguments) {
                "street nearest to the median of all");
   options.number("--width", arguments.window_m, {50.0, 20000.0},
                  "OpenStreetMap extract: width of the map, m; default: 600");
+  options.text(
+      "--layers", arguments.layers,
+      "OpenStreetMap extract: what is shown beside streets, of sidewalks, crossings, steps, entrances and "
+      "stops, as 'steps,stops', or all, or none; default: stops up to a width of 1000 m, crossings and "
+      "steps up to 300 m");
   options.text("--gazetteer", arguments.gazetteer,
                "Picture of a map: a file of street names, one a line; read names are corrected by it");
 }
@@ -44,6 +81,11 @@ void add_map_options(Options& options, MapArguments& arguments) {
 Result<sources::ExtractWindow> window_of(const MapArguments& arguments) {
   sources::ExtractWindow window;
   if (arguments.window_m) window.width_m = *arguments.window_m;
+  if (!arguments.layers.empty()) {
+    const auto layers = layers_from(arguments.layers);
+    if (!layers) return layers.error();
+    window.layers = *layers;
+  }
   if (arguments.center.empty()) return window;
   const auto center = geo_point_from(arguments.center);
   if (!center) return center.error();

@@ -17,12 +17,15 @@ struct MapArguments {
   /// LATITUDE,LONGITUDE; empty: not given.
   std::string center;
   std::optional<double> window_m;
+  /// Names of layers with commas between them; empty: not given.
+  std::string layers;
   /// Path of a file of names; empty: none.
   std::string gazetteer;
 };
 void add_map_options(Options& options, MapArguments& arguments);
 
-/// The part of an extract that is asked for. Errors: usage for a centre that is no place.
+/// The part of an extract that is asked for. Errors: usage for a centre that is no place, and for an unknown
+/// layer.
 Result<sources::ExtractWindow> window_of(const MapArguments& arguments);
 
 /// The lines of a file of names that are not empty. Errors: as read_file(); invalid_input for no names or

@@ -50,7 +50,11 @@ constexpr std::array kGroups{
                    [](SettableOptions& o) { return sculpt::parameters_of(o.recipes.sheet); }},
     ParameterGroup{"map", "The streets and names of a map's picture (--as map)",
                    "drawn maps of eight styles (docs/maps.md)",
-                   [](SettableOptions& o) { return vision::parameters_of(o.recipes.map.streets); }},
+                   [](SettableOptions& o) {
+                     auto parameters = vision::parameters_of(o.recipes.map.streets);
+                     append_parameters(parameters, "places", models::parameters_of(o.recipes.map.places));
+                     return parameters;
+                   }},
     ParameterGroup{"map_relief", "The relief of a street map", "rules for tactile maps (docs/maps.md)",
                    [](SettableOptions& o) { return sculpt::parameters_of(o.recipes.map.relief); }},
     ParameterGroup{"shapes", "Superquadrics fitted to points (fit-shapes)",

@@ -3,6 +3,7 @@
 #include "palpable/cli/arguments/route_option.hpp"
 
 #include "palpable/core/geometry/street_map.hpp"
+#include "palpable/describe/place_words.hpp"
 
 #include <memory>
 #include <string>
@@ -47,6 +48,27 @@ TEST(Route, MakesItsStreetsSmoothAndOthersRough) {
   for (const std::size_t k : {2U, 3U, 4U}) EXPECT_DOUBLE_EQ(scene.materials[k].static_friction, 0.05);
   EXPECT_DOUBLE_EQ(scene.materials[5].static_friction, 0.6);
   EXPECT_NE(scene.description.find("Turn left into High Street"), std::string::npos);
+}
+
+TEST(Route, GuidesAlongItsStreetsAndNamesItsEnd) {
+  models::Scene scene = map_scene();
+  ASSERT_TRUE(apply_route("Mill Lane to Far Lane", {}, scene));
+  ASSERT_NE(scene.guide, nullptr);
+  EXPECT_TRUE(models::is_valid(*scene.guide));
+  // 500 of 500 metres on a plate of 100 mm.
+  EXPECT_NEAR(models::length_m(*scene.guide), 0.1, 1e-4);
+  EXPECT_DOUBLE_EQ(scene.guide->force_N, 0.5);
+  // Mill Lane's middle is at 100, 150 of 500 pixels.
+  EXPECT_NEAR(scene.guide->line_m.front()[0], -0.03, 2e-4);
+  EXPECT_NEAR(scene.guide->line_m.front()[1], 0.02, 2e-4);
+  RouteGuidance none;
+  none.pull_N = 0.0;
+  ASSERT_TRUE(apply_route("Mill Lane to Far Lane", none, scene));
+  ASSERT_NE(scene.guide, nullptr);
+  EXPECT_EQ(scene.guide->force_N, 0.0);
+  // Far Lane's middle is at 400, 350 of 500 pixels.
+  EXPECT_EQ(describe::name_at(scene, {0.0301, -0.0205}), "the end of the route");
+  EXPECT_NE(describe::name_at(scene, {0.0301, -0.015}), "the end of the route");
 }
 
 TEST(Route, RefusesScenesWithoutMapsAndPlacesThatNothingConnects) {

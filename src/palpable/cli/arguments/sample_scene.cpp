@@ -6,6 +6,7 @@
 #include "palpable/core/files/read_file.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -40,21 +41,45 @@ Result<SceneArguments> with_words(SceneArguments arguments, const std::filesyste
   }
 }
 
-}  // namespace
-
-Result<SceneArguments> with_sample(SceneArguments arguments) {
+/// The folder of samples that holds a file: beside the installed program, then where it was built.
+std::optional<std::filesystem::path> folder_with(const char* file) {
   std::error_code ignored;
   const auto beside =
       std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / "../share/palpable/samples";
-  for (const std::filesystem::path& folder : {beside, std::filesystem::path(PALPABLE_SAMPLES)}) {
-    if (!std::filesystem::exists(folder / "sculpture_left.png", ignored)) continue;
-    arguments.make.inputs = {(folder / "sculpture_left.png").string(),
-                             (folder / "sculpture_right.png").string()};
-    if (arguments.make.stereo.calibration.empty())
-      arguments.make.stereo.calibration = (folder / "sculpture_calib.txt").string();
-    return with_words(std::move(arguments), folder);
-  }
-  return Error{ErrorCode::failed, "the sample that comes with palpable is not installed", PALPABLE_SAMPLES};
+  for (const std::filesystem::path& folder : {beside, std::filesystem::path(PALPABLE_SAMPLES)})
+    if (std::filesystem::exists(folder / file, ignored)) return folder;
+  return std::nullopt;
+}
+
+Error not_installed() {
+  return {ErrorCode::failed, "the sample that comes with palpable is not installed", PALPABLE_SAMPLES};
+}
+
+}  // namespace
+
+Result<void> resolve_sample(MakeArguments& make, TitleArguments& title) {
+  if (make.inputs.size() != 1 || make.inputs.front() != kMapSample) return {};
+  const auto folder = folder_with("town.osm");
+  if (!folder) return not_installed();
+  make.inputs = {(*folder / "town.osm").string()};
+  constexpr double kWidth_m = 300.0;
+  if (make.map.center.empty()) make.map.center = "50,-30";
+  if (!make.map.window_m) make.map.window_m = kWidth_m;
+  if (title.title.empty()) title.title = "Oldbridge, a town that does not exist";
+  if (title.description.empty())
+    title.description =
+        "High Street leads from the west to the roundabout Clock Circle; Ferry Steps lead down to the river.";
+  return {};
+}
+
+Result<SceneArguments> with_sample(SceneArguments arguments) {
+  const auto folder = folder_with("sculpture_left.png");
+  if (!folder) return not_installed();
+  arguments.make.inputs = {(*folder / "sculpture_left.png").string(),
+                           (*folder / "sculpture_right.png").string()};
+  if (arguments.make.stereo.calibration.empty())
+    arguments.make.stereo.calibration = (*folder / "sculpture_calib.txt").string();
+  return with_words(std::move(arguments), *folder);
 }
 
 }  // namespace palpable::cli

@@ -66,6 +66,7 @@ const std::vector<Effect>& effects() {
                                          {"--moved", pair, all},
                                          {"--center", {InputKind::map}, all},
                                          {"--width", {InputKind::map}, all},
+                                         {"--layers", {InputKind::map}, all},
                                          {"--gazetteer", {InputKind::picture}, {"relief"}},
                                          {"--up", solid, all},
                                          {"--lay", solid, all},

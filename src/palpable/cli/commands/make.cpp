@@ -3,6 +3,7 @@
 #include "palpable/cli/arguments/as_published.hpp"
 #include "palpable/cli/arguments/make_options.hpp"
 #include "palpable/cli/arguments/material_options.hpp"
+#include "palpable/cli/arguments/sample_scene.hpp"
 #include "palpable/cli/arguments/scene_argument.hpp"
 #include "palpable/cli/arguments/title_options.hpp"
 #include "palpable/cli/command.hpp"
@@ -100,6 +101,8 @@ Result<Answer> make(MakeCommandArguments arguments, Console& console) {
     apply_published(**published, arguments.make);
     console.note(std::string((*published)->differs));
   }
+  if (const auto resolved = resolve_sample(arguments.make, arguments.title); !resolved)
+    return resolved.error();
   const bool video = is_video(arguments.make.inputs, arguments.make.kind);
   if (video) arguments.video.poses = std::exchange(arguments.make.poses, {});
   const auto checked = video ? check_video_outputs(arguments.video, files_of(arguments))

@@ -81,6 +81,11 @@ KeyProbe::Request KeyProbe::press(const TerminalKey& key, const models::Scene& s
       break;
     case ' ':
       return Request::pause;
+    case '+':
+    case '=':
+      return scene.map != nullptr ? Request::zoom_in : Request::nothing;
+    case '-':
+      return scene.map != nullptr ? Request::zoom_out : Request::nothing;
     case 'q':
     case kEndOfText:
       return Request::end;
@@ -114,12 +119,15 @@ Point<SceneFrame> KeyProbe::hand(const models::Scene& scene, const session::Touc
 
 std::string KeyProbe::help(const models::Scene& scene) {
   const double scale = scale_of(scene);
+  const std::string zoom =
+      scene.map != nullptr ? "Plus, minus: enlarge the map about the probe, and back.\n" : "";
   return fmt::format("Arrow keys: move by {}, with Shift by {}.\n", describe::spoken_length(scale * kStep_m),
                      describe::spoken_length(scale * kLongStep_m)) +
          "Page Down, Page Up: press deeper, lift.\n"
          "D: describe the scene; again for more.\n"
          "P: say position and height.\n"
-         "Home: back to the middle.\n"
+         "Home: back to the middle.\n" +
+         zoom +
          "Space: pause, resume.\n"
          "Q: end.";
 }

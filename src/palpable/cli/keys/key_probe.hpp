@@ -16,10 +16,12 @@ namespace palpable::cli {
 class KeyProbe {
  public:
   /// What a key requests from the touch.
-  enum class Request { nothing, pause, end };
+  enum class Request { nothing, pause, end, zoom_in, zoom_out };
 
   /// Executes a key. `words`: what to say now, or empty.
   Request press(const TerminalKey& key, const models::Scene& scene, double height_factor, std::string& words);
+  /// Where it is, seen from above.
+  describe::Place place() const { return place_; }
   /// The hand's position: the centre of the touching ball, on the surface or pressed below it.
   Point<SceneFrame> hand(const models::Scene& scene, const session::TouchSettings& settings) const;
 

@@ -3,13 +3,18 @@
 #include "palpable/cli/keys/touch_by_keys.hpp"
 
 #include "palpable/cli/keys/key_probe.hpp"
+#include "palpable/describe/map_route_words.hpp"
+#include "palpable/describe/numbers.hpp"
 #include "palpable/describe/scene_words.hpp"
+#include "palpable/models/streets/map_view.hpp"
 #include "palpable/voice/voice.hpp"
 
 #include <chrono>
 #include <memory>
 #include <string>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace palpable::cli {
 namespace {
@@ -47,14 +52,61 @@ void pause_or_go_on(session::TouchSession& session, Mouth& mouth) {
   mouth.say(session.paused() ? "Paused: no force." : "Going on.", voice::Importance::news);
 }
 
+/// Enlarges and reduces a street map about the probe.
+class MapZoom {
+ public:
+  explicit MapZoom(const recipes::MapRecipe& recipe) : recipe_(recipe) {}
+
+  /// A new scene was made: it is shown whole.
+  void begin(std::shared_ptr<const models::Scene> whole) {
+    whole_ = std::move(whole);
+    view_ = {};
+  }
+
+  /// Changes the scene; what to say.
+  Result<std::string> change(session::TouchSession& session, describe::Place place, bool in) {
+    constexpr double kStep = 2.0, kMost = 16.0;
+    const double zoom = in ? view_.zoom * kStep : view_.zoom / kStep;
+    if (zoom > kMost) return std::string("That is the largest scale.");
+    if (zoom < 1.0) return std::string("That is the whole map.");
+    const MapPoint at = describe::MapGuide(*whole_).pixel_of(place);
+    const models::MapView view = models::zoomed_about(*whole_->map, view_, at, zoom);
+    auto scene = whole_;
+    if (zoom > 1.0) {
+      auto made = recipes::part_of_map(*whole_, view, recipe_);
+      if (!made && made.error().code == ErrorCode::invalid_input) return std::string("No streets are there.");
+      if (!made) return made.error();
+      scene = std::make_shared<const models::Scene>(std::move(made->scene));
+    }
+    if (auto changed = session.change_scene(scene); !changed) return changed.error();
+    view_ = view;
+    const describe::MapGuide guide(*scene, describe::MapStreets::felt);
+    const std::string width = guide.map().metres_per_px > 0.0
+                                  ? ", " + guide.distance_words(guide.map().width_px) + " across"
+                                  : std::string();
+    return fmt::format("{}{}, {}. {}",
+                       zoom > 1.0 ? fmt::format("Enlarged {:g} times", zoom) : "The whole map", width,
+                       describe::counted(guide.streets().size(), "street", "streets"),
+                       describe::map_position_words(guide, place));
+  }
+
+ private:
+  recipes::MapRecipe recipe_;
+  std::shared_ptr<const models::Scene> whole_;
+  models::MapView view_;
+};
+
 /// Runs until Q, the end of the input or an interruption.
-Result<void> explore(session::TouchSession& session, session::MakerThread& maker, Mouth& mouth) {
+Result<void> explore(session::TouchSession& session, session::MakerThread& maker, MapZoom zoom,
+                     Mouth& mouth) {
   KeyProbe probe;
+  zoom.begin(session.scene());
   TerminalKeys keys;
   mouth.say(describe::opening_words(*session.scene()), voice::Importance::news);
   while (!interrupted() && !keys.ended()) {
     if (auto better = maker.take(std::chrono::milliseconds(0))) {
-      if (auto changed = session.change_scene(std::move(better)); !changed) return changed;
+      if (auto changed = session.change_scene(better); !changed) return changed;
+      zoom.begin(std::move(better));
       mouth.say("A finer version of the scene is in place.", voice::Importance::news);
     }
     const auto scene = session.scene();
@@ -62,6 +114,11 @@ Result<void> explore(session::TouchSession& session, session::MakerThread& maker
       std::string words;
       const auto request = probe.press(*key, *scene, session.settings().height_factor, words);
       if (request == KeyProbe::Request::end) return {};
+      if (request == KeyProbe::Request::zoom_in || request == KeyProbe::Request::zoom_out) {
+        auto said = zoom.change(session, probe.place(), request == KeyProbe::Request::zoom_in);
+        if (!said) return std::move(said).error();
+        words = *std::move(said);
+      }
       if (request == KeyProbe::Request::pause) pause_or_go_on(session, mouth);
       // A key that is held down sends more moves than can be read, so only the last one is described.
       if (!is_move(*key) || !keys.waiting()) mouth.say(words, voice::Importance::label);
@@ -88,7 +145,7 @@ Result<session::TouchStatistics> touch_by_keys(const session::SceneMaker& make,
   console.end_progress();
   for (const std::string& notice : session.notices()) console.note(notice);
   Mouth mouth(console, options.aloud);
-  auto explored = explore(session, maker, mouth);
+  auto explored = explore(session, maker, MapZoom(options.map), mouth);
   maker.cancel();
   auto recorded = session.stop_recording();
   session.stop();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/cli/console.hpp"
+#include "palpable/recipes/map_recipe.hpp"
 #include "palpable/session/make/maker_thread.hpp"
 #include "palpable/session/touch/touch_session.hpp"
 
@@ -18,6 +19,8 @@ struct KeyTouchOptions {
   std::filesystem::path recording;
   /// Whether the answers are spoken too.
   bool aloud = false;
+  /// How parts of a street map become scenes when the user zooms.
+  recipes::MapRecipe map;
 };
 
 /// Runs a touch in the terminal: keys move the probe and ask questions; the answers are printed, one line

@@ -25,6 +25,9 @@ struct MapStreet {
   std::vector<MapPoint> points;
   /// Whether it is felt in the scene; otherwise a finger could not tell it from its neighbours.
   bool felt = true;
+  /// What it is for: a street, a path beside one, or stairs.
+  enum class Kind : std::uint8_t { street, sidewalk, steps };
+  Kind kind = Kind::street;
 };
 
 /// A place where three or more pieces of streets meet.
@@ -41,6 +44,38 @@ struct MapArea {
   Kind kind = Kind::building;
   /// The outer ring, not repeating its first point.
   std::vector<MapPoint> outline;
+};
+
+/// A place that is more than a name: a special building, a roundabout, or a detail for people on foot.
+struct MapPlace {
+  enum class Kind : std::uint8_t {
+    church,
+    mosque,
+    synagogue,
+    temple,
+    station,
+    hospital,
+    school,
+    town_hall,
+    museum,
+    library,
+    theatre,
+    roundabout,
+    bus_stop,
+    tram_stop,
+    crossing,
+    entrance
+  };
+  Kind kind = Kind::church;
+  /// As it is written, UTF-8; empty if it has none.
+  std::string name;
+  MapPoint at = {};
+  /// The building's outline, or the ring of a roundabout; empty for others, and where it is not known.
+  std::vector<MapPoint> outline = {};
+  /// A crossing whose kerbs can be felt with a cane.
+  bool tactile_paving = false;
+  /// Whether it is felt in the scene; otherwise there is no room for it.
+  bool felt = true;
 };
 
 /// Words that the map shows.
@@ -67,6 +102,7 @@ struct StreetMap {
   std::vector<MapJunction> junctions;
   std::vector<MapArea> areas;
   std::vector<MapLabel> labels;
+  std::vector<MapPlace> places;
 };
 
 }  // namespace palpable

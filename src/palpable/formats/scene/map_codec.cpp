@@ -3,6 +3,7 @@
 #include "palpable/formats/scene/map_codec.hpp"
 
 #include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/geometry/map_place.hpp"
 #include "palpable/core/text/json_integer.hpp"
 #include "palpable/core/text/plain_text.hpp"
 
@@ -24,6 +25,13 @@ constexpr std::array<std::pair<MapArea::Kind, const char*>, 3> kAreaLists{
     {{MapArea::Kind::building, "buildings"},
      {MapArea::Kind::water, "waters"},
      {MapArea::Kind::green, "greens"}}};
+
+/// Of a kind that this version does not know: a street.
+MapStreet::Kind street_kind_from(const std::string& name) {
+  for (const auto kind : {MapStreet::Kind::sidewalk, MapStreet::Kind::steps})
+    if (name == kind_words(kind)) return kind;
+  return MapStreet::Kind::street;
+}
 
 double hundredths(double value) { return std::round(100.0 * value) / 100.0; }
 
@@ -60,10 +68,13 @@ bool is_valid(const StreetMap& map) {
   const auto label = [](const MapLabel& l) {
     return is_near(l.box) && l.confidence >= 0.0 && l.confidence <= 1.0 && std::abs(l.angle_deg) <= 360.0;
   };
+  const auto place = [](const MapPlace& p) { return is_near({p.at}) && is_near(p.outline); };
   constexpr double kMostMetres = 1e6;
   return map.width_px > 0 && map.height_px > 0 && map.metres_per_px >= 0.0 &&
          map.metres_per_px <= kMostMetres && map.streets.size() <= kMostMapParts &&
-         map.areas.size() <= kMostMapParts && std::all_of(map.streets.begin(), map.streets.end(), street) &&
+         map.areas.size() <= kMostMapParts && map.places.size() <= kMostMapParts &&
+         std::all_of(map.places.begin(), map.places.end(), place) &&
+         std::all_of(map.streets.begin(), map.streets.end(), street) &&
          std::all_of(map.junctions.begin(), map.junctions.end(), junction) &&
          std::all_of(map.areas.begin(), map.areas.end(), area) &&
          std::all_of(map.labels.begin(), map.labels.end(), label);
@@ -76,7 +87,8 @@ Result<StreetMap> map_from(const nlohmann::json& j) {
   map.metres_per_px = j.value("metres_per_px", 0.0);
   for (const nlohmann::json& s : j.at("streets"))
     map.streets.push_back({plain_name(s.value("name", std::string())), s.at("width_px").get<double>(),
-                           points_from(s.at("points_px")), s.value("felt", true)});
+                           points_from(s.at("points_px")), s.value("felt", true),
+                           street_kind_from(s.value("kind", std::string()))});
   for (const nlohmann::json& c : j.at("crossings"))
     map.junctions.push_back({{c.at("x_px").get<double>(), c.at("y_px").get<double>()},
                              integer_from<int>(c.at("degree")),
@@ -87,6 +99,16 @@ Result<StreetMap> map_from(const nlohmann::json& j) {
     map.labels.push_back({plain_name(l.at("text").get<std::string>()), l.at("confidence").get<double>(),
                           l.at("angle_deg").get<double>(), points_from(l.at("box_px")),
                           l.at("names_street").get<bool>()});
+  for (const nlohmann::json& p : j.value("special", nlohmann::json::array())) {
+    const auto kind = map_place_kind_from(p.at("kind").get<std::string>());
+    if (!kind) continue;
+    map.places.push_back({*kind,
+                          plain_name(p.value("name", std::string())),
+                          {p.at("x_px").get<double>(), p.at("y_px").get<double>()},
+                          points_from(p.value("outline_px", nlohmann::json::array())),
+                          p.value("tactile_paving", false),
+                          p.value("felt", true)});
+  }
   std::erase_if(map.labels, [](const MapLabel& label) { return label.text.empty(); });
   if (!is_valid(map)) return invalid_input("has a map.json with numbers out of range");
   return map;
@@ -100,6 +122,7 @@ nlohmann::json json_of(const StreetMap& map) {
                       {"metres_per_px", map.metres_per_px},
                       {"streets", nlohmann::json::array()},
                       {"crossings", nlohmann::json::array()},
+                      {"special", nlohmann::json::array()},
                       {"labels", nlohmann::json::array()}};
   for (const auto& [kind, key] : kAreaLists) j[key] = nlohmann::json::array();
   for (const MapStreet& s : map.streets)
@@ -107,7 +130,8 @@ nlohmann::json json_of(const StreetMap& map) {
                             {"name", s.name},
                             {"width_px", hundredths(s.width_px)},
                             {"points_px", points_json(s.points)},
-                            {"felt", s.felt}});
+                            {"felt", s.felt},
+                            {"kind", kind_words(s.kind)}});
   for (const MapJunction& c : map.junctions)
     j["crossings"].push_back({{"x_px", hundredths(c.at.x)},
                               {"y_px", hundredths(c.at.y)},
@@ -116,6 +140,16 @@ nlohmann::json json_of(const StreetMap& map) {
   for (const MapArea& area : map.areas)
     for (const auto& [kind, key] : kAreaLists)
       if (kind == area.kind) j[key].push_back({{"outline_px", points_json(area.outline)}});
+  for (const MapPlace& p : map.places) {
+    nlohmann::json special = {{"kind", name_of(p.kind)},
+                              {"name", p.name},
+                              {"x_px", hundredths(p.at.x)},
+                              {"y_px", hundredths(p.at.y)},
+                              {"felt", p.felt}};
+    if (!p.outline.empty()) special["outline_px"] = points_json(p.outline);
+    if (p.kind == MapPlace::Kind::crossing) special["tactile_paving"] = p.tactile_paving;
+    j["special"].push_back(std::move(special));
+  }
   for (const MapLabel& l : map.labels)
     j["labels"].push_back({{"text", l.text},
                            {"confidence", hundredths(l.confidence)},

@@ -40,6 +40,28 @@ TEST(MapCodec, ReadsWhatItWrote) {
   EXPECT_EQ(encode_street_map(*read), encode_street_map(map));
 }
 
+TEST(MapCodec, ReadsSpecialPlacesAndStepsAndSkipsUnknownKinds) {
+  StreetMap map = example_map();
+  map.streets[0].kind = MapStreet::Kind::steps;
+  map.places = {{MapPlace::Kind::church, "St Mary", {3, 4}, {{0, 0}, {6, 0}, {6, 8}}},
+                {MapPlace::Kind::crossing, "", {50, 60}, {}, true, false}};
+  const Bytes written = encode_street_map(map);
+  const auto read = decode_street_map(written);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->streets[0].kind, MapStreet::Kind::steps);
+  ASSERT_EQ(read->places.size(), 2U);
+  EXPECT_EQ(read->places[0].name, "St Mary");
+  EXPECT_EQ(read->places[0].outline.size(), 3U);
+  EXPECT_TRUE(read->places[1].tactile_paving);
+  EXPECT_FALSE(read->places[1].felt);
+  EXPECT_EQ(encode_street_map(*read), written);
+  std::string text(as_text(written));
+  text.replace(text.find("\"church\""), 8, "\"castle\"");
+  const auto later = decode_street_map(as_bytes(text));
+  ASSERT_TRUE(later);
+  EXPECT_EQ(later->places.size(), 1U);
+}
+
 TEST(MapCodec, ReadsNamesAsTheyAreShown) {
   StreetMap map = example_map();
   map.streets[0].name = "\xE2\x80\xAEOld\nRoad\x1b ";

@@ -48,6 +48,8 @@ struct LawOutput {
   /// derivative with respect to rotation.
   Vector<SceneFrame> torque_Nm;
   Vector<SceneFrame> spring_torque_Nm;
+  /// The part of the force that pulls along a way; a limited reserve supplies its energy (route_pull.hpp).
+  Vector<SceneFrame> guide_N;
   bool contact = false;
   bool has_proxy = false;
   /// Index of the touched material or region.

@@ -6,6 +6,7 @@
 #include "palpable/haptics/law/averaged.hpp"
 #include "palpable/haptics/law/grid_law.hpp"
 #include "palpable/haptics/law/groove.hpp"
+#include "palpable/haptics/law/guided.hpp"
 #include "palpable/haptics/law/law_making.hpp"
 #include "palpable/haptics/law/penalty.hpp"
 #include "palpable/haptics/law/proxy.hpp"
@@ -81,7 +82,12 @@ Result<std::shared_ptr<const Touchable>> make_touchable(const models::Scene& sce
   if (!renders(law, scene))
     return usage_error("the law " + std::string(law.name) + " does not exist for a " +
                        models::kind_of(scene.model));
-  return law.make({scene, parameters, kept, work}).touchable;
+  auto touchable = law.make({scene, parameters, kept, work}).touchable;
+  if (!touchable || scene.guide == nullptr) return touchable;
+  if (!models::is_valid(*scene.guide)) return usage_error("the scene's guide is out of range");
+  if (scene.guide->force_N == 0.0) return touchable;
+  return std::shared_ptr<const Touchable>(
+      std::make_shared<GuidedTouchable>(*std::move(touchable), *scene.guide, 0.5 * models::size_m(scene)));
 }
 
 }  // namespace palpable::haptics

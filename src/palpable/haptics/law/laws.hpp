@@ -33,11 +33,12 @@ struct DilatedRelief {
   std::shared_ptr<const models::Relief> surface;
 };
 
-/// Creates the Touchable of a scene and a law for the servo loop. One-time work (dilating a relief by the
-/// ball) is done here, outside the tick; for a relief of 4 megapixels it takes seconds, longer for large
-/// radii and rough surfaces, and is skipped if `kept` contains the result. Long work: reports progress, polls
-/// cancel. Errors: usage for a scene without a model, a parameter of the law out of range, or a law that does
-/// not support this kind of scene; interrupted.
+/// Creates the Touchable of a scene and a law, with the pull of the scene's guide, for the servo loop.
+/// One-time work (dilating a relief by the ball) is done here, outside the tick; for a relief of 4 megapixels
+/// it takes seconds, longer for large radii and rough surfaces, and is skipped if `kept` contains the result.
+/// Long work: reports progress, polls cancel. Errors: usage for a scene without a model or with an invalid
+/// guide, a parameter of the law out of range, or a law that does not support this kind of scene;
+/// interrupted.
 Result<std::shared_ptr<const Touchable>> make_touchable(const models::Scene& scene,
                                                         const LawParameters& parameters,
                                                         DilatedRelief* kept = nullptr, const Work& work = {});

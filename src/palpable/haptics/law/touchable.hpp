@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/haptics/effect/law_output.hpp"
+#include "palpable/haptics/effect/route_pull.hpp"
 #include "palpable/haptics/proxy/hand_over.hpp"
 
 #include <array>
@@ -29,6 +30,8 @@ enum class EnergyModel : std::uint8_t {
 /// bytes. A law's own State is at its start (state_as). All zero = a new touch at rest.
 struct TouchState {
   alignas(16) std::array<std::byte, 240> bytes{};
+  /// That of a pull along a way, which any law can have beside it.
+  PullTouch pull{};
 };
 
 /// A law's State inside a TouchState. State must be trivially copyable and at most 240 bytes; all zero is its

@@ -25,6 +25,8 @@ namespace palpable::haptics {
 /// still dissipate it. During a ramp or a change of scene the springs store more than the hand delivered:
 /// then W may fall but not rise.
 ///
+/// The work of a guide's force is not counted in either balance: its reserve bounds it.
+///
 /// 2. For all laws. The work sum f·dx of a contact that began in free air. On a passive surface it never
 /// rises above 0. It is the only balance of laws without a potential. For those, each tick without force
 /// starts a new balance, which can be repeated from a recording.
@@ -45,6 +47,8 @@ class PassivityObserver {
     /// Stored energy at the new position in the device frame (LawOutput::stored_J / scene_from_device.scale),
     /// without the part that a rise limit withholds. NaN: the law has no potential.
     double stored_J = 0.0;
+    /// The part of the held force whose energy a guide's limited reserve supplied (LawOutput::guide_N).
+    Vector<DeviceFrame> guide_N;
     /// The damping that the law guarantees in contact, N·s/m; 0 out of contact.
     double damping_Ns_per_m = 0.0;
     bool contact = false;
@@ -93,7 +97,7 @@ class PassivityObserver {
  private:
   void count_work(const Step& step, double received_J) noexcept {
     if (step.scene_changes && std::isfinite(step.stored_J)) began_in_air_ = false;
-    if (began_in_air_) work_J_ += received_J;
+    if (began_in_air_) work_J_ += received_J - dot(step.guide_N, step.moved_m);
     if (!began_in_air_) work_J_ = 0.0;
   }
 
@@ -112,7 +116,7 @@ class PassivityObserver {
         along > 0.0 && step.dt_s > 0.0 ? (received_J - step.rotation_J) / (along * step.dt_s) : 0.0;
     reserve_J_ += step.damping_Ns_per_m * speed * speed * step.dt_s -
                   reserve_J_ * std::min(1.0, step.dt_s / kReserve_s);
-    const double made_J = received_J + step.stored_J - stored_J_;
+    const double made_J = received_J - dot(step.guide_N, step.moved_m) + step.stored_J - stored_J_;
     balance_J_ = std::max(balance_J_ + (step.shortened ? std::min(made_J, 0.0) : made_J), -reserve_J_);
     stored_J_ = step.stored_J;
   }

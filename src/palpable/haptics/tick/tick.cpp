@@ -119,6 +119,7 @@ void TickPipeline::drop_force() noexcept {
   dropped_velocity_m_per_s_ = velocity_m_per_s_;
   written_N_ = {};
   uncontrolled_N_ = {};
+  guide_N_ = {};
   written_Nm_ = {};
   uncontrolled_Nm_ = {};
   sent_.fill({});
@@ -173,6 +174,8 @@ bool TickPipeline::evaluate_laws(double dt_s) noexcept {
   }
   law_force_N_ = device_force_N(now_, now_.output.force_N);
   if (fading()) law_force_N_ += faded_ * (device_force_N(coming_, coming_.output.force_N) - law_force_N_);
+  guide_N_ = device_force_N(now_, now_.output.guide_N);
+  if (fading()) guide_N_ += faded_ * (device_force_N(coming_, coming_.output.guide_N) - guide_N_);
   if (!has_torque_) return true;
   law_torque_Nm_ = device_torque_Nm(now_, now_.output.torque_Nm);
   if (fading())
@@ -290,8 +293,8 @@ void TickPipeline::make_torque(double risen_s) noexcept {
 
 void TickPipeline::send() noexcept {
   newest_ = (newest_ + 1) % sent_.size();
-  sent_[newest_] = {written_N_, uncontrolled_N_, written_Nm_, uncontrolled_Nm_,
-                    (flags_ & flag::kPassivityActed) != 0};
+  sent_[newest_] = {written_N_,       uncontrolled_N_, written_Nm_,
+                    uncontrolled_Nm_, guide_N_,        (flags_ & flag::kPassivityActed) != 0};
 }
 
 void TickPipeline::describe(const device::Reading& reading) noexcept {

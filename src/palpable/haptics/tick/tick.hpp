@@ -166,6 +166,7 @@ class TickPipeline {
   Vector<DeviceFrame> spring_N_;
   /// The law's force (the last finite one), the force after caps and ramp, and the written force.
   Vector<DeviceFrame> law_force_N_;
+  Vector<DeviceFrame> guide_N_;
   Vector<DeviceFrame> uncontrolled_N_;
   Vector<DeviceFrame> written_N_;
   Vector<DeviceFrame> law_torque_Nm_;
@@ -177,6 +178,8 @@ class TickPipeline {
     Vector<DeviceFrame> uncontrolled_N;
     Vector<DeviceFrame> written_Nm;
     Vector<DeviceFrame> uncontrolled_Nm;
+    /// The part of the law's force that pulls along a way.
+    Vector<DeviceFrame> guide_N;
     /// The controller reduced it.
     bool weakened = false;
   };

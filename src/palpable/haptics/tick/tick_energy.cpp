@@ -122,6 +122,7 @@ void TickPipeline::observe(double dt_s) noexcept {
   step.held_force_N = held().written_N;
   step.moved_m = moved_;
   step.rotation_J = stalled ? received_.written_J : dot(held().written_Nm, rotated_);
+  step.guide_N = held().guide_N;
   step.dt_s = dt_s;
   step.contact = contact || (fading() && coming_.output.contact);
   step.damping_Ns_per_m = contact ? now_.scene->touchable->damping_Ns_per_m() : 0.0;

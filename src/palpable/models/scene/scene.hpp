@@ -9,6 +9,7 @@
 #include "palpable/models/grid/grid.hpp"
 #include "palpable/models/material/material.hpp"
 #include "palpable/models/relief/relief.hpp"
+#include "palpable/models/scene/route_guide.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -71,6 +72,9 @@ struct Scene {
   SolidPose pose = SolidPose::upright;
   /// The streets, places and words of a street map, in pixels of the input; null for other scenes.
   std::shared_ptr<const StreetMap> map;
+  /// A way along which laws pull the hand while it touches the surface; null: none. Not part of a scene's
+  /// file.
+  std::shared_ptr<const RouteGuide> guide;
   Provenance source;
   /// The maker's title (one line) and description, which are spoken and shown before the scene is touched.
   /// UTF-8; both may be empty.

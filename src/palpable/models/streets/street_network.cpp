@@ -46,11 +46,12 @@ double turn_between(double bearing, double next) {
 }
 
 /// Adds a part of a route; parts of streets with one name are one leg.
-void add_leg(StreetRoute& route, const std::string& name, const std::vector<MapPoint>& part) {
+void add_leg(StreetRoute& route, const MapStreet& street, const std::vector<MapPoint>& part) {
   const double length = length_px_of(part);
   if (length <= 0.0) return;
-  if (route.legs.empty() || route.legs.back().name != name)
-    route.legs.push_back({name, 0.0, 0.0, 0.0, route.line.empty() ? 0 : route.line.size() - 1});
+  if (route.legs.empty() || route.legs.back().name != street.name || route.legs.back().kind != street.kind)
+    route.legs.push_back(
+        {street.name, street.kind, 0.0, 0.0, 0.0, route.line.empty() ? 0 : route.line.size() - 1});
   route.legs.back().length_px += length;
   route.line.insert(route.line.end(), part.begin() + (route.line.empty() ? 0 : 1), part.end());
   route.length_px += length;
@@ -249,7 +250,7 @@ std::optional<StreetRoute> StreetNetwork::route(const StreetPosition& from, cons
   StreetRoute route;
   if (direct <= std::min(by_first, by_last)) {
     if (!std::isfinite(direct)) return std::nullopt;
-    add_leg(route, map_->streets[to.piece].name,
+    add_leg(route, map_->streets[to.piece],
             part_of(map_->streets[to.piece].points, from.along_px, to.along_px));
   } else {
     add_way(ways, from, to, by_first <= by_last, route);
@@ -268,14 +269,14 @@ void StreetNetwork::add_way(const Ways& ways, const StreetPosition& from, const 
   // Of a loop, whose ends are one node, the shorter side.
   const bool forward = ends_[from.piece].second == node &&
                        (ends_[from.piece].first != node || from.along_px > 0.5 * lengths_px_[from.piece]);
-  add_leg(route, map_->streets[from.piece].name,
+  add_leg(route, map_->streets[from.piece],
           part_of(map_->streets[from.piece].points, from.along_px, forward ? lengths_px_[from.piece] : 0.0));
   for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
     const MapStreet& street = map_->streets[step->first];
-    add_leg(route, street.name,
+    add_leg(route, street,
             ends_[step->first].second == step->second ? street.points : reversed(street.points));
   }
-  add_leg(route, map_->streets[to.piece].name,
+  add_leg(route, map_->streets[to.piece],
           part_of(map_->streets[to.piece].points, by_first ? 0.0 : lengths_px_[to.piece], to.along_px));
 }
 

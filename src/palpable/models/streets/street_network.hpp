@@ -38,6 +38,7 @@ struct StreetPosition {
 struct RouteLeg {
   /// Empty if the street has none.
   std::string name;
+  MapStreet::Kind kind = MapStreet::Kind::street;
   double length_px = 0.0;
   /// Bearings where it begins and ends, radians clockwise from up.
   double first_bearing = 0.0;

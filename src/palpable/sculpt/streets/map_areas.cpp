@@ -35,9 +35,14 @@ cv::Mat without_small(const cv::Mat& mask, double radius) {
   return kept;
 }
 
-/// Without the smaller one of two parts that are too near each other, until there are none.
-cv::Mat without_near(cv::Mat mask, double least) {
+/// Without the smaller one of two parts that are too near each other, until there are none; a part with
+/// something special counts as the larger one.
+cv::Mat without_near(cv::Mat mask, double least, const cv::Mat& special) {
   constexpr int kMostRounds = 20;
+  const auto is_special = [&special](const MaskPart& part) {
+    return !special.empty() && std::any_of(part.samples.begin(), part.samples.end(),
+                                           [&](cv::Point p) { return special.at<std::uint8_t>(p) != 0; });
+  };
   for (int round = 0; round < kMostRounds; ++round) {
     const auto gaps = narrow_gaps(mask, least);
     if (gaps.empty()) break;
@@ -45,7 +50,8 @@ cv::Mat without_near(cv::Mat mask, double least) {
     for (const NarrowGap& gap : gaps) {
       const MaskPart& a = parts[static_cast<std::size_t>(gap.first)];
       const MaskPart& b = parts[static_cast<std::size_t>(gap.second)];
-      for (const cv::Point p : (a.area < b.area ? a : b).samples) mask.at<std::uint8_t>(p) = 0;
+      const bool drops_first = is_special(a) == is_special(b) ? a.area < b.area : !is_special(a);
+      for (const cv::Point p : (drops_first ? a : b).samples) mask.at<std::uint8_t>(p) = 0;
     }
   }
   return mask;
@@ -54,7 +60,7 @@ cv::Mat without_near(cv::Mat mask, double least) {
 }  // namespace
 
 FeltAreas felt_areas(const StreetMap& map, MapArea::Kind kind, const MapGrid& grid, const cv::Mat& grooves,
-                     double gap_m, const TactileRules& rules, double rounding) {
+                     double gap_m, const TactileRules& rules, double rounding, const cv::Mat& special) {
   FeltAreas out;
   out.mask = cv::Mat::zeros(grid.rows, grid.columns, CV_8U);
   for (const MapArea& area : map.areas) {
@@ -62,11 +68,13 @@ FeltAreas felt_areas(const StreetMap& map, MapArea::Kind kind, const MapGrid& gr
     ++out.drawn;
     cv::fillPoly(out.mask, std::vector<std::vector<cv::Point>>{outline_in(grid, area)}, cv::Scalar(255));
   }
-  if (out.drawn == 0) return out;
+  const bool has_special = !special.empty() && cv::countNonZero(special) > 0;
+  if (has_special) out.mask |= special;
+  if (out.drawn == 0 && !has_special) return out;
   const double gap = rules.least_gap_m * grid.of_metre, half_part = 0.5 * rules.least_part_m * grid.of_metre;
   const cv::Mat allowed = distance_to(grooves) > gap_m * grid.of_metre;
   out.mask = closed(out.mask & allowed, 0.5 * gap) & allowed;
-  out.mask = without_near(without_small(opened(out.mask, rounding * half_part), half_part), gap);
+  out.mask = without_near(without_small(opened(out.mask, rounding * half_part), half_part), gap, special);
   out.parts = components_of(out.mask).size();
   for (const MapArea& area : map.areas) {
     if (area.kind != kind || area.outline.empty()) continue;

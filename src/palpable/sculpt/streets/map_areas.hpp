@@ -24,8 +24,9 @@ struct FeltAreas {
 
 /// Areas, their corners rounded by circles of `rounding` times the least width of a part, that keep `gap_m`
 /// from the streets' grooves: those nearer to each other than the rules' gap are joined; what is narrower
-/// than a part must be is left out, and so is the smaller one of two that are still too near.
+/// than a part must be is left out, and so is the smaller one of two that are still too near. `special`:
+/// areas that are wide enough and keep the gap; what is too near to them is left out. May be empty.
 FeltAreas felt_areas(const StreetMap& map, MapArea::Kind kind, const MapGrid& grid, const cv::Mat& grooves,
-                     double gap_m, const TactileRules& rules, double rounding);
+                     double gap_m, const TactileRules& rules, double rounding, const cv::Mat& special = {});
 
 }  // namespace palpable::sculpt

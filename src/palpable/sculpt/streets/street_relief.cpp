@@ -6,6 +6,7 @@
 #include "palpable/sculpt/streets/map_areas.hpp"
 #include "palpable/sculpt/streets/map_grid.hpp"
 #include "palpable/sculpt/streets/mask_shapes.hpp"
+#include "palpable/sculpt/streets/special_places.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,10 +20,6 @@
 
 namespace palpable::sculpt {
 namespace {
-
-constexpr std::size_t kMostMaterials = 256;
-/// Places in the list of materials; the first one is that of the land.
-constexpr std::uint8_t kBuilding = 1, kWater = 2, kStreet = 3, kJunction = 4;
 
 /// Distance from a place to the nearest felt street, as a part of half its groove's width, and which street.
 struct NearestStreet {
@@ -93,7 +90,7 @@ cv::Mat merged_grooves(const cv::Mat& mask, const MapGrid& grid, const StreetRel
 }
 
 /// Land that is narrower than the gap between two grooves becomes a part of them, with the label of the
-/// nearest one.
+/// nearest one. It is less deep than they are, so that their lines go on in it.
 Grooves grooves_of(NearestStreet& nearest, const MapGrid& grid, const StreetReliefOptions& options) {
   Grooves out{cv::Mat::zeros(grid.rows, grid.columns, CV_8U),
               cv::Mat::zeros(grid.rows, grid.columns, CV_32F)};
@@ -105,6 +102,9 @@ Grooves grooves_of(NearestStreet& nearest, const MapGrid& grid, const StreetReli
     }
   const cv::Mat merged = merged_grooves(out.mask, grid, options);
   const double half = 0.5 * options.narrowest_street_m * grid.of_metre;
+  const double least_part =
+      (options.rules.least_relief_m + 2.0 * options.rules.height_tolerance_m) / options.street_depth_m;
+  const double floor_part = std::clamp(std::max(options.merging.floor, least_part), 0.0, 1.0);
   const cv::Mat before = distance_inside(out.mask);
   cv::Mat after = distance_inside(merged);
   // Distances to a border of samples are not smooth; they count only where grooves were merged.
@@ -115,116 +115,24 @@ Grooves grooves_of(NearestStreet& nearest, const MapGrid& grid, const StreetReli
       const double deeper = after.at<float>(y, x) - before.at<float>(y, x);
       const double weight = std::clamp((deeper - 1.0) / options.merging.fade, 0.0, 1.0);
       float& depth = out.depth.at<float>(y, x);
-      depth = std::max(depth, static_cast<float>(weight * smooth_step(after.at<float>(y, x) / half)));
+      depth = std::max(depth,
+                       static_cast<float>(floor_part * weight * smooth_step(after.at<float>(y, x) / half)));
     }
   spread_streets(nearest.street, out.mask, merged);
   out.mask = merged;
   return out;
 }
 
-/// The materials: which one each street and junction has.
-struct Naming {
-  std::vector<models::Material> materials;
-  std::vector<std::uint8_t> of_street;
-  std::vector<std::uint8_t> of_junction;
-  std::size_t left_out_names = 0;
-};
-
-double street_length_px(const MapStreet& street) {
-  double sum = 0.0;
-  for (std::size_t i = 1; i < street.points.size(); ++i)
-    sum +=
-        std::hypot(street.points[i].x - street.points[i - 1].x, street.points[i].y - street.points[i - 1].y);
-  return sum;
-}
-
-/// The names of the streets that end at a junction, in alphabetical order.
-std::set<std::string> names_at(const StreetMap& map, const MapJunction& junction, double reach_px) {
-  std::set<std::string> names;
-  for (const MapStreet& street : map.streets)
-    for (const MapPoint end : {street.points.front(), street.points.back()})
-      if (!street.name.empty() && std::hypot(end.x - junction.at.x, end.y - junction.at.y) <= reach_px)
-        names.insert(street.name);
-  return names;
-}
-
-std::string words_of(const std::set<std::string>& names) {
-  if (names.size() < 2) return "junction";
-  std::string words = "junction of ";
-  std::size_t k = 0;
-  for (const std::string& name : names) {
-    if (k > 0) words += k + 1 == names.size() ? " and " : ", ";
-    words += name;
-    ++k;
-  }
-  return words;
-}
-
-/// Those of land, buildings, water, streets and junctions without names.
-std::vector<models::Material> materials_of(const MapMaterialOptions& options) {
-  models::Material land;
-  land.name = "land";
-  models::Material building = land;
-  building.name = "building";
-  building.static_friction = options.building_static_friction;
-  building.dynamic_friction = options.building_dynamic_friction;
-  models::Material water = land;
-  water.name = "water";
-  water.texture = {models::TouchTexture::Kind::ridges, options.ridge_distance_m, options.ridge_height_m,
-                   options.ridge_direction_rad};
-  models::Material street = land;
-  street.name = "street";
-  street.static_friction = options.street_static_friction;
-  street.dynamic_friction = options.street_dynamic_friction;
-  models::Material junction = street;
-  junction.name = "junction";
-  junction.texture = {models::TouchTexture::Kind::bumps, options.bump_distance_m, options.bump_height_m, 0.0};
-  return {land, building, water, street, junction};
-}
-
-Naming naming_of(const StreetMap& map, const std::vector<bool>& felt, const StreetReliefOptions& options) {
-  Naming out;
-  out.materials = materials_of(options.materials);
-  const models::Material street = out.materials[kStreet], junction = out.materials[kJunction];
-  std::map<std::string, double> lengths;
-  for (std::size_t i = 0; i < map.streets.size(); ++i)
-    if (felt[i] && !map.streets[i].name.empty())
-      lengths[map.streets[i].name] += street_length_px(map.streets[i]);
-  std::vector<std::pair<double, std::string>> longest;
-  for (const auto& [name, length] : lengths) longest.emplace_back(-length, name);
-  std::sort(longest.begin(), longest.end());
-  const std::size_t most_names = kMostMaterials - out.materials.size();
-  if (longest.size() > most_names) {
-    out.left_out_names = longest.size() - most_names;
-    longest.resize(most_names);
-  }
-  std::map<std::string, std::uint8_t> index;
-  const auto add = [&](models::Material material, const std::string& name) {
-    const auto known = index.find(name);
-    if (known != index.end()) return known->second;
-    material.name = name;
-    const auto number = static_cast<std::uint8_t>(out.materials.size());
-    out.materials.push_back(std::move(material));
-    return index[name] = number;
-  };
-  for (const auto& [length, name] : longest) add(street, name);
-  for (const MapStreet& s : map.streets)
-    out.of_street.push_back(index.contains(s.name) ? index[s.name] : kStreet);
-  for (const MapJunction& j : map.junctions) {
-    const std::string words = words_of(names_at(map, j, options.junction_reach_px));
-    const bool named =
-        words != "junction" && (index.contains(words) || out.materials.size() < kMostMaterials);
-    out.of_junction.push_back(named ? add(junction, words) : kJunction);
-  }
-  return out;
+double junction_size_m(const StreetReliefOptions& options) {
+  return options.junction_part * options.narrowest_street_m;
 }
 
 /// Junctions of felt streets get their own material.
 void mark_junctions(const StreetMap& map, const MapGrid& grid, const StreetReliefOptions& options,
-                    const NearestStreet& nearest, const Naming& naming, Raster<std::uint8_t>& labels) {
+                    const NearestStreet& nearest, const MapMaterials& naming, Raster<std::uint8_t>& labels) {
   for (std::size_t j = 0; j < map.junctions.size(); ++j) {
     const MapPoint at = grid.at(map.junctions[j].at);
-    const double radius = 0.5 * options.junction_part * options.narrowest_street_m * grid.of_metre;
+    const double radius = 0.5 * junction_size_m(options) * grid.of_metre;
     for (int y = std::max(0, static_cast<int>(at.y - radius));
          y <= std::min<double>(grid.rows - 1, at.y + radius); ++y)
       for (int x = std::max(0, static_cast<int>(at.x - radius));
@@ -257,21 +165,9 @@ Result<MapGrid> grid_with_room(const StreetMap& map, const StreetReliefOptions& 
 
 std::vector<Parameter> parameters_of(MergedGrooveOptions& o) {
   return {{"tolerance", &o.tolerance, {0.5, 10}, "samples", "how much a passage may be too narrow"},
+          {"floor", &o.floor, {0, 1}, "", "depth between merged grooves, of that of a street"},
           {"smoothing", &o.smoothing, {0.5, 20}, "samples", "blur of the depth of merged grooves"},
           {"fade", &o.fade, {0.1, 50}, "samples", "difference over which it replaces the single ones"}};
-}
-
-std::vector<Parameter> parameters_of(MapMaterialOptions& o) {
-  constexpr double kPi = std::numbers::pi;
-  return {{"street_static_friction", &o.street_static_friction, {0, 2}, "", "of streets"},
-          {"street_dynamic_friction", &o.street_dynamic_friction, {0, 2}, "", "of streets"},
-          {"building_static_friction", &o.building_static_friction, {0, 2}, "", "of buildings"},
-          {"building_dynamic_friction", &o.building_dynamic_friction, {0, 2}, "", "of buildings"},
-          {"ridge_distance_m", &o.ridge_distance_m, {0.0001, 0.02}, "m", "distance of water's ridges"},
-          {"ridge_height_m", &o.ridge_height_m, {0, 0.001}, "m", "their height"},
-          {"ridge_direction_rad", &o.ridge_direction_rad, {-kPi, kPi}, "rad", "their direction"},
-          {"bump_distance_m", &o.bump_distance_m, {0.0001, 0.02}, "m", "distance of a junction's bumps"},
-          {"bump_height_m", &o.bump_height_m, {0, 0.001}, "m", "their height"}};
 }
 
 std::vector<Parameter> parameters_of(StreetReliefOptions& o) {
@@ -310,6 +206,7 @@ std::vector<Parameter> parameters_of(StreetReliefOptions& o) {
   append_parameters(all, "selection", parameters_of(o.selection));
   append_parameters(all, "merging", parameters_of(o.merging));
   append_parameters(all, "materials", parameters_of(o.materials));
+  append_parameters(all, "places", parameters_of(o.places));
   return all;
 }
 
@@ -320,7 +217,8 @@ Result<void> check(const StreetReliefOptions& options) {
                  "narrowest_street_m, widest_street_m"};
   const MapMaterialOptions& materials = options.materials;
   if (materials.street_dynamic_friction > materials.street_static_friction ||
-      materials.building_dynamic_friction > materials.building_static_friction)
+      materials.building_dynamic_friction > materials.building_static_friction ||
+      materials.special_dynamic_friction > materials.special_static_friction)
     return Error{ErrorCode::usage, "the dynamic friction is greater than the static one", "materials"};
   return {};
 }
@@ -338,13 +236,18 @@ Result<StreetRelief> relief_from_street_map(const StreetMap& map, const StreetRe
   const Grooves grooves = grooves_of(nearest, grid, options);
   const FeltAreas water = felt_areas(map, MapArea::Kind::water, grid, grooves.mask, options.rules.least_gap_m,
                                      options.rules, options.area_rounding);
-  const FeltAreas buildings = felt_areas(map, MapArea::Kind::building, grid, grooves.mask | water.mask,
-                                         options.building_gap_m, options.rules, options.area_rounding);
-  Naming naming = naming_of(map, selection.felt, options);
+  SpecialBuildings special(map, grid, grooves.mask | water.mask, options.building_gap_m, options.rules,
+                           options.places);
+  const FeltAreas buildings =
+      felt_areas(map, MapArea::Kind::building, grid, grooves.mask | water.mask, options.building_gap_m,
+                 options.rules, options.area_rounding, special.mask());
+  special.keep(buildings.mask);
+  MapMaterials naming = map_materials(map, selection.felt, options.junction_reach_px, options.materials);
   Raster<float> height(grid.columns, grid.rows);
   Raster<std::uint8_t> labels(grid.columns, grid.rows);
   Raster<MapPart> parts(grid.columns, grid.rows, MapPart::land);
-  const cv::Mat in_building = distance_inside(buildings.mask), in_water = distance_inside(water.mask);
+  const cv::Mat in_building = distance_inside(buildings.mask), in_special = distance_inside(special.mask()),
+                in_water = distance_inside(water.mask);
   const double wall = options.building_wall_m * grid.of_metre;
   // The deepest place is at 0.
   const double land_m = std::max(options.street_depth_m, options.water_depth_m);
@@ -357,16 +260,21 @@ Result<StreetRelief> relief_from_street_map(const StreetMap& map, const StreetRe
         parts(x, y) = MapPart::street;
       } else if (buildings.mask.at<std::uint8_t>(y, x) != 0) {
         z += options.building_m * smooth_step(in_building.at<float>(y, x) / wall);
-        labels(x, y) = kBuilding;
+        z += options.places.rise_m * smooth_step(in_special.at<float>(y, x) / wall);
+        const int place = special.place_at(x, y);
+        labels(x, y) = place < 0 ? kBuildingMaterial : naming.of_place[static_cast<std::size_t>(place)];
         parts(x, y) = MapPart::building;
       } else if (water.mask.at<std::uint8_t>(y, x) != 0) {
         z -= options.water_depth_m * smooth_step(in_water.at<float>(y, x) / wall);
-        labels(x, y) = kWater;
+        labels(x, y) = kWaterMaterial;
         parts(x, y) = MapPart::water;
       }
       height(x, y) = static_cast<float>(z);
     }
   mark_junctions(map, grid, options, nearest, naming, labels);
+  std::vector<bool> felt_places = special.felt();
+  mark_places(map, grid, {options.places, options.rules, junction_size_m(options)}, parts, naming,
+              felt_places, labels);
   auto relief = models::Relief::from_samples(std::move(height), 1.0 / grid.of_metre);
   if (!relief) return relief.error();
   StreetRelief out{*std::move(relief),
@@ -376,7 +284,8 @@ Result<StreetRelief> relief_from_street_map(const StreetMap& map, const StreetRe
                    naming.left_out_names,
                    std::move(selection),
                    {},
-                   {}};
+                   {},
+                   std::move(felt_places)};
   out.buildings = {buildings.drawn, buildings.parts, buildings.left_out};
   out.waters = {water.drawn, water.parts, water.left_out};
   return out;

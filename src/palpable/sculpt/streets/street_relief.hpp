@@ -8,6 +8,8 @@
 #include "palpable/core/result.hpp"
 #include "palpable/models/material/material.hpp"
 #include "palpable/models/relief/relief.hpp"
+#include "palpable/sculpt/streets/map_materials.hpp"
+#include "palpable/sculpt/streets/special_place_options.hpp"
 #include "palpable/sculpt/streets/street_selection.hpp"
 #include "palpable/sculpt/streets/tactile_rules.hpp"
 
@@ -20,28 +22,15 @@ namespace palpable::sculpt {
 struct MergedGrooveOptions {
   /// Passages between two pieces of land are wide enough if they lack at most this, samples. 0.5 ... 10.
   double tolerance = 1.0;
+  /// Depth between merged grooves as a part of that of a street, 0 ... 1, but at least the rules' least
+  /// relief: the grooves themselves go on in it as deeper lines. 1: a hollow without lines.
+  double floor = 0.5;
   /// The depth of a merged groove follows the distance from its border, smoothed by a Gaussian of this size,
   /// samples, 0.5 ... 20, and replaces that of the single grooves over this difference, samples, 0.1 ... 50.
   double smoothing = 2.0;
   double fade = 4.0;
 };
 std::vector<Parameter> parameters_of(MergedGrooveOptions& options);
-
-/// What the parts of a map feel like. Friction coefficients 0 ... 2, the dynamic one at most the static one.
-struct MapMaterialOptions {
-  double street_static_friction = 0.15;
-  double street_dynamic_friction = 0.1;
-  double building_static_friction = 0.5;
-  double building_dynamic_friction = 0.4;
-  /// Ridges of water: period 0.1 ... 20 mm and height 0 ... 1 mm, metres; direction, radians, -pi ... pi.
-  double ridge_distance_m = 0.003;
-  double ridge_height_m = 60e-6;
-  double ridge_direction_rad = 0.5;
-  /// Bumps of a junction: the same, metres.
-  double bump_distance_m = 0.0015;
-  double bump_height_m = 25e-6;
-};
-std::vector<Parameter> parameters_of(MapMaterialOptions& options);
 
 /// How a map becomes a relief. Sizes follow the rules for tactile maps (methods.md 8 and 9) and hold at any
 /// scale: what the map draws narrower is drawn as wide as a finger needs it.
@@ -72,6 +61,7 @@ struct StreetReliefOptions {
   StreetSelectionOptions selection;
   MergedGrooveOptions merging;
   MapMaterialOptions materials;
+  SpecialPlaceOptions places;
   /// Samples along the longer side, 64 ... 4096.
   int samples = 1024;
 };
@@ -86,8 +76,8 @@ struct StreetRelief {
   models::Relief relief;
   /// Index into `materials` of each sample of the relief.
   Raster<std::uint8_t> labels;
-  /// "street" or the street's name, "junction" or "junction of A and B", "building", "water"; the first is
-  /// that of the land.
+  /// "street" or the street's name, "steps", "sidewalk", "junction" or "junction of A and B", "building",
+  /// "water", or a place's words ("Mill Lane, bus stop"); the first is that of the land.
   std::vector<models::Material> materials;
   /// What each sample of the relief belongs to.
   Raster<MapPart> parts;
@@ -103,13 +93,16 @@ struct StreetRelief {
   };
   Areas buildings;
   Areas waters;
+  /// For each place of the map whether it is felt.
+  std::vector<bool> felt_places;
 };
 
 /// Streets become grooves with rounded walls, buildings are raised, water is lower and rippled, junctions
-/// have bumps. What a finger cannot tell apart is joined or left out (street_selection.hpp, map_areas.hpp),
+/// have bumps. Special buildings are higher and rough, roundabouts and other places have a texture of their
+/// own. What a finger cannot tell apart is joined or left out (street_selection.hpp, map_areas.hpp),
 /// so that check_tactile_rules() finds nothing. Each named street has a material of its own name, as far as
-/// there are materials: the longest streets first, then junctions. Errors: as check(); invalid_input for a
-/// map without streets or size.
+/// there are materials: the longest streets first, then places, then junctions. Errors: as check();
+/// invalid_input for a map without streets or size.
 Result<StreetRelief> relief_from_street_map(const StreetMap& map, const StreetReliefOptions& options);
 
 }  // namespace palpable::sculpt

@@ -30,7 +30,8 @@ std::vector<std::size_t> by_importance(const StreetMap& map, const std::map<std:
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto rank = [&](std::size_t i) {
     const MapStreet& street = map.streets[i];
-    return std::tuple(-std::floor(street.width_px / width_step_px), street.name.empty(),
+    return std::tuple(street.kind != MapStreet::Kind::street, -std::floor(street.width_px / width_step_px),
+                      street.name.empty(),
                       street.name.empty() ? -line_length_px(street) : -lengths.at(street.name), street.name,
                       i);
   };

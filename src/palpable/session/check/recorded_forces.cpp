@@ -127,7 +127,8 @@ void RecordedForces::check_work(const device::TouchSample& tick, const RecordedT
   // A change of scene or a new touch starts a new balance, as in the servo's own observer. A new touch starts
   // without force, so a hand cannot receive energy that it did not deliver.
   using Beginning = haptics::PassivityObserver::Beginning;
-  if (!law.is_contact || tick.has(flag::kNewTouch | flag::kFading)) {
+  // Neither for other laws nor with a guide, whose reserve gives energy, does the work alone prove anything.
+  if (!law.is_contact || touch.guide || tick.has(flag::kNewTouch | flag::kFading)) {
     observer_.begin(0.0, tick.has(flag::kNewTouch) ? Beginning::from_no_force : Beginning::in_contact);
     return;
   }

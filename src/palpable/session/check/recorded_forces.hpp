@@ -31,8 +31,8 @@ class RecordedForces {
   double max_force_N() const { return max_force_N_; }
   double max_step_N() const { return max_step_N_; }
   double duration_s() const { return duration_s_; }
-  /// Greatest work on the hand in a contact that began in free air, J. NaN if no contact law was used: for
-  /// other laws the work alone proves nothing.
+  /// Greatest work on the hand in a contact that began in free air, J. NaN if no contact law was used
+  /// without a guide: for others the work alone proves nothing.
   double made_max_J() const {
     return counts_work_ ? observer_.made_max_J() : std::numeric_limits<double>::quiet_NaN();
   }

@@ -4,9 +4,12 @@
 
 #include "palpable/session/touch/haptic_scene.hpp"
 
+#include <array>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -82,6 +85,21 @@ Transform<SceneFrame, DeviceFrame> place_from_json(const RecordedJson& json) {
   return place;
 }
 
+RecordedJson guide_to_json(const models::RouteGuide& guide) {
+  return {{"line_m", guide.line_m},
+          {"force_N", guide.force_N},
+          {"reach_m", guide.reach_m},
+          {"ahead_m", guide.ahead_m}};
+}
+
+models::RouteGuide guide_from_json(const RecordedJson& json) {
+  models::RouteGuide guide{json.at("line_m").get<std::vector<std::array<double, 2>>>(),
+                           json.at("force_N").get<double>(), json.at("reach_m").get<double>(),
+                           json.at("ahead_m").get<double>()};
+  if (!models::is_valid(guide)) throw std::invalid_argument("guide");
+  return guide;
+}
+
 RecordedTouch touch_from_json(const RecordedJson& json) {
   RecordedTouch touch;
   touch.law = law_from_json(json);
@@ -91,6 +109,7 @@ RecordedTouch touch_from_json(const RecordedJson& json) {
   if (!transient) throw std::invalid_argument("contact transient");
   touch.transient = *transient;
   for (const auto& material : json.at("materials")) touch.materials.push_back(material_from_json(material));
+  if (json.contains("guide")) touch.guide = guide_from_json(json.at("guide"));
   touch.hashes.scene = json.at("scene_hash").get<std::string>();
   touch.hashes.shape = json.value("shape_hash", "");
   touch.inputs = json.value("scene_inputs", std::vector<std::string>{});
@@ -109,6 +128,7 @@ std::string touch_json(const RecordedTouch& touch) {
   json["transient"] = haptics::name_of(touch.transient);
   json["materials"] = RecordedJson::array();
   for (const auto& material : touch.materials) json["materials"].push_back(material_to_json(material));
+  if (touch.guide) json["guide"] = guide_to_json(*touch.guide);
   json["scene_hash"] = touch.hashes.scene;
   json["shape_hash"] = touch.hashes.shape;
   json["scene_inputs"] = touch.inputs;
@@ -145,6 +165,7 @@ Result<haptics::HapticScene> remade_scene(const RecordedTouch& touch, const mode
     scaled->materials[i] = touch.materials[i];
     scaled->materials[i].texture.tile = std::move(tile);
   }
+  scaled->guide = touch.guide ? std::make_shared<const models::RouteGuide>(*touch.guide) : nullptr;
   auto touchable = haptics::make_touchable(*scaled, touch.law, &kept);
   if (!touchable) return std::move(touchable).error();
   return haptics::HapticScene{std::move(*touchable), touch.scene_from_device, id,

@@ -11,6 +11,7 @@
 #include "palpable/session/touch/touch_settings.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct RecordedTouch {
   haptics::TransientKind transient = haptics::TransientKind::none;
   /// One for each of the scene's; of a texture from a picture the forms are the scene's.
   std::vector<models::Material> materials;
+  /// models::Scene::guide.
+  std::optional<models::RouteGuide> guide;
   Transform<SceneFrame, DeviceFrame> scene_from_device;
   /// The shape's hash is empty in recordings of format 1.
   SceneHash hashes;

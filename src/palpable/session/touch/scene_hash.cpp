@@ -91,6 +91,11 @@ std::string scene_hash_from(Fnv1a hash, const models::Scene& scene) {
     add_texture(hash, material.texture);
   }
   add_raster(hash, scene.labels);
+  if (scene.guide != nullptr) {
+    for (const auto& place : scene.guide->line_m)
+      for (const double v : place) hash.add(v);
+    for (const double v : {scene.guide->force_N, scene.guide->reach_m, scene.guide->ahead_m}) hash.add(v);
+  }
   return hash.digits();
 }
 

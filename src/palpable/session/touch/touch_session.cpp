@@ -80,6 +80,7 @@ device::RecordedScene TouchSession::Impl::described(const PreparedScene& prepare
                                                     const std::shared_ptr<const models::Scene>& touched,
                                                     const TouchSettings& asked) {
   RecordedTouch touch = recorded_touch(prepared, asked);
+  if (touched->guide != nullptr) touch.guide = *touched->guide;
   touch.hashes = hashes.of(touched);
   touch.inputs = touched->source.inputs;
   touch.method = touched->source.method;

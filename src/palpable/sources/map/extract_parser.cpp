@@ -60,12 +60,59 @@ bool fits(const osmium::TagList& tags, const AreaTag& tag) {
   return std::string_view(tag.value) == "*" || value == tag.value;
 }
 
+/// The kinds of special places by their tags, those of places of worship apart.
+struct PlaceTag {
+  const char* key;
+  const char* value;
+  MapPlace::Kind kind;
+};
+using PlaceKind = MapPlace::Kind;
+constexpr std::array<PlaceTag, 30> kPlaceTags{
+    {{"building", "church", PlaceKind::church},         {"building", "cathedral", PlaceKind::church},
+     {"building", "chapel", PlaceKind::church},         {"building", "mosque", PlaceKind::mosque},
+     {"building", "synagogue", PlaceKind::synagogue},   {"building", "temple", PlaceKind::temple},
+     {"building", "train_station", PlaceKind::station}, {"railway", "station", PlaceKind::station},
+     {"railway", "halt", PlaceKind::station},           {"public_transport", "station", PlaceKind::station},
+     {"amenity", "bus_station", PlaceKind::station},    {"amenity", "hospital", PlaceKind::hospital},
+     {"healthcare", "hospital", PlaceKind::hospital},   {"building", "hospital", PlaceKind::hospital},
+     {"amenity", "school", PlaceKind::school},          {"amenity", "college", PlaceKind::school},
+     {"amenity", "university", PlaceKind::school},      {"amenity", "townhall", PlaceKind::town_hall},
+     {"tourism", "museum", PlaceKind::museum},          {"amenity", "library", PlaceKind::library},
+     {"amenity", "theatre", PlaceKind::theatre},        {"highway", "mini_roundabout", PlaceKind::roundabout},
+     {"highway", "bus_stop", PlaceKind::bus_stop},      {"railway", "tram_stop", PlaceKind::tram_stop},
+     {"highway", "crossing", PlaceKind::crossing},      {"entrance", "yes", PlaceKind::entrance},
+     {"entrance", "main", PlaceKind::entrance},         {"entrance", "service", PlaceKind::entrance},
+     {"entrance", "shop", PlaceKind::entrance},         {"entrance", "staircase", PlaceKind::entrance}}};
+
+PlaceKind worship_kind(const osmium::TagList& tags) {
+  const std::string_view religion = value_of(tags, "religion");
+  if (religion.empty() || religion == "christian") return PlaceKind::church;
+  if (religion == "muslim") return PlaceKind::mosque;
+  return religion == "jewish" ? PlaceKind::synagogue : PlaceKind::temple;
+}
+
+std::optional<PlaceKind> place_kind(const osmium::TagList& tags) {
+  if (value_of(tags, "disused") == "yes" || value_of(tags, "abandoned") == "yes") return std::nullopt;
+  if (value_of(tags, "amenity") == "place_of_worship") return worship_kind(tags);
+  for (const PlaceTag& tag : kPlaceTags)
+    if (value_of(tags, tag.key) == tag.value) return tag.kind;
+  return std::nullopt;
+}
+
+bool has_tactile_paving(const osmium::TagList& tags) {
+  const std::string_view paving = value_of(tags, "tactile_paving");
+  return !paving.empty() && paving != "no";
+}
+
 /// Ways under the ground that are no tunnels for traffic, planned ones and races are no streets.
 std::optional<std::string> way_kind(const osmium::TagList& tags) {
   const std::string_view highway = value_of(tags, "highway");
   constexpr std::array<std::string_view, 12> kNone{"proposed",  "construction", "raceway",  "corridor",
                                                    "platform",  "elevator",     "razed",    "abandoned",
                                                    "rest_area", "services",     "bus_stop", "no"};
+  if (const std::string_view footway = value_of(tags, "footway");
+      highway == "footway" && (footway == "sidewalk" || footway == "crossing"))
+    return "sidewalk";
   if (!highway.empty())
     return std::find(kNone.begin(), kNone.end(), highway) == kNone.end() ? std::optional<std::string>(highway)
                                                                          : std::nullopt;
@@ -93,6 +140,16 @@ GeoPoint point_of(const osmium::NodeRef& node) { return {node.location().lat(), 
 /// Takes the ways and areas of an extract.
 class Collector : public osmium::handler::Handler {
  public:
+  void node(const osmium::Node& node) {
+    const auto kind = place_kind(node.tags());
+    if (!kind || !node.visible() || !node.location().valid()) return;
+    extract.places.push_back({*kind,
+                              plain_name(value_of(node.tags(), "name")),
+                              {node.location().lat(), node.location().lon()},
+                              {},
+                              has_tactile_paving(node.tags())});
+  }
+
   void way(const osmium::Way& way) {
     const osmium::TagList& tags = way.tags();
     auto kind = way_kind(tags);
@@ -116,21 +173,47 @@ class Collector : public osmium::handler::Handler {
   }
 
   void area(const osmium::Area& area) {
+    if (!area.visible()) return;
+    if (const auto kind = place_kind(area.tags())) add_place(area, *kind);
     const auto tag = std::find_if(kAreaTags.begin(), kAreaTags.end(),
                                   [&area](const AreaTag& t) { return fits(area.tags(), t); });
-    if (tag == kAreaTags.end() || !area.visible()) return;
-    for (const osmium::OuterRing& ring : area.outer_rings()) {
-      ExtractArea out{tag->kind, {}};
-      for (const osmium::NodeRef& node : ring)
-        if (node.location().valid()) out.ring.push_back(point_of(node));
-      if (!out.ring.empty()) out.ring.pop_back();
-      if (out.ring.size() >= 3) extract.areas.push_back(std::move(out));
-    }
+    if (tag == kAreaTags.end()) return;
+    for (const osmium::OuterRing& ring : area.outer_rings())
+      if (auto points = points_of(ring); points.size() >= 3)
+        extract.areas.push_back({tag->kind, std::move(points)});
   }
 
   MapExtract extract;
 
  private:
+  static std::vector<GeoPoint> points_of(const osmium::OuterRing& ring) {
+    std::vector<GeoPoint> points;
+    for (const osmium::NodeRef& node : ring)
+      if (node.location().valid()) points.push_back(point_of(node));
+    if (!points.empty()) points.pop_back();
+    return points;
+  }
+
+  /// At the middle of the ring with the most points, which is kept where it is that of a building.
+  void add_place(const osmium::Area& area, PlaceKind kind) {
+    std::vector<GeoPoint> largest;
+    for (const osmium::OuterRing& ring : area.outer_rings())
+      if (auto points = points_of(ring); points.size() > largest.size()) largest = std::move(points);
+    if (largest.size() < 3) return;
+    const auto [south, north] = std::minmax_element(
+        largest.begin(), largest.end(), [](GeoPoint a, GeoPoint b) { return a.latitude < b.latitude; });
+    const auto [west, east] = std::minmax_element(
+        largest.begin(), largest.end(), [](GeoPoint a, GeoPoint b) { return a.longitude < b.longitude; });
+    ExtractPlace place{kind,
+                       plain_name(value_of(area.tags(), "name")),
+                       {0.5 * (south->latitude + north->latitude), 0.5 * (west->longitude + east->longitude)},
+                       {},
+                       false};
+    const std::string_view building = value_of(area.tags(), "building");
+    if (!building.empty() && building != "no") place.ring = std::move(largest);
+    extract.places.push_back(std::move(place));
+  }
+
   /// A way is divided where the extract lacks a node.
   void add_part(ExtractWay& way) {
     if (way.points.size() >= 2) extract.ways.push_back(way);
@@ -156,6 +239,8 @@ Result<MapExtract> parse_map_extract(std::span<const std::byte> file) {
     else
       filter.add_rule(true, tag.key, tag.value);
   }
+  for (const PlaceTag& tag : kPlaceTags) filter.add_rule(true, tag.key, tag.value);
+  filter.add_rule(true, "amenity", "place_of_worship");
   const osmium::area::Assembler::config_type config;
   osmium::area::MultipolygonManager<osmium::area::Assembler> areas{config, filter};
   osmium::relations::read_relations(input, areas);
@@ -164,9 +249,9 @@ Result<MapExtract> parse_map_extract(std::span<const std::byte> file) {
   osmium::handler::NodeLocationsForWays<Locations, Locations> locations{index, index_below_zero};
   locations.ignore_errors();
   osmium::io::Reader nodes{input, osmium::osm_entity_bits::node};
-  osmium::apply(nodes, locations);
-  nodes.close();
   Collector collector;
+  osmium::apply(nodes, locations, collector);
+  nodes.close();
   osmium::io::Reader reader{input, osmium::osm_entity_bits::way | osmium::osm_entity_bits::relation};
   osmium::apply(reader, locations, collector, areas.handler([&collector](osmium::memory::Buffer&& buffer) {
     osmium::apply(buffer, collector);

@@ -47,6 +47,14 @@ std::vector<std::byte> reply_of(const MapExtract& extract) {
     reply.put(static_cast<std::uint8_t>(area.kind));
     put_points(reply, area.ring);
   }
+  reply.put(static_cast<std::uint64_t>(extract.places.size()));
+  for (const ExtractPlace& place : extract.places) {
+    reply.put(static_cast<std::uint8_t>(place.kind));
+    reply.put_text(place.name);
+    reply.put(place.at);
+    reply.put(static_cast<std::uint8_t>(place.tactile_paving));
+    put_points(reply, place.ring);
+  }
   return reply.take();
 }
 
@@ -77,6 +85,20 @@ Result<MapExtract> map_extract_in(std::span<const std::byte> bytes) {
         !are_on_earth(area.ring))
       return invalid_reply();
     extract.areas.push_back(std::move(area));
+  }
+  const auto places = reply.get<std::uint64_t>();
+  for (std::uint64_t k = 0; k < places && reply.ok(); ++k) {
+    const auto kind = reply.get<std::uint8_t>();
+    ExtractPlace place;
+    place.kind = static_cast<MapPlace::Kind>(kind);
+    place.name = reply.get_text(kLongestName);
+    place.at = reply.get<GeoPoint>();
+    place.tactile_paving = reply.get<std::uint8_t>() == 1;
+    place.ring = get_points(reply);
+    if (!reply.ok() || kind > static_cast<std::uint8_t>(MapPlace::Kind::entrance) ||
+        !are_on_earth({place.at}) || !are_on_earth(place.ring))
+      return invalid_reply();
+    extract.places.push_back(std::move(place));
   }
   if (!reply.done()) return invalid_reply();
   return extract;

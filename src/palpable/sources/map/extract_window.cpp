@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/map/extract_window.hpp"
 
+#include "palpable/core/geometry/map_clip.hpp"
+#include "palpable/sources/map/extract_places.hpp"
+#include "palpable/sources/map/projection.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -42,30 +45,12 @@ constexpr std::array<StreetKind, 16> kStreetKinds{{{"motorway", 12.0, true},
                                                    {"pedestrian", 5.0, false},
                                                    {"service", 4.0, false}}};
 
-/// How far east a meridian is of another one, the shorter way round: -180 ... 180 degrees.
-double east_of(double longitude, double other) { return std::remainder(longitude - other, 360.0); }
+constexpr std::string_view kSidewalk = "sidewalk", kSteps = "steps";
 
-/// Equirectangular with true scale at the window's centre: pixels, y down.
-class Projection {
- public:
-  Projection(GeoPoint center, const ExtractWindow& window)
-      : center_(center),
-        px_per_degree_(kMetresPerDegree * window.side_px / window.width_m),
-        shrink_(std::cos(center.latitude * std::numbers::pi / 180.0)),
-        middle_(0.5 * (window.side_px - 1)) {}
-
-  MapPoint operator()(GeoPoint p) const {
-    return {middle_ + east_of(p.longitude, center_.longitude) * shrink_ * px_per_degree_,
-            middle_ - (p.latitude - center_.latitude) * px_per_degree_};
-  }
-
- private:
-  static constexpr double kMetresPerDegree = 111195.0;
-  GeoPoint center_;
-  double px_per_degree_;
-  double shrink_;
-  double middle_;
-};
+MapStreet::Kind kind_of(const ExtractWay& way) {
+  if (way.kind == kSidewalk) return MapStreet::Kind::sidewalk;
+  return way.kind == kSteps ? MapStreet::Kind::steps : MapStreet::Kind::street;
+}
 
 /// A piece of a street between two nodes of the network.
 struct StreetPiece {
@@ -125,7 +110,9 @@ void join_pieces(std::vector<StreetPiece>& pieces, const std::map<std::int64_t, 
     const std::size_t second = where(std::next(begin)->second);
     StreetPiece& a = pieces[first];
     StreetPiece& b = pieces[second];
-    if (first == second || a.way->name != b.way->name || width_m_of(*a.way) != width_m_of(*b.way)) continue;
+    if (first == second || a.way->name != b.way->name || kind_of(*a.way) != kind_of(*b.way) ||
+        width_m_of(*a.way) != width_m_of(*b.way))
+      continue;
     if (a.nodes.back() != node) reverse(a);
     if (b.nodes.front() != node) reverse(b);
     a.nodes.insert(a.nodes.end(), b.nodes.begin() + 1, b.nodes.end());
@@ -134,67 +121,6 @@ void join_pieces(std::vector<StreetPiece>& pieces, const std::map<std::int64_t, 
     moved_to[second] = first;
   }
   std::erase_if(pieces, [](const StreetPiece& p) { return p.nodes.empty(); });
-}
-
-/// The part of a segment inside 0 ... most in both coordinates (Liang & Barsky 1984).
-std::optional<std::pair<MapPoint, MapPoint>> inside_part(MapPoint a, MapPoint b, double most) {
-  const double dx = b.x - a.x;
-  const double dy = b.y - a.y;
-  double first = 0.0;
-  double last = 1.0;
-  for (const auto& [p, q] : {std::pair{-dx, a.x}, {dx, most - a.x}, {-dy, a.y}, {dy, most - a.y}}) {
-    if (p == 0.0 && q < 0.0) return std::nullopt;
-    if (p < 0.0) first = std::max(first, q / p);
-    if (p > 0.0) last = std::min(last, q / p);
-  }
-  if (first > last) return std::nullopt;
-  return std::pair{MapPoint{a.x + first * dx, a.y + first * dy}, MapPoint{a.x + last * dx, a.y + last * dy}};
-}
-
-/// The parts of a line in the window.
-std::vector<std::vector<MapPoint>> inside_parts(const std::vector<MapPoint>& line, double most) {
-  std::vector<std::vector<MapPoint>> parts;
-  bool goes_on = false;
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const auto part = inside_part(line[i - 1], line[i], most);
-    if (!part) {
-      goes_on = false;
-      continue;
-    }
-    if (!goes_on) parts.push_back({part->first});
-    parts.back().push_back(part->second);
-    goes_on = part->second.x == line[i].x && part->second.y == line[i].y;
-  }
-  constexpr double kShortest_px = 1.0;
-  std::erase_if(parts, [](const std::vector<MapPoint>& part) {
-    double length = 0.0;
-    for (std::size_t i = 1; i < part.size(); ++i)
-      length += std::hypot(part[i].x - part[i - 1].x, part[i].y - part[i - 1].y);
-    return length < kShortest_px;
-  });
-  return parts;
-}
-
-/// The part of a ring in the window (Sutherland & Hodgman 1974).
-std::vector<MapPoint> inside_ring(std::vector<MapPoint> ring, double most) {
-  using Side = std::function<double(MapPoint)>;
-  const std::array<Side, 4> sides{[](MapPoint p) { return p.x; }, [most](MapPoint p) { return most - p.x; },
-                                  [](MapPoint p) { return p.y; }, [most](MapPoint p) { return most - p.y; }};
-  for (const Side& inside : sides) {
-    std::vector<MapPoint> kept;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const MapPoint a = ring[i];
-      const MapPoint b = ring[(i + 1) % ring.size()];
-      const double of_a = inside(a);
-      const double of_b = inside(b);
-      if (of_a >= 0.0) kept.push_back(a);
-      if ((of_a >= 0.0) == (of_b >= 0.0)) continue;
-      const double t = of_a / (of_a - of_b);
-      kept.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
-    }
-    ring = std::move(kept);
-  }
-  return ring;
 }
 
 double median_of(std::vector<double> values) {
@@ -262,8 +188,9 @@ void add_streets(StreetMap& map, std::vector<const ExtractWay*> streets, const P
       const std::int64_t node = last ? piece.nodes.back() : piece.nodes.front();
       if (ends.at(node) > 2) junctions[node] = last ? line.back() : line.front();
     }
-    for (auto& part : inside_parts(line, most))
-      map.streets.push_back({piece.way->name, width_m_of(*piece.way) * px_per_m, std::move(part)});
+    for (auto& part : parts_in_window(line, {most, most}))
+      map.streets.push_back(
+          {piece.way->name, width_m_of(*piece.way) * px_per_m, std::move(part), true, kind_of(*piece.way)});
   }
   for (const auto& [node, at] : junctions)
     if (at.x >= 0.0 && at.y >= 0.0 && at.x <= most && at.y <= most)
@@ -274,7 +201,7 @@ void add_areas(StreetMap& map, const MapExtract& extract, const Projection& proj
   for (const ExtractArea& area : extract.areas) {
     std::vector<MapPoint> ring;
     for (const GeoPoint& p : area.ring) ring.push_back(project(p));
-    ring = inside_ring(std::move(ring), map.width_px - 1);
+    ring = ring_in_window(std::move(ring), {map.width_px - 1.0, map.height_px - 1.0});
     if (ring.size() < 3) continue;
     const auto kind = area.kind == ExtractArea::Kind::building ? MapArea::Kind::building
                       : area.kind == ExtractArea::Kind::water  ? MapArea::Kind::water
@@ -297,7 +224,17 @@ Result<void> check(const ExtractWindow& window) {
 
 }  // namespace
 
-bool is_street(const ExtractWay& way) {
+ExtractLayers usual_layers(double width_m) {
+  constexpr double kQuarter_m = 1000.0, kPlace_m = 300.0;
+  ExtractLayers layers;
+  layers.stops = width_m <= kQuarter_m;
+  layers.crossings = layers.steps = width_m <= kPlace_m;
+  return layers;
+}
+
+bool is_street(const ExtractWay& way, const ExtractLayers& layers) {
+  if (way.kind == kSidewalk) return layers.sidewalks;
+  if (way.kind == kSteps) return layers.steps;
   const auto kind = std::find_if(kStreetKinds.begin(), kStreetKinds.end(),
                                  [&way](const StreetKind& k) { return k.name == way.kind; });
   return kind != kStreetKinds.end() && (kind->unnamed || !way.name.empty());
@@ -313,9 +250,10 @@ double width_m_of(const ExtractWay& way) {
 
 Result<WindowMap> street_map_of(const MapExtract& extract, const ExtractWindow& window) {
   if (auto checked = check(window); !checked) return checked.error();
+  const ExtractLayers layers = window.layers.value_or(usual_layers(window.width_m));
   std::vector<const ExtractWay*> streets;
   for (const ExtractWay& way : extract.ways)
-    if (is_street(way)) streets.push_back(&way);
+    if (is_street(way, layers)) streets.push_back(&way);
   if (streets.empty()) return invalid_input("is an extract without streets");
   const auto center = center_of(streets, window);
   if (!center) return center.error();
@@ -328,6 +266,7 @@ Result<WindowMap> street_map_of(const MapExtract& extract, const ExtractWindow& 
     return invalid_input(fmt::format("has no streets in the {:.0f} m around {:.5f},{:.5f}", window.width_m,
                                      center->latitude, center->longitude));
   add_areas(out.map, extract, project);
+  add_places(out.map, extract, layers, project);
   if (!window.center)
     out.notes.emplace_back(fmt::format("The map shows {:.0f} m around {:.5f},{:.5f}.", window.width_m,
                                        center->latitude, center->longitude),

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/geometry/street_map.hpp"
 #include "palpable/core/result.hpp"
 
 #include <cstdint>
@@ -19,7 +20,8 @@ struct GeoPoint {
 
 /// A street, a way or a railway of an extract.
 struct ExtractWay {
-  /// The value of the key `highway`, as "residential"; "rail" for railways.
+  /// The value of the key `highway`, as "residential"; "rail" for railways, "sidewalk" for the footways that
+  /// are tagged as one or as the crossing between two.
   std::string kind;
   /// UTF-8; empty if the extract has none.
   std::string name;
@@ -41,10 +43,22 @@ struct ExtractArea {
   std::vector<GeoPoint> ring;
 };
 
+/// A church, a station, a bus stop …: a node or an area.
+struct ExtractPlace {
+  MapPlace::Kind kind = MapPlace::Kind::church;
+  std::string name;
+  /// Of an area its middle.
+  GeoPoint at;
+  /// The outer ring of a building; empty for nodes and for grounds.
+  std::vector<GeoPoint> ring;
+  bool tactile_paving = false;
+};
+
 /// What a street map needs of an OpenStreetMap extract. A value type; any thread.
 struct MapExtract {
   std::vector<ExtractWay> ways;
   std::vector<ExtractArea> areas;
+  std::vector<ExtractPlace> places;
 };
 
 /// Reads an OpenStreetMap extract, `.osm` (XML) or `.osm.pbf`, by its content. It is parsed in the decoder

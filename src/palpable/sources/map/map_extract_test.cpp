@@ -182,5 +182,90 @@ TEST(ExtractWindow, RefusesAnEmptyExtractAndACentreOutsideIt) {
   EXPECT_FALSE(street_map_of(*extract, window_at(0.0, 0.0, 1.0)));
 }
 
+// High Street from west to east through a roundabout of 20 m at its middle, whose ring is in two ways; a
+// church, a hospital's grounds, a station twice, a crossing, a bus stop, an entrance, steps and a sidewalk.
+const std::string kPlaces = R"(<?xml version='1.0' encoding='UTF-8'?>
+<osm version="0.6">
+<node id="1" lat="0" lon="-0.002"/><node id="2" lat="0" lon="-0.0001"/><node id="3" lat="0.0001" lon="0"/>
+<node id="4" lat="0" lon="0.0001"/><node id="5" lat="-0.0001" lon="0"/><node id="6" lat="0" lon="0.002"/>
+<node id="11" lat="0.0005" lon="0.0005"/><node id="12" lat="0.0005" lon="0.0007"/>
+<node id="13" lat="0.0007" lon="0.0007"/><node id="14" lat="0.0007" lon="0.0005"/>
+<node id="15" lat="-0.0005" lon="0.0005"/><node id="16" lat="-0.0005" lon="0.0007"/>
+<node id="17" lat="-0.0007" lon="0.0007"/>
+<node id="20" lat="0" lon="-0.001"><tag k="highway" v="crossing"/><tag k="tactile_paving" v="yes"/></node>
+<node id="21" lat="0.00002" lon="-0.0012"><tag k="highway" v="bus_stop"/><tag k="name" v="High Street"/></node>
+<node id="22" lat="0.0006" lon="0.0005"><tag k="entrance" v="main"/></node>
+<node id="23" lat="0.001" lon="-0.001"><tag k="railway" v="station"/><tag k="name" v="Central"/></node>
+<node id="24" lat="0.0011" lon="-0.001"><tag k="public_transport" v="station"/><tag k="name" v="Central"/></node>
+<node id="25" lat="0.001" lon="-0.0005"><tag k="railway" v="station"/><tag k="disused" v="yes"/></node>
+<way id="100"><nd ref="1"/><nd ref="20"/><nd ref="2"/><tag k="highway" v="secondary"/><tag k="name" v="High Street"/></way>
+<way id="101"><nd ref="2"/><nd ref="3"/><nd ref="4"/><tag k="highway" v="secondary"/><tag k="junction" v="roundabout"/><tag k="name" v="Clock Circle"/></way>
+<way id="102"><nd ref="4"/><nd ref="5"/><nd ref="2"/><tag k="highway" v="secondary"/><tag k="junction" v="roundabout"/><tag k="name" v="Clock Circle"/></way>
+<way id="103"><nd ref="4"/><nd ref="6"/><tag k="highway" v="secondary"/><tag k="name" v="High Street"/></way>
+<way id="104"><nd ref="11"/><nd ref="12"/><nd ref="13"/><nd ref="14"/><nd ref="11"/><tag k="building" v="church"/><tag k="amenity" v="place_of_worship"/><tag k="name" v="St Mary"/></way>
+<way id="105"><nd ref="15"/><nd ref="16"/><nd ref="17"/><nd ref="15"/><tag k="amenity" v="hospital"/></way>
+<way id="106"><nd ref="4"/><nd ref="15"/><tag k="highway" v="steps"/></way>
+<way id="107"><nd ref="1"/><nd ref="23"/><tag k="highway" v="footway"/><tag k="footway" v="sidewalk"/></way>
+</osm>
+)";
+
+std::size_t count_of(const StreetMap& map, MapPlace::Kind kind) {
+  return static_cast<std::size_t>(std::count_if(map.places.begin(), map.places.end(),
+                                                [kind](const MapPlace& p) { return p.kind == kind; }));
+}
+
+TEST(MapExtractFile, SpecialPlacesAreReadFromTheirTags) {
+  const auto extract = parsed(kPlaces);
+  ASSERT_TRUE(extract) << extract.error().sentence();
+  ExtractWindow window = window_at(0.0, 0.0, 400.0);
+  window.layers = ExtractLayers{};
+  const auto made = street_map_of(*extract, window);
+  ASSERT_TRUE(made) << made.error().sentence();
+  const StreetMap& map = made->map;
+  ASSERT_EQ(map.places.size(), 4U);
+  EXPECT_EQ(map.places[0].kind, MapPlace::Kind::roundabout);
+  EXPECT_EQ(map.places[0].name, "Clock Circle");
+  EXPECT_NEAR(map.places[0].at.x, 199.5, 0.5);
+  EXPECT_NEAR(map.places[0].at.y, 199.5, 0.5);
+  EXPECT_EQ(count_of(map, MapPlace::Kind::station), 1U) << "two of one name, and a disused one";
+  for (const MapPlace& place : map.places) {
+    if (place.kind == MapPlace::Kind::church) {
+      EXPECT_EQ(place.outline.size(), 4U);
+    } else if (place.kind == MapPlace::Kind::hospital) {
+      EXPECT_TRUE(place.outline.empty()) << "grounds";
+    }
+  }
+}
+
+TEST(MapExtractFile, LayersAddPlacesAndWaysForPeopleOnFoot) {
+  const auto extract = parsed(kPlaces);
+  ASSERT_TRUE(extract);
+  ExtractWindow window = window_at(0.0, 0.0, 400.0);
+  const auto of_kind = [&](MapStreet::Kind kind) {
+    const auto made = street_map_of(*extract, window);
+    return std::count_if(made->map.streets.begin(), made->map.streets.end(),
+                         [kind](const MapStreet& s) { return s.kind == kind; });
+  };
+  window.layers = ExtractLayers{};
+  EXPECT_EQ(of_kind(MapStreet::Kind::steps), 0);
+  EXPECT_EQ(of_kind(MapStreet::Kind::sidewalk), 0);
+  window.layers = ExtractLayers{true, true, true, true, true};
+  EXPECT_EQ(of_kind(MapStreet::Kind::steps), 1);
+  EXPECT_EQ(of_kind(MapStreet::Kind::sidewalk), 1);
+  const auto all = street_map_of(*extract, window);
+  EXPECT_EQ(count_of(all->map, MapPlace::Kind::crossing), 1U);
+  EXPECT_EQ(count_of(all->map, MapPlace::Kind::bus_stop), 1U);
+  EXPECT_EQ(count_of(all->map, MapPlace::Kind::entrance), 1U);
+  for (const MapPlace& place : all->map.places)
+    EXPECT_EQ(place.tactile_paving, place.kind == MapPlace::Kind::crossing);
+}
+
+TEST(MapExtractFile, TheUsualLayersDependOnTheWidth) {
+  EXPECT_TRUE(usual_layers(300.0).crossings);
+  EXPECT_TRUE(usual_layers(600.0).stops);
+  EXPECT_FALSE(usual_layers(600.0).steps);
+  EXPECT_FALSE(usual_layers(2000.0).stops);
+}
+
 }  // namespace
 }  // namespace palpable::sources

@@ -42,6 +42,8 @@ Result<Answer> touch(TouchArguments arguments, Console& console) {
   if (!walk) return walk.error();
   plan.walk = *walk;
   if (const auto possible = check_touch_options(arguments, plan.walk); !possible) return possible.error();
+  if (const auto resolved = resolve_sample(arguments.scene.make, arguments.scene.title); !resolved)
+    return resolved.error();
   if (arguments.scene.make.inputs.empty()) {
     auto with_input = with_sample(std::move(arguments.scene));
     if (!with_input) return with_input.error();
@@ -84,6 +86,7 @@ void add_touch(Program& program) {
                   "Touch a scene with a device, in the browser or in the terminal; without INPUT the sample",
                   "  palpable touch\n"
                   "  palpable touch left.png right.png\n"
+                  "  palpable touch sample:map --route \"Mill Lane to Church Lane\"\n"
                   "  palpable touch room.palp --law rolling\n"
                   "  palpable touch left.png right.png --headless --seconds 10 --json",
                   [arguments](Console& console) { return touch(*arguments, console); });
@@ -108,10 +111,12 @@ void add_touch(Program& program) {
   options.flag("--headless", arguments->headless, "No page: a scripted hand explores");
   options.flag("--keys", arguments->keys,
                "With --headless: explore with the keys of this terminal; H lists them (braille, speech)");
-  options.text(
-      "--route", arguments->route,
-      "Street map: the way 'A to B' is spoken, its streets are smooth and all others rough; A and B are "
-      "streets, places, or junctions as 'A & B'");
+  options.text("--route", arguments->route,
+               "Street map: the way 'A to B' is spoken, its streets are smooth and all others rough, and a "
+               "device with "
+               "motors pulls gently along it; A and B are streets, places, or junctions as 'A & B'");
+  options.number("--pull", arguments->pull_N, {0.0, models::kMaxGuideForce_N},
+                 "With --route: greatest pull along the way, N; 0 = none; default: 0.5");
   add_view_options(options, arguments->view);
   options.flag("--speak", arguments->speak, "Speak faults, names and answers in a headless touch");
   options.number("--seconds", arguments->seconds, {0.01, 86400.0}, "How long a headless touch lasts");

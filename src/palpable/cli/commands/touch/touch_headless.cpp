@@ -70,9 +70,10 @@ Result<Answer> touch_without_page(const TouchArguments& arguments, const TouchPl
 
 Result<Answer> touch_with_keys(const TouchArguments& arguments, const TouchPlan& plan, Console& console) {
   const auto notes = [&console](const Note& note) { console.note(note); };
-  const auto statistics = touch_by_keys(
-      maker_of(plan, notes),
-      {plan.settings, plan.options, plan.begin_ns, arguments.recording, arguments.speak}, console);
+  const auto statistics = touch_by_keys(maker_of(plan, notes),
+                                        {plan.settings, plan.options, plan.begin_ns, arguments.recording,
+                                         arguments.speak, plan.make.recipes.map},
+                                        console);
   if (!statistics) return statistics.error();
   return answer_of(*statistics);
 }

@@ -40,7 +40,7 @@ Result<std::shared_ptr<const models::Scene>> named_scene(models::Scene scene, co
                                                          const Notes& notes) {
   apply_title(plan.title, scene);
   if (!plan.route.empty()) {
-    const auto words = apply_route(plan.route, {}, scene);
+    const auto words = apply_route(plan.route, plan.guidance, scene);
     if (!words) return words.error();
     for (const std::string& sentence : *words) notes(Note(sentence));
   }
@@ -94,6 +94,8 @@ Result<void> check_touch_options(const TouchArguments& arguments,
   if (!arguments.view.walk.empty() && !arguments.headless)
     return Error{ErrorCode::usage, "on the page the user walks: leave out --walk, or add --headless",
                  "--walk"};
+  if (arguments.pull_N && arguments.route.empty())
+    return Error{ErrorCode::usage, "the pull is along a route: add --route", "--pull"};
   if (arguments.scene.make.detail == kCompareDetails)
     return Error{ErrorCode::usage, "cannot be touched: compare the operators with palpable make", "--detail"};
   return {};
@@ -113,6 +115,7 @@ Result<void> fill_plan(TouchArguments& arguments, const std::optional<Published>
   if (!title) return title.error();
   plan.title = *title;
   plan.route = arguments.route;
+  plan.guidance.pull_N = arguments.pull_N.value_or(plan.guidance.pull_N);
   const auto settings = settings_of(arguments, published);
   if (!settings) return settings.error();
   plan.settings = *settings;

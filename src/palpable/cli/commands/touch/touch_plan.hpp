@@ -4,6 +4,7 @@
 
 #include "palpable/cli/arguments/as_published.hpp"
 #include "palpable/cli/arguments/law_options.hpp"
+#include "palpable/cli/arguments/route_option.hpp"
 #include "palpable/cli/arguments/sample_scene.hpp"
 #include "palpable/cli/arguments/view_options.hpp"
 #include "palpable/cli/command.hpp"
@@ -39,6 +40,7 @@ struct TouchArguments {
   ViewArguments view;
   /// "A to B" on a map; empty: none.
   std::string route;
+  std::optional<double> pull_N;
 };
 
 /// Receives notes for the user about the input.
@@ -52,6 +54,7 @@ struct TouchPlan {
   MaterialArguments material;
   TitleArguments title;
   std::string route;
+  RouteGuidance guidance;
   std::vector<session::WalkStep> walk;
   session::TouchSettings settings;
   session::SessionOptions options;

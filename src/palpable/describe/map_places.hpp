@@ -1,0 +1,43 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/describe/map_words.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+// Special places, and the words of a map that are no street's, in words.
+namespace palpable::describe {
+
+/// A place that can be asked for.
+struct NamedPlace {
+  /// Its name; that of its kind if it has none.
+  std::string name;
+  /// As it is said: "St Mary, church".
+  std::string words;
+  MapPoint at;
+  /// nullopt for words of which nothing else is known.
+  std::optional<MapPlace::Kind> kind;
+  bool felt = true;
+};
+
+/// The special places of a map, then the words on it that are neither a street's name nor that of a special
+/// place.
+std::vector<NamedPlace> named_places(const StreetMap& map);
+
+/// The special place at a probe: a building around it, or another place within reach of it; nullptr if there
+/// is none.
+const MapPlace* place_at(const MapGuide& guide, MapPoint at);
+
+/// The special places in one sentence: "Special places: St Mary, church, upper left; …". Buildings and
+/// roundabouts, at most `most` of them; empty if there are none.
+std::string special_places_words(const MapGuide& guide, std::size_t most);
+
+/// The same for the text of a map, one place a line, with stops; then how many crossings and entrances there
+/// are. Empty if there are none.
+std::string special_places_text(const MapGuide& guide);
+
+}  // namespace palpable::describe
