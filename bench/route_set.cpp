@@ -58,8 +58,8 @@ models::Scene guided(models::Scene scene, const describe::MapGuide& guide, const
   for (const MapStreet& street : guide.map().streets) streets.insert(street.name);
   std::vector<bool> below(scene.materials.size(), false);
   constexpr double kStep_px = 2.0;
-  for (double along = 0.0; along < route.length_px; along += kStep_px) {
-    const describe::Place at = guide.place_of(models::place_along(route.line, along));
+  for (double way_px = 0.0; way_px < route.length_px; way_px += kStep_px) {
+    const describe::Place at = guide.place_of(models::place_along(route.line, way_px));
     below[models::label_at(scene, {{at.x_m, at.y_m, 0.0}})] = true;
   }
   for (std::size_t k = 0; k < scene.materials.size(); ++k) {
