@@ -200,7 +200,8 @@ TEST_F(MapCommands, TheSampleMapHasSpecialPlacesAndLayers) {
   EXPECT_EQ(counts["steps"], 1);
   EXPECT_EQ(counts["entrance"], 0);
   bool is_felt = false;
-  for (const auto& material : info()["materials"])
+  const auto described = info();
+  for (const auto& material : described["materials"])
     is_felt = is_felt || material["name"] == "Oldbridge Station";
   EXPECT_TRUE(is_felt);
   ASSERT_EQ(palpable({"export", path("map.palp"), "-o", path("map.txt")}).exit_code, 0);

@@ -23,9 +23,10 @@ struct Averaging {
 /// `averaged`: spring and damper along the normal of the weighted mean of five surface points: the one below
 /// the hand, and those below four neighbours at an offset. c = (w sum P_i + w_c C_1) / (4 w + w_c) (Gomez
 /// 2012, chapter 12, its weights corrected). This is one smoothing step: it reduces vibration in concave
-/// places and blunts ridges. Within the offset of walls it pushes in free air, and it meets thin spikes late, up
-/// to 4/5 of their height: where all neighbours are higher or lower. It is not conservative. Without neighbours it is the papers' naive law (Park &
-/// Howard 2012, eq. 6; Gomez 2012), which in a crease pushes with many times the wall's stiffness.
+/// places and blunts ridges. Within the offset of walls it pushes in free air, and it meets thin spikes late,
+/// up to 4/5 of their height: where all neighbours are higher or lower. It is not conservative. Without
+/// neighbours it is the papers' naive law (Park & Howard 2012, eq. 6; Gomez 2012), which in a crease pushes
+/// with many times the wall's stiffness.
 template <models::HeightField Surface>
 class AveragedLaw : public ContactLaw<Surface> {
  public:

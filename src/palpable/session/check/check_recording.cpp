@@ -36,7 +36,7 @@ class Check {
         findings_(options.most_of_a_kind),
         forces_(kept(std::move(session)), findings_),
         touch_(report_.session, scenes_),
-        law_(scenes_) {}
+        law_(report_.session, scenes_) {}
 
   Result<void> take(const device::Recording& piece);
   CheckReport finish(const device::RecordingReader& reader);

@@ -266,9 +266,13 @@ TEST(CheckRecording, FindsEnergyThatARecordingShows) {
 }
 
 TEST(CheckRecording, ReadsWhatAnOlderProgramRecorded) {
-  // Format 1: no traits, no options, no hash of the shape.
+  // Format 1: no traits, no options, no hash of the shape. Without damping, since the damper of such a
+  // program did not look ahead.
   const auto file = in_temp("format-1.rec");
-  const auto recording = *device::read_recording(one_touch());
+  auto options = recorded_touch_of(2.0, "undamped.rec");
+  options.settings.law.damping_Ns_per_m = 0.0;
+  ASSERT_TRUE(touch_headless(makes({waves(0.010)}), options, {}));
+  const auto recording = *device::read_recording(options.recording);
   auto writer = *device::RecordingWriter::create(
       file, R"({"format":1,"made_by":"palpable","seed":1,"rate_hz":1000.0})");
   for (auto scene : recording.scenes) {

@@ -6,6 +6,8 @@
 #include "palpable/haptics/servo/real_time.hpp"
 #include "palpable/haptics/tick/rotation.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace palpable::session {
@@ -89,14 +91,42 @@ const device::TouchSample* ReplayedTouch::step(const device::TouchSample& record
   return sample;
 }
 
-haptics::Hand recorded_hand(const device::TouchSample& recorded, const haptics::HapticScene& scene) {
+Vector<DeviceFrame> ReplayedGain::step(const device::TouchSample& recorded) {
+  if (!session_.repeats()) return {};
+  const device::Traits& traits = *session_.traits;
+  const double step_m = std::isfinite(traits.position_resolution_m) ? traits.position_resolution_m : 0.0;
+  if (!estimate_)
+    estimate_.emplace(haptics::VelocityEstimator(step_m), haptics::VelocityGain(traits.delay_samples));
+  // As TickPipeline::take() and begin_touch().
+  const auto begin = [&] {
+    estimate_->velocity.begin();
+    estimate_->gain.begin();
+    gains_m_per_s_ = {};
+  };
+  passed_s_ += recorded.dt_s;
+  if (recorded.has(flag::kStalled)) begin();
+  if (recorded.status == device::Status::ok && !recorded.has(flag::kImplausible)) {
+    const auto velocity = estimate_->velocity.update(recorded.device_position, passed_s_);
+    const double acts_after_s =
+        (std::max(0, traits.delay_samples) + 0.5) * std::min(passed_s_, session_.tick.max_rise_time_s);
+    gains_m_per_s_ = estimate_->gain.update(velocity, estimate_->velocity.age_s(), acts_after_s, passed_s_);
+    passed_s_ = 0.0;
+  }
+  if (recorded.has(flag::kNewTouch)) begin();
+  return gains_m_per_s_;
+}
+
+haptics::Hand recorded_hand(const device::TouchSample& recorded, const haptics::HapticScene& scene,
+                            Vector<DeviceFrame> gains_m_per_s) {
   haptics::Hand hand{recorded.position, recorded.velocity_m_per_s, recorded.dt_s};
+  hand.gains_m_per_s = scene.scene_from_device * gains_m_per_s;
   hand.rotation = haptics::rotation_in_scene(scene.scene_from_device, recorded.device_rotation);
   hand.angular_velocity_rad_per_s = recorded.angular_velocity_rad_per_s;
   return hand;
 }
 
 std::optional<haptics::LawOutput> ReplayedLaw::step(const device::TouchSample& recorded) {
+  const Vector<DeviceFrame> gains_m_per_s = gain_.step(recorded);
   const bool follows = recorded.tick == next_tick_ && recorded.scene_id == scene_id_;
   next_tick_ = recorded.tick + 1;
   scene_id_ = recorded.scene_id;
@@ -113,7 +143,8 @@ std::optional<haptics::LawOutput> ReplayedLaw::step(const device::TouchSample& r
   const haptics::HapticScene* scene = scenes_.scene(recorded.scene_id);
   if (scene == nullptr) return std::nullopt;
   const haptics::ServoArithmetic arithmetic;
-  const haptics::LawOutput output = scene->touchable->evaluate(recorded_hand(recorded, *scene), state_);
+  const haptics::LawOutput output =
+      scene->touchable->evaluate(recorded_hand(recorded, *scene, gains_m_per_s), state_);
   known_ = known_ || is_new || !output.contact;
   return output;
 }

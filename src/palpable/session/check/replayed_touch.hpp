@@ -44,13 +44,34 @@ class ReplayedTouch {
   bool lost_ = false;
 };
 
+/// The change of the hand's velocity that the servo expected in each tick (haptics::VelocityGain), which is
+/// not recorded: recomputed from the recorded positions. One thread.
+class ReplayedGain {
+ public:
+  /// Zero if the session is an older program's, whose laws did not use it.
+  explicit ReplayedGain(const RecordedSession& session) : session_(session) {}
+
+  /// At the next recorded tick, in the device frame, m/s.
+  Vector<DeviceFrame> step(const device::TouchSample& recorded);
+
+ private:
+  struct Estimate {
+    haptics::VelocityEstimator velocity;
+    haptics::VelocityGain gain;
+  };
+  const RecordedSession& session_;
+  std::optional<Estimate> estimate_;
+  Vector<DeviceFrame> gains_m_per_s_;
+  double passed_s_ = 0.0;
+};
+
 /// Recomputes the law alone at the recorded hand positions, from the first tick of each touch; and from the
 /// first one in free air, where the law's state is assumed to be that of a new touch. This works for old
 /// recordings, for those that began during a touch, and after another scene that is not given, but not during
 /// changes of scene. One thread.
 class ReplayedLaw {
  public:
-  explicit ReplayedLaw(RecordedScenes& scenes) : scenes_(scenes) {}
+  ReplayedLaw(const RecordedSession& session, RecordedScenes& scenes) : gain_(session), scenes_(scenes) {}
 
   /// The law's output at the next recorded tick; nullopt if it cannot be determined.
   std::optional<haptics::LawOutput> step(const device::TouchSample& recorded);
@@ -59,6 +80,7 @@ class ReplayedLaw {
   bool is_assumed() const { return assumed_; }
 
  private:
+  ReplayedGain gain_;
   RecordedScenes& scenes_;
   haptics::TouchState state_;
   bool known_ = false;
@@ -67,7 +89,8 @@ class ReplayedLaw {
   std::uint64_t next_tick_ = 0;
 };
 
-/// The input of the law at a recorded tick.
-haptics::Hand recorded_hand(const device::TouchSample& recorded, const haptics::HapticScene& scene);
+/// The input of the law at a recorded tick; `gains_m_per_s` as ReplayedGain gives them.
+haptics::Hand recorded_hand(const device::TouchSample& recorded, const haptics::HapticScene& scene,
+                            Vector<DeviceFrame> gains_m_per_s);
 
 }  // namespace palpable::session

@@ -7,6 +7,7 @@
 #include "palpable/device/virtual/virtual_two_diy.hpp"
 #include "palpable/haptics/servo/start_touch.hpp"
 #include "palpable/haptics/tick/tick.hpp"
+#include "palpable/session/check/replayed_touch.hpp"
 #include "palpable/session/touch/haptic_scene.hpp"
 #include "palpable/session/touch/recorder.hpp"
 #include "palpable/session/touch/test_session.hpp"
@@ -110,9 +111,12 @@ TEST(Recorder, StoresForcesThatTheLawReproducesToTheLastBit) {
   ASSERT_TRUE(recording) << recording.error().sentence();
   ASSERT_EQ(recording->ticks, ticks);
   haptics::TouchState state;
+  RecordedSession session;
+  session.traits = traits;
+  ReplayedGain gain(session);
   int in_contact = 0;
   for (const auto& recorded : recording->ticks) {
-    const haptics::Hand hand{recorded.position, recorded.velocity_m_per_s, recorded.dt_s};
+    const haptics::Hand hand = recorded_hand(recorded, prepared->scene, gain.step(recorded));
     const auto output = prepared->scene.touchable->evaluate(hand, state);
     ASSERT_EQ(output.force_N, recorded.raw_force_N) << "tick " << recorded.tick;
     in_contact += output.contact ? 1 : 0;

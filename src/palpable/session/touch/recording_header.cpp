@@ -71,6 +71,7 @@ HeaderJson estimator_json() {
   return {{"velocity", "first-order adaptive windowing, end-fit"},
           {"samples", haptics::VelocityEstimator::kSamples},
           {"acts_after", "delay and half a tick"},
+          {"gains", "mean acceleration of 2 d + 1 ticks"},
           {"reserve_s", haptics::PassivityObserver::kReserve_s}};
 }
 
