@@ -7,9 +7,13 @@
 #include "palpable/device/transport/shared_library.hpp"
 #include "palpable/device/virtual/moved_handle.hpp"
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <random>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 namespace palpable::device {
 namespace {
@@ -166,6 +170,24 @@ TEST(VendorsLibrary, IsNamedIfItIsMissingOrOfAnotherKind) {
   EXPECT_NE(text.error().message.find("cannot be loaded"), std::string::npos);
   const auto other = open_device("forcedimension:?library=" PALPABLE_VIRTUAL_HD, {});
   EXPECT_NE(other.error().message.find("has no function dhd"), std::string::npos);
+}
+
+TEST(VendorsLibrary, IsRefusedIfItIsCutOffOrAPipe) {
+  std::ifstream whole(PALPABLE_VIRTUAL_DHD, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(whole), {}};
+  const std::filesystem::path folder(::testing::TempDir());
+  for (const std::size_t left : {std::size_t{3}, std::size_t{40}, std::size_t{100}, std::size_t{3000}}) {
+    ASSERT_LT(left, bytes.size());
+    const auto path = folder / "libcut.so";
+    std::ofstream(path, std::ios::binary) << bytes.substr(0, left);
+    const auto cut = open_device("forcedimension:?library=" + path.string(), {});
+    ASSERT_FALSE(cut) << left;
+    EXPECT_EQ(cut.error().code, ErrorCode::device);
+  }
+  const auto pipe = folder / "pipe.so";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const auto waited = open_device("touch:?library=" + pipe.string(), {});
+  EXPECT_NE(waited.error().message.find("is no regular file"), std::string::npos);
 }
 
 TEST_F(ForceDimensionDevice, NeitherAllocatesNorStopsInATick) {

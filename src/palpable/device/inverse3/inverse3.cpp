@@ -10,6 +10,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -42,6 +43,33 @@ double seconds_between(InverseClock::time_point from, InverseClock::time_point t
 
 }  // namespace
 
+/// Sends one command over a connection of its own and waits for it to be read, a fifth of a second at most: a
+/// broken connection takes no zero force any more, and the service may hold the last one.
+void send_anew(std::uint16_t port, const std::string& command) {
+  asio::io_context context;
+  websocket::stream<asio::ip::tcp::socket> socket(context);
+  beast::flat_buffer buffer;
+  // The list of devices, and the answer: a connection that is closed before may take the command along.
+  int awaited = 2;
+  std::function<void()> read = [&] {
+    socket.async_read(buffer, [&](beast::error_code error, std::size_t) {
+      if (!error && --awaited > 0) return read();
+      context.stop();
+    });
+  };
+  socket.next_layer().async_connect({asio::ip::address_v4::loopback(), port}, [&](beast::error_code failed) {
+    if (failed) return;
+    socket.read_message_max(kLongestMessage_bytes);
+    socket.async_handshake("localhost:" + std::to_string(port), "/", [&](beast::error_code refused) {
+      if (refused) return;
+      socket.text(true);
+      socket.async_write(asio::buffer(command), [](beast::error_code, std::size_t) {});
+      read();
+    });
+  });
+  context.run_for(std::chrono::milliseconds(200));
+}
+
 /// The connection and its thread. Handlers run in that thread only.
 class Inverse3::Link {
  public:
@@ -71,6 +99,7 @@ class Inverse3::Link {
   void follow(const Inverse3State& state);
   void send();
   void watch();
+  void lose();
 
   Inverse3Options options_;
   asio::io_context context_;
@@ -87,6 +116,8 @@ class Inverse3::Link {
   bool first_ = true;
   bool listed_ = false;
   bool writing_ = false;
+  /// The last command that was begun had a force.
+  bool pushes_ = false;
   /// Commands that were sent and not yet answered.
   int awaited_ = 0;
   std::string command_;
@@ -153,7 +184,7 @@ void Inverse3::Link::read() {
 }
 
 void Inverse3::Link::on_message(beast::error_code error, std::size_t /*bytes*/) {
-  if (error) return lost.store(true);
+  if (error) return lose();
   const auto data = buffer_.cdata();
   const auto state =
       parse_inverse3_state({static_cast<const char*>(data.data()), data.size()},
@@ -188,12 +219,18 @@ void Inverse3::Link::send() {
   const Vec3 force = in_flight_.valid ? in_flight_.force_N : Vec3{};
   command_ = inverse3_command(device_id_, force, options_.form, std::exchange(first_, false));
   writing_ = true;
+  pushes_ = force != Vec3{};
   ++awaited_;
   socket_.async_write(asio::buffer(command_), [this](beast::error_code error, std::size_t) {
     writing_ = false;
-    if (error) return lost.store(true);
+    if (error) return lose();
     forces.sent(in_flight_);
   });
+}
+
+void Inverse3::Link::lose() {
+  if (lost.exchange(true) || !pushes_) return;
+  send_anew(options_.port, inverse3_command(device_id_, {}, options_.form, true));
 }
 
 void Inverse3::Link::watch() {

@@ -3,12 +3,15 @@
 #include "palpable/device/transport/shared_library.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <iterator>
 #include <system_error>
 
 #include <dlfcn.h>
+#include <elf.h>
 
 namespace palpable::device {
 namespace {
@@ -37,6 +40,27 @@ std::vector<std::string> files_named(const std::vector<std::string>& names) {
   return files;
 }
 
+/// Why a file cannot be a library; empty if it may be one. The system's loader maps what the headers state
+/// and is killed by a file that ends before.
+std::string fault_of(const std::string& path) {
+  std::error_code none;
+  if (!fs::is_regular_file(path, none)) return "is no regular file";
+  std::ifstream file(path, std::ios::binary);
+  Elf64_Ehdr head{};
+  file.read(reinterpret_cast<char*>(&head), sizeof head);
+  if (!file || std::memcmp(head.e_ident, ELFMAG, SELFMAG) != 0 || head.e_ident[EI_CLASS] != ELFCLASS64)
+    return "is no library of this machine";
+  const auto size = fs::file_size(path, none);
+  file.seekg(static_cast<std::streamoff>(head.e_phoff));
+  for (int k = 0; k < head.e_phnum; ++k) {
+    Elf64_Phdr part{};
+    file.read(reinterpret_cast<char*>(&part), sizeof part);
+    if (!file || part.p_offset > size || part.p_filesz > size - part.p_offset)
+      return "is cut off: it ends before the parts that it states";
+  }
+  return {};
+}
+
 std::string one_line(const char* reason) {
   std::string text = reason == nullptr ? "it cannot be loaded" : reason;
   std::ranges::replace(text, '\n', ' ');
@@ -50,14 +74,19 @@ Result<SharedLibrary> SharedLibrary::open(const std::string& file, const std::ve
   if (file.empty()) std::ranges::copy(files_named(names), std::back_inserter(found));
   std::string reason;
   for (const std::string& name : found) {
+    const bool is_file = name.find('/') != std::string::npos;
+    if (const std::string fault = is_file ? fault_of(name) : ""; !fault.empty()) {
+      reason = name + " " + fault;
+      continue;
+    }
     // NOLINTNEXTLINE(concurrency-mt-unsafe): dlerror() is kept for each thread
     if (void* handle = ::dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE); handle != nullptr)
       return SharedLibrary(handle, name);
     const std::string why = one_line(::dlerror());  // NOLINT(concurrency-mt-unsafe)
     // A name that the system does not find is no reason, a file that it cannot load is.
-    if (name.find('/') != std::string::npos) reason = why;
+    if (is_file) reason = why;
   }
-  if (!reason.empty()) return Error{ErrorCode::device, "the library cannot be loaded: " + reason, file};
+  if (!reason.empty()) return Error{ErrorCode::device, "the library cannot be loaded: " + reason, {}};
   return Error{ErrorCode::device, "the vendor's library " + names.front() + " is not installed", {}};
 }
 

@@ -88,11 +88,12 @@ Result<std::unique_ptr<TwoDiy>> TwoDiy::open(const std::string& path, const TwoD
   std::array<std::byte, 64> bytes{};
   while (!line.lost() && std::chrono::steady_clock::now() < until) {
     if (!line.wait_for_input(10)) continue;
-    if (const auto angles = device->answers_.take(std::span(bytes).first(line.read(bytes)))) {
-      device->answered_ = device->answers_.complete();
-      device->begin(*angles);
-      return device;
-    }
+    const auto angles = device->answers_.take(std::span(bytes).first(line.read(bytes)));
+    if (!angles) continue;
+    device->answered_ = device->answers_.complete();
+    // The setup has just set the angles to those at home: what answers others is no 2DIY.
+    if (!device->begin(*angles)) break;
+    return device;
   }
   return Error{ErrorCode::device,
                "does not answer as a 2DIY; check its power, and that ModemManager leaves the port alone",
@@ -105,14 +106,17 @@ TwoDiy::~TwoDiy() {
   port_->write(zero_message());
 }
 
-void TwoDiy::begin(std::array<float, 2> first_deg) noexcept {
-  // The setup has just set the angles to those at home, so the first answer shows the board's order.
+bool TwoDiy::begin(std::array<float, 2> first_deg) noexcept {
+  // Its order is the board's.
   const auto& [first, second] = variant_.joints;
   const auto home = [](const TwoDiyJoint& joint) { return static_cast<double>(joint.home_deg); };
   const double by_motor = off_by(first_deg, home(first), home(second));
   const double by_port = first.port == 1 ? by_motor : off_by(first_deg, home(second), home(first));
   ordered_by_motor_ = by_motor < by_port;
   follow(first_deg);
+  // As far as a hand that does not hold still moves both links in a few milliseconds; NaN is not near.
+  constexpr double kNearHome_deg = 20.0;
+  return std::min(by_motor, by_port) < kNearHome_deg;
 }
 
 bool TwoDiy::is_plausible(std::array<float, 2> board_deg) const noexcept {

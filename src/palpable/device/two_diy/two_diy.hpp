@@ -44,7 +44,8 @@ class TwoDiy final : public Device, public Guardable {
 
  private:
   TwoDiy(std::unique_ptr<SerialPort> port, const TwoDiyVariant& variant, double rate_hz);
-  void begin(std::array<float, 2> first_deg) noexcept;
+  /// Takes the first answer. False if it is not near the angles at home.
+  bool begin(std::array<float, 2> first_deg) noexcept;
   /// Whether the board's first angle and torque belong to the second motor.
   bool is_swapped() const noexcept { return !ordered_by_motor_ && variant_.joints[0].port != 1; }
   bool is_plausible(std::array<float, 2> board_deg) const noexcept;

@@ -6,10 +6,18 @@
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/device/virtual/virtual_two_diy.hpp"
 
+#include <array>
+#include <atomic>
 #include <cmath>
+#include <cstdlib>
 #include <random>
+#include <string>
+#include <thread>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <poll.h>
+#include <unistd.h>
 
 namespace palpable::device {
 namespace {
@@ -123,6 +131,50 @@ TEST_F(TwoDiyOnALine, FreesItsMotorsWhenItIsClosedAndWhenItIsStopped) {
   device.reset();
   board_.wait_for(messages + 1);
   EXPECT_TRUE(motors_are_free(board_));
+}
+
+/// A serial port behind which something sends back all that it gets, as many modems do.
+class Echo {
+ public:
+  Echo() : terminal_(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)) {
+    ::grantpt(terminal_.number());
+    ::unlockpt(terminal_.number());
+    std::array<char, 64> name{};
+    ::ptsname_r(terminal_.number(), name.data(), name.size());
+    path_ = name.data();
+    thread_ = std::thread([this] {
+      std::array<char, 256> bytes{};
+      while (!ends_) {
+        pollfd waits{terminal_.number(), POLLIN, 0};
+        if (::poll(&waits, 1, 5) <= 0) continue;
+        const auto count = ::read(terminal_.number(), bytes.data(), bytes.size());
+        if (count > 0 && ::write(terminal_.number(), bytes.data(), static_cast<std::size_t>(count)) < 0)
+          return;
+      }
+    });
+  }
+  ~Echo() {
+    ends_ = true;
+    thread_.join();
+  }
+  Echo(const Echo&) = delete;
+  Echo& operator=(const Echo&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  Descriptor terminal_;
+  std::string path_;
+  std::atomic<bool> ends_{false};
+  std::thread thread_;
+};
+
+TEST(TwoDiyPort, IsRefusedIfItOnlyEchoes) {
+  const Echo echo;
+  for (const TwoDiyVariant& variant : kTwoDiyVariants) {
+    const auto device = TwoDiy::open(echo.path(), variant, 1000.0);
+    ASSERT_FALSE(device) << variant.name;
+    EXPECT_NE(device.error().message.find("does not answer as a 2DIY"), std::string::npos);
+  }
 }
 
 /// A board that gets this fault at a random instant while it pushes.

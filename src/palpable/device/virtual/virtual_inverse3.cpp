@@ -65,9 +65,8 @@ class VirtualInverse3::Server {
       if (error) return;
       socket_ = accepted.native_handle();
       serve(beast::websocket::stream<tcp::socket>(std::move(accepted)));
+      // The last force stays: nothing is known of what the real service does.
       socket_ = -1;
-      const std::scoped_lock lock(mutex_);
-      force_N_ = {};
     }
   }
 
