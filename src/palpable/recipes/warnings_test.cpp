@@ -81,7 +81,8 @@ TEST(Warnings, SayOfAPairThatHardlyMatchesWhatItsVerdictSays) {
   expect_notes_too(*unlike);
   const auto grid = grid_from_pair(pair_of(8, false), stereo, {}, {}, {});
   ASSERT_TRUE(grid) << grid.error().sentence();
-  EXPECT_EQ(grid->scene.warnings, unlike->scene.warnings);
+  ASSERT_FALSE(grid->scene.warnings.empty());
+  EXPECT_EQ(grid->scene.warnings.front(), unlike->scene.warnings.front());
   const auto alike = relief_from_pair(pair_of(8, true), stereo, {}, {});
   ASSERT_TRUE(alike);
   EXPECT_THAT(alike->scene.warnings, testing::Not(testing::Contains(HasSubstr("This pair"))));

@@ -269,8 +269,8 @@ TEST(CheckRecording, ReadsWhatAnOlderProgramRecorded) {
   // Format 1: no traits, no options, no hash of the shape. Without damping, since the damper of such a
   // program did not look ahead.
   const auto file = in_temp("format-1.rec");
-  auto options = recorded_touch_of(2.0, "undamped.rec");
-  options.settings.law.damping_Ns_per_m = 0.0;
+  auto options = recorded_touch_of(2.0, "averaged.rec");
+  options.settings.law.law = haptics::Law::averaged;
   ASSERT_TRUE(touch_headless(makes({waves(0.010)}), options, {}));
   const auto recording = *device::read_recording(options.recording);
   auto writer = *device::RecordingWriter::create(
