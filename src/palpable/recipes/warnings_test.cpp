@@ -54,6 +54,26 @@ TEST(Warnings, SayThatTheDetailOperatorDoesNotKeepTheOrderOfDepth) {
   EXPECT_THAT(relief_from_depth(boards(), recipe, {})->scene.warnings, IsEmpty());
 }
 
+// No operator keeps the order of noise quite.
+TEST(Warnings, AdviseTheLinearOperatorOnlyWhereItIsNotUsed) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> noise(0.5F, 1.5F);
+  DepthMap map;
+  map.depth_m = Raster<float>(160, 120);
+  for (float& depth_m : map.depth_m.values()) depth_m = noise(random);
+  const DepthInput input{std::move(map), {}};
+  ReliefRecipe recipe;
+  recipe.least_kept_order = 1.0;
+  for (const auto detail : {sculpt::DetailOperator::linear, sculpt::DetailOperator::chiu}) {
+    recipe.relief.detail = detail;
+    const auto made = relief_from_depth(input, recipe, {});
+    ASSERT_TRUE(made);
+    ASSERT_THAT(made->scene.warnings, ElementsAre(HasSubstr("Heights are out of proportion")));
+    const bool advises = made->scene.warnings[0].find("linear detail operator") != std::string::npos;
+    EXPECT_EQ(advises, detail != sculpt::DetailOperator::linear) << made->scene.warnings[0];
+  }
+}
+
 /// Random dots; the right picture is the left one moved by `shift`, or another one.
 vision::StereoPair pair_of(int shift, bool same) {
   constexpr int kWidth = 160, kHeight = 120;

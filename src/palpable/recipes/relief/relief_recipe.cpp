@@ -35,11 +35,12 @@ void warn_of_order(MadeScene& made, const sculpt::DepthOrders& orders, const Rel
   if (order.kept >= recipe.least_kept_order || order.pairs < kFewestPairs) return;
   const bool engraved = recipe.relief.sense == sculpt::Sense::engrave;
   const auto percent = [](double share) { return std::lround(100.0 * share); };
+  const bool is_linear = recipe.relief.detail == sculpt::DetailOperator::linear;
   warn(made, fmt::format("Heights are out of proportion: of two places{} at different depths, the nearer one "
-                         "is {} in only {} of 100 cases, and {} in {}. The linear detail operator keeps the "
-                         "order of depth.",
+                         "is {} in only {} of 100 cases, and {} in {}.{}",
                          is_local ? " beside each other" : "", engraved ? "deeper" : "higher",
-                         percent(order.kept), engraved ? "higher" : "lower", percent(order.inverted)));
+                         percent(order.kept), engraved ? "higher" : "lower", percent(order.inverted),
+                         is_linear ? "" : " The linear detail operator keeps the order of depth."));
 }
 
 bool is_available(vision::StereoMethod method) {
