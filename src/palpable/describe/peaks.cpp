@@ -57,6 +57,11 @@ std::optional<GroundPlane> tilt_of(const HeightGrid& grid, double least_rise_m) 
   return rise_m < least_rise_m ? std::nullopt : plane;
 }
 
+double range_of(const HeightGrid& grid) {
+  const auto [low, high] = std::minmax_element(grid.height_m.values().begin(), grid.height_m.values().end());
+  return double{*high} - double{*low};
+}
+
 /// Subtracts the plane of a tilted ground from the heights.
 void level_ground(HeightGrid& grid, double least_rise_m) {
   const auto plane = tilt_of(grid, least_rise_m);
@@ -67,6 +72,25 @@ void level_ground(HeightGrid& grid, double least_rise_m) {
       const Place p = grid.place_of(column, row);
       grid.height_m(column, row) -= static_cast<float>(plane->height_m(p.x_m, p.y_m));
     }
+}
+
+/// The grid of a surface above its ground, and the least prominence of a peak of it.
+struct LevelledGrid {
+  HeightGrid grid;
+  double least_m = 0.0;
+};
+
+LevelledGrid levelled_grid(const models::Relief& surface, const PeakOptions& options) {
+  const double range_m = surface.highest_m() - surface.lowest_m();
+  LevelledGrid out{grid_of(surface, options.turned_over ? -1.0 : 1.0, options.longest_side),
+                   options.least_prominence * range_m};
+  if (!options.above_ground) return out;
+  level_ground(out.grid, out.least_m);
+  // The tilt is no height of an object; what lies on the plane within its tolerance is ground.
+  if (out.grid.ground.dzdx != 0.0 || out.grid.ground.dzdy != 0.0)
+    out.least_m = std::min(out.least_m, std::max(options.least_prominence * range_of(out.grid),
+                                                 GroundTiltOptions{}.tolerance * range_m));
+  return out;
 }
 
 /// The regions above a falling level (a merge tree by union-find): each grows around its summit until it
@@ -221,9 +245,7 @@ std::vector<Peak> find_peaks(const models::Relief& surface, const PeakOptions& o
   const double range_m = surface.highest_m() - surface.lowest_m();
   if (range_m < kLevel_m) return {};
   const double sign = options.turned_over ? -1.0 : 1.0;
-  HeightGrid grid = grid_of(surface, sign, options.longest_side);
-  const double least_m = options.least_prominence * range_m;
-  if (options.above_ground) level_ground(grid, least_m);
+  const auto [grid, least_m] = levelled_grid(surface, options);
   const double cell_m2 = grid.cell_x_m * grid.cell_y_m;
   std::vector<Peak> peaks;
   for (const Summit& summit : summits_of(grid.height_m, least_m)) {
@@ -239,6 +261,10 @@ std::vector<Peak> find_peaks(const models::Relief& surface, const PeakOptions& o
   std::stable_sort(peaks.begin(), peaks.end(),
                    [](const Peak& a, const Peak& b) { return a.prominence_m > b.prominence_m; });
   return peaks;
+}
+
+double least_prominence_m(const models::Relief& surface, const PeakOptions& options) {
+  return levelled_grid(surface, options).least_m;
 }
 
 std::optional<GroundPlane> tilted_ground(const models::Relief& surface, const PeakOptions& options) {

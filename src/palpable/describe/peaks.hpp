@@ -32,8 +32,9 @@ struct Peak {
 
 /// Which maxima count as objects.
 struct PeakOptions {
-  /// Least prominence as a share of the surface's height range, 0 ... 1. A tenth excludes texture and the
-  /// matching errors of stereo reliefs.
+  /// Least prominence as a share of the surface's height range, above the plane of a tilted ground, 0 ... 1.
+  /// A tenth excludes texture and the matching errors of stereo reliefs. On a tilted ground the least
+  /// prominence is at least the tolerance of the plane (GroundTiltOptions).
   double least_prominence = 0.1;
   /// Least area as a share of the surface's, 0 ... 1: on 100 x 100 mm a patch of 2.2 x 2.2 mm, about the
   /// smallest that a fingertip feels.
@@ -51,6 +52,9 @@ struct PeakOptions {
 /// The peaks that satisfy `options`, the most prominent first; none on a level surface. They are searched on
 /// a grid (PeakOptions::longest_side); place and height of each peak come from the surface's own samples.
 std::vector<Peak> find_peaks(const models::Relief& surface, const PeakOptions& options = {});
+
+/// The least prominence of a peak of this surface, metres.
+double least_prominence_m(const models::Relief& surface, const PeakOptions& options = {});
 
 /// The plane of a tilted ground, searched on that grid; of an inverted surface, that of its hollows. nullopt
 /// if there is none, or if it rises by less than options.least_prominence of the surface's height range.

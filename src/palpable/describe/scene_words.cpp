@@ -158,6 +158,18 @@ std::string tilt_words(const models::Relief& surface, double height_factor) {
   return slope == "level" ? std::string() : fmt::format("The ground is tilted, {}. ", slope);
 }
 
+/// What is too low or too narrow to be an object is not counted, but may be there.
+std::string no_object_words(const models::Scene& scene, double height_factor, const std::string& smaller) {
+  if (!smaller.empty())
+    return fmt::format("Nothing wide enough to be an object rises above the {}.{}", ground_name(scene),
+                       smaller);
+  PeakOptions options;
+  options.turned_over = height_factor < 0.0;
+  const double least_m = std::abs(height_factor) * least_prominence_m(*models::relief_of(scene), options);
+  return fmt::format("No object rises by {} millimetres or more above the {}; lower ones are not counted.",
+                     fmt::format("{:.{}f}", 1e3 * least_m, least_m < 1e-4 ? 2 : 1), ground_name(scene));
+}
+
 std::string brief_of_surface(const models::Scene& scene, double height_factor,
                              const std::vector<Object>& objects) {
   const models::Relief& surface = *models::relief_of(scene);
@@ -169,25 +181,33 @@ std::string brief_of_surface(const models::Scene& scene, double height_factor,
   for (std::size_t k = 0; k < std::min(objects.size(), kMostListed); ++k)
     places.push_back(at_region(objects[k], scene));
   words += tilt_words(surface, height_factor);
+  const std::string smaller = smaller_words(scene, height_factor);
+  if (objects.empty()) return words + no_object_words(scene, height_factor, smaller);
   const bool one = objects.size() == 1;
   words += fmt::format("{} {} above the {}", capitalised(counted(objects.size(), "object", "objects")),
                        one ? "rises" : "rise", ground_name(scene));
-  const std::string smaller = smaller_words(scene, height_factor);
-  if (objects.empty()) return words + "." + smaller;
   const char* const most = objects.size() > kMostListed ? "; the most prominent" : "";
   return words + fmt::format("{}: {}.{}", most, counted_places(places), smaller);
 }
 
 std::string objects_part(const std::vector<Object>& objects, double height_factor, Place probe,
                          const models::Scene& scene) {
-  if (objects.empty()) return "No object rises above its surroundings.";
+  if (objects.empty()) return "Nothing is high and wide enough to be counted as an object.";
+  PeakOptions options;
+  options.turned_over = height_factor < 0.0;
+  // A tilted ground may itself be higher at its edge than every object.
+  const auto ground = tilted_ground(*models::relief_of(scene), options);
+  const auto height_m = [&](const Object& object) {
+    const Place p = object.peak.place;
+    return height_factor * (object.peak.height_m - (ground ? ground->height_m(p.x_m, p.y_m) : 0.0));
+  };
   const auto& highest =
-      *std::max_element(objects.begin(), objects.end(), [height_factor](const Object& a, const Object& b) {
-        return height_factor * a.peak.height_m < height_factor * b.peak.height_m;
-      });
+      *std::max_element(objects.begin(), objects.end(),
+                        [&](const Object& a, const Object& b) { return height_m(a) < height_m(b); });
   const Place at = highest.peak.place;
-  std::string words = fmt::format("From the probe to the highest point: {}.",
-                                  offset_words(at.x_m - probe.x_m, at.y_m - probe.y_m));
+  std::string words =
+      fmt::format("From the probe to the highest point{}: {}.", ground ? " above the tilted ground" : "",
+                  offset_words(at.x_m - probe.x_m, at.y_m - probe.y_m));
   for (std::size_t k = 0; k < std::min(objects.size(), kMostListed); ++k) {
     const Object& object = objects[k];
     words += fmt::format(" {}: top at {}, {}.", capitalised(at_region(object, scene)),

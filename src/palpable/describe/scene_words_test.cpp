@@ -63,6 +63,26 @@ TEST(SceneWords, SayThatTheGroundIsTiltedInsteadOfCountingItsEdge) {
                         "upper left."));
 }
 
+TEST(SceneWords, CountObjectsThatAreLowBesideTheTiltOfTheirGround) {
+  // A ground that rises by 15 mm, with a high bump where it is low and a low one where it is high.
+  const auto scene = surface_scene([](double x, double y) {
+    return 0.01 + 0.15 * x + bump(x, y, -0.03, 0.02, 0.0009) + bump(x, y, 0.025, -0.015, 0.0006);
+  });
+  const auto parts = scene_parts(scene, 1.0, {});
+  EXPECT_THAT(parts[0], HasSubstr("2 objects rise above the ground: upper left; lower right."));
+  EXPECT_THAT(parts[1], StartsWith("From the probe to the highest point above the tilted ground: 30 "
+                                   "millimetres left, 20 millimetres up."));
+}
+
+TEST(SceneWords, SayWhatIsTooLowToBeAnObjectInsteadOfThatThereIsNone) {
+  const auto scene =
+      surface_scene([](double x, double y) { return 0.01 + 0.15 * x + bump(x, y, -0.03, 0.02, 0.0002); });
+  const auto parts = scene_parts(scene, 1.0, {});
+  EXPECT_THAT(parts[0], HasSubstr("No object rises by 0.3 millimetres or more above the ground; lower ones "
+                                  "are not counted."));
+  EXPECT_EQ(parts[1], "Nothing is high and wide enough to be counted as an object.");
+}
+
 TEST(SceneWords, SayAPlaceOnceThatSeveralObjectsShare) {
   const auto scene = surface_scene([](double x, double y) {
     return bump(x, y, -0.04, 0.03, 0.008) + bump(x, y, -0.02, 0.02, 0.0081) + bump(x, y, 0.03, -0.02, 0.007);
