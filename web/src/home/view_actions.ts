@@ -23,6 +23,8 @@ export class ViewActions {
     const moving = !this.stage.isMovingView;
     this.stage.setViewMoving(moving);
     element('move-view').setAttribute('aria-pressed', String(moving));
+    element('arrows-move-probe').hidden = moving;
+    element('arrows-move-picture').hidden = !moving;
     this.say(moving ? 'Arrows turn the picture, with Shift they shift it. C moves the probe again.' : 'Arrows move the probe.');
   }
 }
