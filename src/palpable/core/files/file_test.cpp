@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <thread>
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -142,6 +143,21 @@ TEST_F(AFile, LargerThanAllowedIsRefused) {
   EXPECT_FALSE(read_file(folder_ / "a", 8));
   EXPECT_EQ(read_file(folder_ / "a", 9)->size(), 9U);
   EXPECT_EQ(read_file_start(folder_ / "a", 4)->size(), 4U);
+}
+
+TEST_F(AFile, ThatIsAPipeIsReadOnceAndRefusedWithoutAWriter) {
+  const fs::path pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const auto unwritten = read_file(pipe);
+  ASSERT_FALSE(unwritten);
+  EXPECT_EQ(unwritten.error().message, "is a pipe that no program writes to");
+  std::thread writer([&pipe] {
+    const int descriptor = ::open(pipe.c_str(), O_WRONLY | O_CLOEXEC);
+    EXPECT_EQ(::write(descriptor, "some text", 9), 9);
+    ::close(descriptor);
+  });
+  EXPECT_EQ(text_of(pipe), "some text");
+  writer.join();
 }
 
 TEST(ByteReader, ReadsBothByteOrders) {

@@ -10,6 +10,9 @@
 #include <memory>
 #include <system_error>
 
+#include <fcntl.h>
+#include <poll.h>
+
 namespace palpable {
 namespace {
 
@@ -22,6 +25,27 @@ Error unreadable(const std::filesystem::path& path, int reason) {
   return invalid_input("cannot be read: " + std::generic_category().message(reason), path.string());
 }
 
+/// Opening a pipe that no program writes to would wait without end. Once a writer has opened it, reading
+/// waits for what it writes.
+Result<File> open_pipe(const std::filesystem::path& path) {
+  constexpr int kWriterPatience_ms = 3000;
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) return unreadable(path, errno);
+  File file(fdopen(descriptor, "rb"));
+  if (!file) return unreadable(path, errno);
+  pollfd readable{descriptor, POLLIN, 0};
+  // Reading no byte does not tell whether there is a writer, so the first byte is read and put back.
+  if (poll(&readable, 1, kWriterPatience_ms) == 0) {
+    const int first = std::fgetc(file.get());
+    const bool has_writer = first != EOF || (std::ferror(file.get()) != 0 && errno == EAGAIN);
+    if (!has_writer) return invalid_input("is a pipe that no program writes to", path.string());
+    if (first != EOF) std::ungetc(first, file.get());
+    std::clearerr(file.get());
+  }
+  if (fcntl(descriptor, F_SETFL, O_RDONLY) != 0) return unreadable(path, errno);
+  return file;
+}
+
 Result<File> open_for_reading(const std::filesystem::path& path) {
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(path, ignored);
@@ -29,6 +53,7 @@ Result<File> open_for_reading(const std::filesystem::path& path) {
   // Reading a device may never end, or change its state.
   if (std::filesystem::is_character_file(status) || std::filesystem::is_block_file(status))
     return invalid_input("is a device, not a file", path.string());
+  if (std::filesystem::is_fifo(status)) return open_pipe(path);
   File file(std::fopen(path.c_str(), "rbe"));
   if (!file) return unreadable(path, errno);
   return file;

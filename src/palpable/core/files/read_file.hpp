@@ -22,8 +22,8 @@ inline constexpr std::uintmax_t kMaxPipeBytes = std::uintmax_t{256} << 20U;
 inline constexpr std::uintmax_t kMaxTextBytes = std::uintmax_t{256} << 20U;
 
 /// Reads a regular file or a pipe. The size is checked before memory is allocated. Errors (invalid_input,
-/// with the system's reason): missing, a folder or a device, permission denied, larger than max_bytes (for a
-/// pipe also kMaxPipeBytes).
+/// with the system's reason): missing, a folder or a device, a pipe that nothing writes to within 3 s,
+/// permission denied, larger than max_bytes (for a pipe also kMaxPipeBytes).
 Result<std::vector<std::byte>> read_file(const std::filesystem::path& path,
                                          std::uintmax_t max_bytes = kMaxFileBytes);
 
