@@ -22,7 +22,8 @@ namespace {
 constexpr double kMaxSide = 1e9;
 
 int side_of(double value) {
-  return std::isfinite(value) && std::abs(value) < kMaxSide ? static_cast<int>(value) : -1;
+  const bool is_whole = std::isfinite(value) && value == std::floor(value);
+  return is_whole && std::abs(value) < kMaxSide ? static_cast<int>(value) : -1;
 }
 
 /// The numbers of "[f 0 cx; 0 f cy; 0 0 1]" or a single number.

@@ -89,6 +89,20 @@ TEST(Calibration, InMillimetresThatDoesNotSaySoIsNoticed) {
   EXPECT_NE(c->notes[0].find("60 m apart"), std::string::npos) << c->notes[0];
 }
 
+TEST(Calibration, StatesItsPictureInWholePixels) {
+  const auto with_width = [](const std::string& width) {
+    const std::string text = R"({"fx":525,"fy":525,"cx":40,"cy":40,"height":80,"width":)" + width + "}";
+    return decode_calibration(as_bytes(text));
+  };
+  EXPECT_TRUE(with_width("80"));
+  EXPECT_TRUE(with_width("80.0"));
+  for (const char* const width : {"80.9", "80.0000000001", "79.6"}) {
+    const auto calibration = with_width(width);
+    ASSERT_FALSE(calibration) << width;
+    EXPECT_NE(calibration.error().message.find("whole pixels"), std::string::npos);
+  }
+}
+
 TEST(Calibration, OfJsonKnowsOneCameraOrARectifiedPair) {
   const std::string one = R"({"fx":525,"fy":525.5,"cx":319.5,"cy":239.5,"width":640,"height":480)";
   const auto c = decode_calibration(as_bytes(one + "}"));

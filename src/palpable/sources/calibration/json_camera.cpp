@@ -40,6 +40,8 @@ Result<Pinhole> pinhole_from(const nlohmann::json& object) {
   constexpr double kMaxSide = 1e9;
   if (!(width >= 1.0 && width < kMaxSide && height >= 1.0 && height < kMaxSide))
     return invalid_input("states an impossible picture size");
+  if (width != std::floor(width) || height != std::floor(height))
+    return invalid_input("states a picture size that is not in whole pixels");
   const Pinhole camera{*number_in(object, "fx"), *number_in(object, "fy"), *number_in(object, "cx"),
                        *number_in(object, "cy"), static_cast<int>(width),  static_cast<int>(height)};
   if (auto size = check_picture_size(camera.width, camera.height); !size) return std::move(size).error();
