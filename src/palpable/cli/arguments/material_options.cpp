@@ -4,6 +4,7 @@
 
 #include "palpable/core/text/number_text.hpp"
 #include "palpable/core/text/plain_text.hpp"
+#include "palpable/models/material/material_check.hpp"
 #include "palpable/sculpt/relief/texture_tile.hpp"
 #include "palpable/sources/picture/picture.hpp"
 
@@ -34,10 +35,12 @@ struct Property {
 };
 
 constexpr Property kProperties[]{
-    {"stiffness", 1e-6, 1e6, [](models::Material& m, double v) { m.stiffness_N_per_m = v; }},
-    {"damping", 0.0, 1e4, [](models::Material& m, double v) { m.damping_Ns_per_m = v; }},
-    {"friction", 0.0, 10.0, [](models::Material& m, double v) { m.static_friction = v; }},
-    {"sliding", 0.0, 10.0, [](models::Material& m, double v) { m.dynamic_friction = v; }},
+    {"stiffness", 1e-6, models::kMostStiffness_N_per_m,
+     [](models::Material& m, double v) { m.stiffness_N_per_m = v; }},
+    {"damping", 0.0, models::kMostDamping_Ns_per_m,
+     [](models::Material& m, double v) { m.damping_Ns_per_m = v; }},
+    {"friction", 0.0, models::kMostFriction, [](models::Material& m, double v) { m.static_friction = v; }},
+    {"sliding", 0.0, models::kMostFriction, [](models::Material& m, double v) { m.dynamic_friction = v; }},
     {"pitch", 0.1, 20.0, [](models::Material& m, double v) { m.texture.pitch_m = 1e-3 * v; }},
     {"size", 0.1 * models::kPictureForms, 20.0 * models::kPictureForms,
      [](models::Material& m, double v) { m.texture.pitch_m = 1e-3 * v / models::kPictureForms; }},

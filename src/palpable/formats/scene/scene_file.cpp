@@ -76,8 +76,11 @@ SceneFromInput transform_from(const json& j) {
 }
 
 bool is_valid(const SceneFromInput& t) {
-  return std::all_of(t.rotation.begin(), t.rotation.end(), [](double v) { return std::isfinite(v); }) &&
-         is_finite(t.translation_m) && std::isfinite(t.scale) && t.scale > 0.0;
+  // Far beyond any input, and far from where a product of them overflows.
+  constexpr double kMost = 1e12;
+  const auto within = [](double v) { return std::abs(v) <= kMost; };
+  return std::all_of(t.rotation.begin(), t.rotation.end(), within) && within(t.translation_m.x) &&
+         within(t.translation_m.y) && within(t.translation_m.z) && t.scale > 0.0 && within(t.scale);
 }
 
 Result<Raster<Rgb8>> texture_from(const Bytes& member) {
@@ -101,10 +104,22 @@ Result<void> check_version(const json& description, SceneFile& out) {
   const int major = integer_from<int>(description.at("version").at("major"));
   const int minor = integer_from<int>(description.at("version").at("minor"));
   out.version = std::to_string(major) + "." + std::to_string(minor);
+  if (minor < 0) return invalid_input("states the impossible format version " + out.version);
   if (major != kMajor)
     return invalid_input("is a scene of format version " + out.version + ", but this program reads version " +
                          std::to_string(kMajor) + ": use a newer program or make the scene again");
   return {};
+}
+
+/// The size is that of the model; here it is stated for other programs.
+Result<void> check_stated_size(const json& description) {
+  if (!description.contains("size_m")) return {};
+  const json& size = description.at("size_m");
+  const auto is_length = [](const json& side) {
+    return side.is_number() && std::isfinite(side.get<double>()) && side.get<double>() >= 0.0;
+  };
+  if (size.is_array() && size.size() == 3 && std::all_of(size.begin(), size.end(), is_length)) return {};
+  return invalid_input("states a size that is not three lengths");
 }
 
 /// Removes the member that `key` names from `members`; nullopt if the scene has none.
@@ -154,6 +169,7 @@ Result<SceneFile> scene_from(const json& description, ZipMembers members) {
   SceneFile out;
   if (description.at("format").get<std::string>() != kFormat) return invalid_input("is not a scene of ours");
   if (auto version = check_version(description, out); !version) return std::move(version).error();
+  if (auto size = check_stated_size(description); !size) return std::move(size).error();
   const auto kind = description.at("kind").get<std::string>();
   const auto* reader =
       std::find_if(kReaders.begin(), kReaders.end(), [&kind](const Reader& r) { return r.kind == kind; });
@@ -200,10 +216,10 @@ Result<void> check_scene(const models::Scene& scene) {
     return invalid_input("a scene has between 1 and 256 materials");
   if (!std::all_of(scene.materials.begin(), scene.materials.end(), [](const auto& m) { return is_valid(m); }))
     return invalid_input(
-        "a material's stiffness, damping or friction is negative or not a number, or its texture out of "
-        "range");
+        "a material's stiffness, damping or friction is negative, too large or not a number, or its texture "
+        "out of range");
   if (!is_valid(scene.scene_from_input))
-    return invalid_input("the scene's place in its input is not a number");
+    return invalid_input("the scene's place in its input is not a number, or too large");
   if (scene.title.size() > models::kMaxTitleBytes || scene.title.find('\n') != std::string::npos)
     return invalid_input("a scene's title is one line of at most 200 bytes");
   if (scene.description.size() > models::kMaxDescriptionBytes)

@@ -299,6 +299,29 @@ TEST(SceneFile, RefusesInvalidDescriptionsWithASentence) {
   }
 }
 
+TEST(SceneFile, RefusesValuesThatAreFarTooLarge) {
+  const struct {
+    const char* from;
+    const char* to;
+    const char* says;
+  } kCases[] = {{"\"minor\": 0", "\"minor\": -80", "impossible format version 1.-80"},
+                {"\"size_m\": [", "\"size_m\": [], \"other\": [", "not three lengths"},
+                {"\"size_m\": [", "\"size_m\": [\"1\",", "not three lengths"},
+                {"\"stiffness_N_per_m\": 900.0", "\"stiffness_N_per_m\": 1e308", "stiffness"},
+                {"\"damping_Ns_per_m\": 1.0", "\"damping_Ns_per_m\": 1e300", "damping"},
+                {"\"static_friction\": 0.5", "\"static_friction\": 9e15", "friction"},
+                {"\"dynamic_friction\": 0.4", "\"dynamic_friction\": 10.1", "friction"},
+                {"\"scale\": ", "\"scale\": 1e308, \"other\": ", "place in its input"}};
+  for (const auto& c : kCases) {
+    const auto scene = decode_scene(with_description(c.from, c.to));
+    ASSERT_FALSE(scene) << c.to;
+    EXPECT_NE(scene.error().message.find(c.says), std::string::npos) << c.to << ": " << scene.error().message;
+  }
+  models::Scene scene = sample();
+  scene.scene_from_input.rotation[4] = 1e308;
+  EXPECT_FALSE(encode_scene(scene));
+}
+
 TEST(SceneFile, RefusesADamagedFileOrReadsTheSameScene) {
   const auto file = *encode_scene(sample());
   const Raster<float> good = hills(40, 30);
