@@ -172,7 +172,7 @@ std::string cache_key(const Mesh& mesh, const recipes::FieldRecipe& recipe, cons
 std::optional<recipes::MadeScene> read_cached(const SceneCache& cache, const std::string& key) {
   const fs::path path = path_of(cache, key);
   std::error_code error;
-  if (cache.folder.empty() || !fs::is_regular_file(path, error)) return std::nullopt;
+  if (cache.folder.empty() || cache.most_bytes == 0 || !fs::is_regular_file(path, error)) return std::nullopt;
   auto file = formats::read_scene(path);
   if (!file) return std::nullopt;
   auto notes = notes_of(file->others, key);

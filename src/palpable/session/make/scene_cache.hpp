@@ -18,7 +18,7 @@ struct SceneCache {
   /// Created with the first entry, with access for its owner only; empty = no cache.
   std::filesystem::path folder;
   /// Greatest total size. When an entry is stored, the least recently used ones are removed until the total
-  /// is within this limit. Larger scenes are not stored.
+  /// is within this limit. Larger scenes are not stored. 0: entries are not read either.
   std::uintmax_t most_bytes = std::uintmax_t{512} << 20U;
 };
 
@@ -26,7 +26,7 @@ struct SceneCache {
 std::filesystem::path user_cache_folder();
 
 /// The limit of its size that $PALPABLE_CACHE_MB states, a whole number of megabytes (10^6 bytes; 0: nothing
-/// is stored); that of SceneCache if it is not set or no such number.
+/// is stored or read); that of SceneCache if it is not set or no such number.
 std::uintmax_t user_cache_limit_bytes();
 
 /// Everything that the field of a mesh depends on, as text: the hash of the mesh, the recipe, the version

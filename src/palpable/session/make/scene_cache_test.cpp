@@ -142,6 +142,10 @@ TEST_F(SceneCacheTest, RemovesWhatWasUsedLeastRecently) {
   options_.cache.most_bytes = 10;
   EXPECT_FALSE(made_at(35));
   EXPECT_EQ(entries().size(), 2U);
+  // A limit of 0 also uses none.
+  EXPECT_TRUE(made_at(32));
+  options_.cache.most_bytes = 0;
+  EXPECT_FALSE(made_at(32));
 }
 
 TEST_F(SceneCacheTest, MakesTheSceneWhereTheCacheCannotBeWrittenOrIsOff) {
