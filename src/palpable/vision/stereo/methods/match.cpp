@@ -124,8 +124,10 @@ Result<StereoMatch> match_prepared(const StereoPair& pair, const MethodEntry& me
       exchanged ? match_mirrored(input, method, options, work) : method.function(input, options, work);
   if (!output) return output.error();
   for (float& d : output->disparity_px.values()) d += static_cast<float>(range.min_px);
-  return StereoMatch{
-      {std::move(output->disparity_px), pair.rig}, std::move(output->confidence), std::move(notes)};
+  return StereoMatch{{std::move(output->disparity_px), pair.rig},
+                     std::move(output->confidence),
+                     std::move(notes),
+                     exchanged};
 }
 
 }  // namespace

@@ -26,6 +26,9 @@ struct StereoMatch {
   Raster<float> confidence;
   /// Sentences for the user: exchanged, misaligned, little agreement …
   std::vector<std::string> notes;
+  /// Left and right were exchanged: the disparity still belongs to the first picture, but the other picture
+  /// shows a pixel that much farther right.
+  bool exchanged = false;
 };
 
 }  // namespace palpable::vision

@@ -158,6 +158,18 @@ Image mirror_image(const Image& image) {
   return out;
 }
 
+/// Judges an exchanged pair as it was matched: mirrored, its first picture is the left one.
+FitToTouch fit_of_exchanged(const StereoPair& pair, const StereoMatch& match, const Work& work,
+                            const FitThresholds& thresholds) {
+  const StereoMatch as_matched{
+      {mirrored(match.disparity.disparity_px), {}}, mirrored(match.confidence), {}, false};
+  FitToTouch fit =
+      fit_to_touch({mirror_image(pair.left), mirror_image(pair.right), {}}, as_matched, work, thresholds);
+  for (int y = 0; y < fit.trouble.height(); ++y)
+    std::reverse(fit.trouble.row(y).begin(), fit.trouble.row(y).end());
+  return fit;
+}
+
 }  // namespace
 
 std::vector<Parameter> parameters_of(FitWordsOptions& o) {
@@ -195,13 +207,16 @@ Result<StereoMatch> match_confirmed(const StereoPair& pair, StereoMethod method,
   if (!forth || method == StereoMethod::fast) return forth;
   auto back = match({mirror_image(pair.right), mirror_image(pair.left), {}}, method, options, work);
   if (!back) return back;
-  forth->confidence = left_right_check(forth->disparity.disparity_px, mirrored(back->disparity.disparity_px));
+  const Raster<float>&there = forth->disparity.disparity_px, &here = back->disparity.disparity_px;
+  forth->confidence = forth->exchanged ? mirrored(left_right_check(mirrored(there), here))
+                                       : left_right_check(there, mirrored(here));
   return forth;
 }
 
 FitToTouch fit_to_touch(const StereoPair& pair, const StereoMatch& match, const Work& work,
                         const FitThresholds& thresholds) {
   PALPABLE_CHECK(!match.confidence.empty());
+  if (match.exchanged) return fit_of_exchanged(pair, match, work, thresholds);
   MatchInput input = prepare_pictures(pair, work);
   Sizes sizes;
   sizes.coarse = shrunk(input.left_grey, Sizes::kFactor);
@@ -253,6 +268,11 @@ std::string sentence_of(const FitToTouch& fit, const FitWordsOptions& options) {
       fit.reason == FitReason::different_places || fit.reason == FitReason::no_parallax;
   if (geometry_fails && fit.textured >= options.textured_share)
     return fmt::format("{}: {}.", verdict, words_of(fit.reason));
+  // With texture and light, points would be found: no place of the picture is to blame.
+  if (fit.reason == FitReason::few_points && fit.confidence < options.doubtful_confidence &&
+      fit.textured >= options.textured_share && fit.brightness >= options.dark_level)
+    return fmt::format("{}: {}: they show different places, or were taken from places too far apart.",
+                       verdict, words_of(fit.reason));
   const std::string figures =
       fmt::format("the pictures confirm each other on {:.0f} % of what both show, {:.0f} % of the whole",
                   100.0 * fit.agreement, 100.0 * fit.coverage);

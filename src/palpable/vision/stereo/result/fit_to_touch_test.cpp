@@ -67,11 +67,38 @@ TEST(FitToTouch, IsTrueOnlyWithParallaxAlongTheRows) {
   EXPECT_THAT(sentence_of(twice), HasSubstr("near and far moved alike"));
 
   const FitToTouch exchanged = judged({pair.right, pair.left, {}});
-  EXPECT_FALSE(exchanged.fit);
-  EXPECT_EQ(exchanged.reason, FitReason::different_places);
+  EXPECT_TRUE(exchanged.fit) << sentence_of(exchanged);
+  EXPECT_NEAR(exchanged.agreement, good.agreement, 0.05);
+  EXPECT_NEAR(exchanged.points.confirmed, good.points.confirmed, 0.05);
 
   const FitToTouch upward = judged({quarter_turned(pair.left), quarter_turned(pair.right), {}});
   EXPECT_FALSE(upward.fit) << sentence_of(upward);
+}
+
+TEST(FitToTouch, JudgesAnExchangedPairAsItWasMatchedByEveryMethod) {
+  const StereoPair pair = render(scene());
+  const auto match = match_confirmed({pair.right, pair.left, {}}, StereoMethod::scanline, {}, Work{});
+  ASSERT_TRUE(match);
+  ASSERT_TRUE(match->exchanged);
+  const FitToTouch fit = fit_to_touch({pair.right, pair.left, {}}, *match, Work{});
+  EXPECT_TRUE(fit.fit) << sentence_of(fit);
+}
+
+TEST(FitToTouch, SaysOfDifferentPlacesThatNoPointIsFoundInBoth) {
+  FitToTouch fit;
+  fit.reason = FitReason::few_points;
+  fit.confidence = 1e-7;
+  fit.agreement = 0.4;
+  fit.coverage = 0.4;
+  fit.textured = 1.0;
+  fit.overlap = 0.95;
+  fit.depth_range_px = 52.0;
+  fit.brightness = 0.5;
+  fit.trouble = Raster<std::uint8_t>(90, 90, static_cast<std::uint8_t>(Trouble::contradicted));
+  EXPECT_THAT(sentence_of(fit), HasSubstr("hardly any point is found in both pictures: they show different"));
+  EXPECT_THAT(sentence_of(fit), testing::Not(HasSubstr("feel wrong")));
+  fit.brightness = 0.05;
+  EXPECT_THAT(sentence_of(fit), HasSubstr("more light"));
 }
 
 TEST(FitToTouch, ObeysItsThresholds) {
