@@ -9,8 +9,8 @@
 namespace palpable::test {
 namespace {
 
-using ::testing::HasSubstr;
 using ::testing::EndsWith;
+using ::testing::HasSubstr;
 
 class Touch : public InFolder {
  protected:

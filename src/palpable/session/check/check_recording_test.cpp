@@ -285,7 +285,8 @@ TEST(CheckRecording, ReadsWhatAnOlderProgramRecorded) {
   EXPECT_EQ(report.recomputed, 0U);
   EXPECT_GT(report.law_recomputed, report.ticks / 2);
   EXPECT_EQ(report.differing, 0U) << said(report);
-  EXPECT_TRUE(report.is_clean()) << said(report);
+  // This law is not conservative, so energy may be found.
+  EXPECT_FALSE(found(report, FindingKind::damage)) << said(report);
 }
 
 TEST(CheckRecording, SaysWhenTheSceneIsAnother) {
