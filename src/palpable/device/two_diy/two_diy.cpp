@@ -12,13 +12,16 @@
 #include <limits>
 #include <numbers>
 #include <system_error>
+#include <thread>
 #include <utility>
+#include <vector>
 
 namespace palpable::device {
 namespace {
 
 constexpr double kRadians = std::numbers::pi / 180.0;
 constexpr auto kFirstAnswer = std::chrono::seconds(1);
+constexpr auto kBeforeTorques = std::chrono::milliseconds(20);
 
 /// Zero torques, and as many zeros again: wherever an interrupted message left the board, it then reads
 /// either zero torques or a reset, which frees its motors.
@@ -82,16 +85,23 @@ Result<std::unique_ptr<TwoDiy>> TwoDiy::open(const std::string& path, const TwoD
   SerialPort& line = *device->port_;
   line.write(reset_message());
   line.write(setup_message(variant));
+  // What comes now is no answer: a board answers torques only.
+  std::this_thread::sleep_for(kBeforeTorques);
   line.drop_input();
-  line.write(torque_message({0.0F, 0.0F}));
+  const auto asked = torque_message({0.0F, 0.0F});
+  line.write(asked);
+  std::vector<std::byte> received;
   const auto until = std::chrono::steady_clock::now() + kFirstAnswer;
   std::array<std::byte, 64> bytes{};
   while (!line.lost() && std::chrono::steady_clock::now() < until) {
     if (!line.wait_for_input(10)) continue;
-    const auto angles = device->answers_.take(std::span(bytes).first(line.read(bytes)));
+    const auto arrived = std::span(bytes).first(line.read(bytes));
+    received.insert(received.end(), arrived.begin(), arrived.end());
+    // A port that sends back what it gets, as many modems do.
+    if (received.size() >= asked.size() && std::equal(asked.begin(), asked.end(), received.begin())) break;
+    const auto angles = device->answers_.take(arrived);
     if (!angles) continue;
     device->answered_ = device->answers_.complete();
-    // The setup has just set the angles to those at home: what answers others is no 2DIY.
     if (!device->begin(*angles)) break;
     return device;
   }
@@ -107,16 +117,14 @@ TwoDiy::~TwoDiy() {
 }
 
 bool TwoDiy::begin(std::array<float, 2> first_deg) noexcept {
-  // Its order is the board's.
+  // The setup has just set the angles to those at home, so the first answer shows the board's order.
   const auto& [first, second] = variant_.joints;
   const auto home = [](const TwoDiyJoint& joint) { return static_cast<double>(joint.home_deg); };
   const double by_motor = off_by(first_deg, home(first), home(second));
   const double by_port = first.port == 1 ? by_motor : off_by(first_deg, home(second), home(first));
   ordered_by_motor_ = by_motor < by_port;
   follow(first_deg);
-  // As far as a hand that does not hold still moves both links in a few milliseconds; NaN is not near.
-  constexpr double kNearHome_deg = 20.0;
-  return std::min(by_motor, by_port) < kNearHome_deg;
+  return has_place_;
 }
 
 bool TwoDiy::is_plausible(std::array<float, 2> board_deg) const noexcept {

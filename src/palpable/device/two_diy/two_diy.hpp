@@ -44,7 +44,7 @@ class TwoDiy final : public Device, public Guardable {
 
  private:
   TwoDiy(std::unique_ptr<SerialPort> port, const TwoDiyVariant& variant, double rate_hz);
-  /// Takes the first answer. False if it is not near the angles at home.
+  /// Takes the first answer. False if no handle has its angles.
   bool begin(std::array<float, 2> first_deg) noexcept;
   /// Whether the board's first angle and torque belong to the second motor.
   bool is_swapped() const noexcept { return !ordered_by_motor_ && variant_.joints[0].port != 1; }
