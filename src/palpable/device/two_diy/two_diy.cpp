@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -21,7 +22,7 @@ namespace {
 
 constexpr double kRadians = std::numbers::pi / 180.0;
 constexpr auto kFirstAnswer = std::chrono::seconds(1);
-constexpr auto kBeforeTorques = std::chrono::milliseconds(20);
+constexpr auto kBeforeTorques = std::chrono::milliseconds(100);
 
 /// Zero torques, and as many zeros again: wherever an interrupted message left the board, it then reads
 /// either zero torques or a reset, which frees its motors.
@@ -64,6 +65,14 @@ Traits traits_of(const TwoDiyVariant& variant, double rate_hz) {
   return traits;
 }
 
+/// Whether at least four bytes have arrived, and they are the first ones of a message that was sent.
+bool begins_as(std::span<const std::byte> received, std::span<const std::byte> sent) {
+  constexpr std::size_t kEnough = 4;
+  const std::size_t count = std::min(received.size(), sent.size());
+  return count >= kEnough &&
+         std::equal(sent.begin(), sent.begin() + static_cast<std::ptrdiff_t>(count), received.begin());
+}
+
 double off_by(std::array<float, 2> angles_deg, double first_deg, double second_deg) {
   return std::abs(static_cast<double>(angles_deg[0]) - first_deg) +
          std::abs(static_cast<double>(angles_deg[1]) - second_deg);
@@ -83,13 +92,17 @@ Result<std::unique_ptr<TwoDiy>> TwoDiy::open(const std::string& path, const TwoD
   if (!port) return std::move(port).error();
   std::unique_ptr<TwoDiy> device(new TwoDiy(*std::move(port), variant, rate_hz));
   SerialPort& line = *device->port_;
-  line.write(reset_message());
-  line.write(setup_message(variant));
+  const auto reset = reset_message();
+  const auto setup = setup_message(variant);
+  line.write(reset);
+  line.write(setup);
   // What comes now is no answer: a board answers torques only.
   std::this_thread::sleep_for(kBeforeTorques);
   line.drop_input();
   const auto asked = torque_message({0.0F, 0.0F});
   line.write(asked);
+  std::vector<std::byte> sent(reset.begin(), reset.end());
+  sent.insert(sent.end(), setup.begin(), setup.end());
   std::vector<std::byte> received;
   const auto until = std::chrono::steady_clock::now() + kFirstAnswer;
   std::array<std::byte, 64> bytes{};
@@ -98,7 +111,7 @@ Result<std::unique_ptr<TwoDiy>> TwoDiy::open(const std::string& path, const TwoD
     const auto arrived = std::span(bytes).first(line.read(bytes));
     received.insert(received.end(), arrived.begin(), arrived.end());
     // A port that sends back what it gets, as many modems do.
-    if (received.size() >= asked.size() && std::equal(asked.begin(), asked.end(), received.begin())) break;
+    if (begins_as(received, sent) || begins_as(received, setup) || begins_as(received, asked)) break;
     const auto angles = device->answers_.take(arrived);
     if (!angles) continue;
     device->answered_ = device->answers_.complete();
