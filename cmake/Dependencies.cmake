@@ -19,6 +19,8 @@ find_package(EXPAT REQUIRED)
 find_path(OSMIUM_INCLUDE_DIR osmium/io/reader.hpp REQUIRED)
 palpable_find_openvdb()
 pkg_check_modules(BLOSC REQUIRED IMPORTED_TARGET blosc)
+# A plain library, so that a program for the servo alone need not search for it by pkg-config.
+find_path(USB_INCLUDE_DIR libusb-1.0/libusb.h REQUIRED)
 pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET libzstd)
 pkg_check_modules(HEIF REQUIRED IMPORTED_TARGET libheif)
 pkg_check_modules(FFMPEG REQUIRED IMPORTED_TARGET libavformat libavcodec libavutil libswscale)

@@ -33,7 +33,7 @@ int exit_code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 
 }  // namespace
 
 Running::Running(const std::vector<std::string>& arguments, const std::string& input,
-                 const std::string& error)
+                 const std::string& error, Hangup hangup)
     : folder_(new_folder()) {
   std::vector<std::string> words{PALPABLE_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -47,7 +47,19 @@ Running::Running(const std::vector<std::string>& arguments, const std::string& i
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, (folder_ / "out").c_str(), kWrite, 0600);
   const std::string err = error.empty() ? (folder_ / "err").string() : error;
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), kWrite, 0600);
-  const int fault = posix_spawn(&pid_, PALPABLE_PROGRAM, &actions, nullptr, argv.data(), environ);
+  // Whatever the tests themselves were started with, nohup for example.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t by_default;
+  sigemptyset(&by_default);
+  for (const int signal : {SIGINT, SIGTERM}) sigaddset(&by_default, signal);
+  if (hangup == Hangup::by_default) sigaddset(&by_default, SIGHUP);
+  posix_spawnattr_setsigdefault(&attributes, &by_default);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+  const auto own = hangup == Hangup::ignored ? std::signal(SIGHUP, SIG_IGN) : SIG_ERR;
+  const int fault = posix_spawn(&pid_, PALPABLE_PROGRAM, &actions, &attributes, argv.data(), environ);
+  if (own != SIG_ERR) std::signal(SIGHUP, own);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   if (fault != 0) throw std::runtime_error("the program cannot be started");
 }

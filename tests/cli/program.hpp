@@ -24,11 +24,14 @@ struct Outcome {
 };
 
 /// A running program.
+/// How a program is started as to SIGHUP: with its default action, or ignored as by nohup.
+enum class Hangup { by_default, ignored };
+
 class Running {
  public:
   /// `input`: file for standard input; `error`: file for standard error, by default the one that err() reads.
   explicit Running(const std::vector<std::string>& arguments, const std::string& input = "/dev/null",
-                   const std::string& error = {});
+                   const std::string& error = {}, Hangup hangup = Hangup::by_default);
   ~Running();
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;

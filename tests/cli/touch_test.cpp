@@ -158,6 +158,14 @@ TEST_F(Touch, EndsAtOnceWhenInterruptedTwice) {
   }
 }
 
+TEST_F(Touch, GoesOnWithoutItsTerminalIfStartedByNohup) {
+  Running running({"touch", path("left.png"), path("right.png"), "--headless", "--seconds", "1"}, "/dev/null",
+                  {}, Hangup::ignored);
+  ASSERT_TRUE(running.catches(SIGINT, std::chrono::seconds(60)));
+  running.send(SIGHUP);
+  EXPECT_EQ(running.wait(std::chrono::seconds(60)).exit_code, 0);
+}
+
 TEST_F(Touch, ServesThePageAndPrintsItsAddress) {
   Running running({"touch", path("left.png"), path("right.png"), "--no-browser"});
   EXPECT_TRUE(running.says("http://127.0.0.1:", std::chrono::seconds(20))) << running.err();

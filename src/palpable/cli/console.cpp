@@ -59,6 +59,12 @@ void on_interrupt(int number) {
   std::raise(number);
 }
 
+/// Whether the program was started with this signal ignored, as nohup does with SIGHUP.
+bool is_ignored(int number) {
+  struct sigaction now {};
+  return sigaction(number, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
+}
+
 }  // namespace
 
 const std::atomic<bool>& interrupted() { return interrupt_flag; }
@@ -68,7 +74,8 @@ void catch_interrupts() {
   action.sa_handler = on_interrupt;
   sigemptyset(&action.sa_mask);
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&action.sa_mask, number);
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaction(number, &action, nullptr);
+  for (const int number : {SIGINT, SIGTERM}) sigaction(number, &action, nullptr);
+  if (!is_ignored(SIGHUP)) sigaction(SIGHUP, &action, nullptr);
   action.sa_handler = on_patience_over;
   sigaction(SIGALRM, &action, nullptr);
   // A pipe without a reader and a file at its size limit are errors of the write call.

@@ -63,8 +63,9 @@ class Console {
 /// 0.7 s later, every servo writes zero force and the program ends with exit code 130. After a second signal
 /// this happens at once.
 const std::atomic<bool>& interrupted();
-/// To be called first in the program. From then on, no output file is put in place after such a signal, and
-/// a pipe without a reader or a file at its size limit is an error of the write, not a signal.
+/// To be called first in the program. A SIGHUP that was ignored when it started (nohup) stays ignored. From
+/// then on, no output file is put in place after such a signal, and a pipe without a reader or a file at its
+/// size limit is an error of the write, not a signal.
 void catch_interrupts();
 
 /// Writes `text` to standard output. Errors: failed, if it cannot be written in full.

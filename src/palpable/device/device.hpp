@@ -106,6 +106,9 @@ class Device {
   virtual void cut_force() noexcept { stop(); }
   /// A description of the failure, after Status::fault. Not for the tick path.
   virtual std::string fault() const { return {}; }
+  /// What the person does next so that a device that is not ready becomes so, as one sentence without a full
+  /// stop; empty if nothing. Any thread; not for the tick path.
+  virtual std::string guidance() const { return {}; }
 };
 
 }  // namespace palpable::device

@@ -47,6 +47,15 @@ Result<DeviceUrl> DeviceUrl::parse(std::string_view url) {
   return parsed;
 }
 
+Result<int> DeviceUrl::path_number(int most) const {
+  if (path_.empty()) return -1;
+  const auto number = finite_number(path_);
+  if (!number || *number != std::floor(*number) || *number < 0.0 || *number > most)
+    return Error{ErrorCode::usage, "the number of a device is 0 to " + std::to_string(most),
+                 scheme_ + ":" + path_};
+  return static_cast<int>(*number);
+}
+
 double DeviceUrl::take_number(const std::string& name, double otherwise, double least, double most) {
   const auto option = options_.extract(name);
   if (option.empty()) return otherwise;

@@ -21,6 +21,9 @@ class DeviceUrl {
   const std::string& scheme() const { return scheme_; }
   const std::string& path() const { return path_; }
 
+  /// The path as the number of a device, 0 to `most`; -1 if it is empty. Errors: usage.
+  Result<int> path_number(int most) const;
+
   /// The option as a number in [least, most], or `otherwise` if it is not given. An invalid value is reported
   /// by finish().
   double take_number(const std::string& name, double otherwise, double least, double most);

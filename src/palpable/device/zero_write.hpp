@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -14,6 +15,8 @@ struct ZeroWrite {
   /// The device's own descriptor; it stays open while the device exists.
   int descriptor = -1;
   std::vector<std::byte> bytes;
+  /// Not 0: the descriptor is a USB device's, and the bytes are sent to this endpoint in one bulk transfer.
+  std::uint8_t usb_endpoint = 0;
 };
 
 /// An additional interface of devices whose force another process can cut (haptics/safety/guardian.hpp).

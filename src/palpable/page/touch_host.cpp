@@ -108,8 +108,13 @@ std::shared_ptr<const PageScene> TouchHost::scene() {
   auto scene = session_.scene();
   // A change of materials alone does not change the view.
   if (!shown_ || scene->model != shown_->model) {
+    // Every frame of a live source is felt, but the eye needs few of them.
+    constexpr auto kLivePicturePeriod = std::chrono::milliseconds(500);
+    const auto now = std::chrono::steady_clock::now();
+    if (page_scene_ && options_.live && now - shown_time_ < kLivePicturePeriod) return page_scene_;
+    shown_time_ = now;
     const auto number = page_scene_ ? static_cast<std::uint32_t>(page_scene_->about.scene) + 1 : 0U;
-    if (page_scene_) say("info", "A finer version of the scene is in place.");
+    if (page_scene_ && !options_.live) say("info", "A finer version of the scene is in place.");
     page_scene_ = page_scene(*scene, number, options_.name);
   }
   shown_ = std::move(scene);
@@ -179,7 +184,7 @@ void TouchHost::place(const protocol::Pointer& pointer) {
   // The probe is the centre of the touching ball: at rest it is one radius above the surface.
   const double surface_m =
       touch.height_factor * surface_height_m(*session_.scene(), pointer.x_m, pointer.y_m);
-  const Vec3 middle{pointer.x_m, pointer.y_m, surface_m + touch.law.radius_m.value_or(0.0) - pointer.press_m};
+  const Vec3 middle{pointer.x_m, pointer.y_m, surface_m + session_.radius_in_use_m() - pointer.press_m};
   session_.move_pointer({middle}, static_cast<std::size_t>(pointer.probe));
 }
 
@@ -256,6 +261,7 @@ void TouchHost::take_notices() {
   using Kind = haptics::TouchEvent::Kind;
   if (const auto fault = session_.take_recording_fault())
     say("warning", "The recording has ended: " + fault->sentence());
+  if (const std::string step = session_.take_guidance(); !step.empty()) say("info", step);
   for (const auto& event : session_.take_events()) {
     // No fault: a pointer is lost whenever no page is open, an additional probe whenever it is lifted.
     const bool device = event.probe == 0 && !pointer_moves();

@@ -38,6 +38,8 @@ class TouchHost final : public PageHost {
     std::filesystem::path save_as;
     /// The device's frame follows an explorer that the page moves.
     bool egocentric = false;
+    /// The scene changes many times a second, so the page shows it twice a second, without a word.
+    bool live = false;
   };
   /// `session`, and what the options refer to, must outlive the host.
   TouchHost(session::TouchSession& session, Options options);
@@ -98,6 +100,7 @@ class TouchHost final : public PageHost {
 
   // Used by the server's thread alone.
   std::shared_ptr<const models::Scene> shown_;
+  std::chrono::steady_clock::time_point shown_time_;
   std::shared_ptr<const PageScene> page_scene_;
   /// Each probe's place as the pages set it; the first one is above the surface until it is moved.
   std::array<std::optional<protocol::Pointer>, protocol::kMostProbes> pointers_{

@@ -153,7 +153,7 @@ Finding device_rules() {
   finding.state = Finding::State::wanted;
   finding.found = "no device rules are installed; the pointer and the simulated hand need none";
   finding.advice =
-      "for a device on a serial port (2diy:), join the group dialout or install the rule in docs/devices.md";
+      "for a device on a serial port or USB (2diy:, falcon:), install the rules in docs/devices.md";
   return finding;
 }
 

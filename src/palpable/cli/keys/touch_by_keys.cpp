@@ -123,7 +123,9 @@ Result<void> explore(session::TouchSession& session, session::MakerThread& maker
       // A key that is held down sends more moves than can be read, so only the last one is described.
       if (!is_move(*key) || !keys.waiting()) mouth.say(words, voice::Importance::label);
     }
-    session.move_pointer(probe.hand(*scene, session.settings()));
+    session::TouchSettings used = session.settings();
+    used.law.radius_m = session.radius_in_use_m();
+    session.move_pointer(probe.hand(*scene, used));
   }
   return {};
 }

@@ -161,6 +161,22 @@ Result<draw::ReportSection> model_section(const models::Scene& scene) {
   return out;
 }
 
+// The error of the superquadrics alone, before they were sampled, beside that of the result.
+std::string errors_sentence(const std::vector<VideoReconstruction::Step>& steps) {
+  double shapes_m = 0.0, corrected_m = 0.0;
+  for (const auto& step : steps) {
+    if (!step.taken) continue;
+    (step.kind < recipes::ModelStep::Kind::sampling ? shapes_m : corrected_m) = step.error_m;
+  }
+  const std::string alone = fmt::format(
+      "Mean distance of the measured points from the surface: {:.2f} mm for the superquadrics alone",
+      kMillimetres * shapes_m);
+  return corrected_m <= shapes_m
+             ? fmt::format("{}, {:.2f} mm after the correction.", alone, kMillimetres * corrected_m)
+             : fmt::format("{}; their correction was not closer ({:.2f} mm), so they were kept.", alone,
+                           kMillimetres * corrected_m);
+}
+
 Result<draw::ReportSection> steps_section(const VideoReconstruction& video) {
   draw::ReportSection out{"How the model grew",
                           {"The first shapes follow from the outlines in one picture alone. Superquadrics, "
@@ -176,17 +192,7 @@ Result<draw::ReportSection> steps_section(const VideoReconstruction& video) {
                              {}};
   for (const auto& step : video.steps)
     view.steps.push_back({static_cast<std::size_t>(step.kind), kMillimetres * step.error_m, step.taken});
-  const auto last_before_correction = std::find_if(
-      video.steps.rbegin(), video.steps.rend(),
-      [](const auto& step) { return step.taken && step.kind != recipes::ModelStep::Kind::correction; });
-  const auto last =
-      std::find_if(video.steps.rbegin(), video.steps.rend(), [](const auto& step) { return step.taken; });
-  const std::string caption = fmt::format(
-      "Mean distance of the measured points from the surface: {:.2f} mm for the superquadrics alone, {:.2f} "
-      "mm after "
-      "the correction.",
-      last_before_correction == video.steps.rend() ? 0.0 : kMillimetres * last_before_correction->error_m,
-      last == video.steps.rend() ? 0.0 : kMillimetres * last->error_m);
+  const std::string caption = errors_sentence(video.steps);
   if (auto added = add_picture(draw::convergence_figure(std::move(view), {"Error after each step", ""}),
                                caption, caption, out);
       !added)

@@ -32,6 +32,7 @@ recipes::VideoReconstruction small_reconstruction() {
   out.steps = {{Kind::segments, 5, 0.004, true},
                {Kind::superquadrics, 5, 0.001, true},
                {Kind::superquadrics, 10, 0.0012, false},
+               {Kind::sampling, 10, 0.0008, true},
                {Kind::correction, 10, 0.00025, true}};
   out.advice.emplace_back("The left side was never seen, so the shape there is a guess.");
   return out;

@@ -119,11 +119,12 @@ constexpr std::array<TellingWord, 72> kTelling{{{"church", Kind::church},
                                                 {"theater", Kind::theatre, true}}};
 
 /// Words of streets, also as abbreviations; the last of a name in some languages, the first in others.
-constexpr std::array<std::string_view, 40> kStreetWords{
-    "road",    "rd",  "street", "st.",       "lane",  "avenue", "ave",      "close",   "drive", "way",
-    "terrace", "row", "square", "place",     "hill",  "court",  "crescent", "gardens", "walk",  "view",
-    "yard",    "rue", "av.",    "boulevard", "bd",    "chemin", "allée",    "impasse", "quai",  "ruelle",
-    "square",  "via", "viale",  "piazza",    "calle", "plaza",  "gasse",    "weg",     "platz", "straße"};
+constexpr std::array<std::string_view, 45> kStreetWords{
+    "road",    "rd",      "street", "st.",    "lane",  "avenue",    "ave",     "close",    "drive",
+    "way",     "terrace", "row",    "square", "place", "hill",      "court",   "crescent", "gardens",
+    "walk",    "view",    "yard",   "rue",    "av.",   "boulevard", "bd",      "chemin",   "allée",
+    "impasse", "quai",    "ruelle", "square", "via",   "viale",     "piazza",  "calle",    "plaza",
+    "gasse",   "weg",     "platz",  "straße", "pont",  "tunnel",    "passage", "allee",    "bretelle"};
 
 std::string small(std::string_view text) {
   // Capital letters with accents, two bytes of UTF-8, are 32 below the small ones.
@@ -157,7 +158,7 @@ bool is_of_street(const std::vector<std::string>& words) {
   const auto is_one = [](const std::string& word) {
     return std::find(kStreetWords.begin(), kStreetWords.end(), word) != kStreetWords.end() ||
            word.ends_with("strasse") || word.ends_with("straße") || word.ends_with("gasse") ||
-           word.ends_with("weg") || word.ends_with("platz");
+           word.ends_with("gass") || word.ends_with("weg") || word.ends_with("platz");
   };
   return !words.empty() && (is_one(words.front()) || is_one(words.back()));
 }
@@ -179,6 +180,8 @@ std::optional<MapPlace::Kind> map_place_kind_from(std::string_view name) {
 }
 
 bool is_special_building(MapPlace::Kind kind) { return row_of(kind).is_building; }
+
+bool is_street_name(std::string_view name) { return is_of_street(words_in(name)); }
 
 std::optional<MapPlace::Kind> map_place_kind_in(std::string_view place_name) {
   const auto words = words_in(place_name);

@@ -25,6 +25,10 @@ bool is_special_building(MapPlace::Kind kind);
 /// "Hauptbahnhof", "Gare du Nord"; nullopt if it tells none, and for names of streets ("Church Road").
 std::optional<MapPlace::Kind> map_place_kind_in(std::string_view place_name);
 
+/// Whether the first or last word of a name is that of a street in these languages: "Mill Lane", "Rue Plati",
+/// "Landstrasse".
+bool is_street_name(std::string_view name);
+
 /// A place as it is said: "Infirmary Street, bus stop", "crossing with tactile paving"; a name that tells the
 /// kind is said alone.
 std::string words_of(const MapPlace& place);

@@ -29,6 +29,12 @@ TEST(MapPlace, NamesOfStreetsTellNone) {
     EXPECT_EQ(map_place_kind_in(name), std::nullopt) << name;
 }
 
+TEST(MapPlace, StreetsAreToldByTheirFirstOrLastWord) {
+  for (const char* const name : {"Mill Lane", "Rue Plati", "landstrasse", "Tunnel Dorsale", "Hintergass"})
+    EXPECT_TRUE(is_street_name(name)) << name;
+  for (const char* const name : {"Monaco", "The Street Cafe", ""}) EXPECT_FALSE(is_street_name(name)) << name;
+}
+
 TEST(MapPlace, IsSaidWithItsKindOnce) {
   EXPECT_EQ(words_of(MapPlace{Kind::bus_stop, "Mill Lane"}), "Mill Lane, bus stop");
   EXPECT_EQ(words_of(MapPlace{Kind::church, "St Mary's Church"}), "St Mary's Church");

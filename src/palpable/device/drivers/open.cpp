@@ -3,6 +3,7 @@
 #include "palpable/device/drivers/open.hpp"
 
 #include "palpable/device/evdev/evdev.hpp"
+#include "palpable/device/falcon/falcon.hpp"
 #include "palpable/device/force_dimension/force_dimension.hpp"
 #include "palpable/device/inverse3/inverse3.hpp"
 #include "palpable/device/open_haptics/open_haptics.hpp"
@@ -40,6 +41,10 @@ constexpr std::array kDrivers{
     Driver{"2diy", open_two_diy, "Haply 2DIY",
            "A planar device on a serial port; hold its handle at home when a touch begins.", false,
            serial_ports},
+    Driver{"falcon", open_falcon, "Novint Falcon",
+           "By its USB packets, with its maker's firmware in a file; pull the grip out and push it in when a "
+           "touch begins.",
+           false, falcon_ports},
     Driver{
         "forcedimension", open_force_dimension, "Force Dimension",
         "An omega, delta or sigma, or a Novint Falcon, by the vendor's library libdhd; the handle moves by "

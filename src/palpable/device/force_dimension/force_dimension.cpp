@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/device/force_dimension/force_dimension.hpp"
 
-#include "palpable/core/text/number_text.hpp"
 #include "palpable/device/open_options.hpp"
 #include "palpable/device/url.hpp"
 
@@ -30,7 +29,7 @@ constexpr Vec3 kUnknownWorkspace_m{0.08, 0.08, 0.08};
 /// Positions farther from the middle than this are no positions of such a device.
 constexpr double kFarthest_m = 0.5;
 constexpr int kButtons = 8;
-constexpr double kHighestIndex = 15.0;
+constexpr int kHighestIndex = 15;
 
 bool is_error(int answer) noexcept { return answer < 0; }
 
@@ -66,7 +65,7 @@ Traits traits_of(const DhdFunctions& dhd, char number, const ForceDimensionOptio
 }  // namespace
 
 ForceDimension::ForceDimension(const DhdFunctions& dhd, char number, const ForceDimensionOptions& options)
-    : dhd_(dhd), number_(number), traits_(traits_of(dhd, number, options)), period_s_(1.0 / options.rate_hz) {
+    : dhd_(dhd), number_(number), traits_(traits_of(dhd, number, options)), fresh_(1.0 / options.rate_hz) {
   reading_.status = Status::not_ready;
 }
 
@@ -98,7 +97,7 @@ ForceDimension::~ForceDimension() {
 }
 
 Reading ForceDimension::read() noexcept {
-  since_position_s_ += period_s_;
+  fresh_.pass();
   // The vendor's frame: x towards the user, y to the right, z up.
   Vec3 theirs{NAN, NAN, NAN};
   if (!is_error(dhd_.dhdGetPosition(&theirs.x, &theirs.y, &theirs.z, number_)) && is_finite(theirs) &&
@@ -107,14 +106,10 @@ Reading ForceDimension::read() noexcept {
     reading_.buttons = 0;
     for (int k = 0; k < kButtons; ++k)
       if (dhd_.dhdGetButton(k, number_) == 1) reading_.buttons |= 1U << static_cast<unsigned>(k);
-    since_position_s_ = 0.0;
+    fresh_.renew();
+    last_ = Status::ok;
   }
-  if (since_position_s_ > kSilent_s)
-    reading_.status = Status::fault;
-  else if (since_position_s_ > kStale_s)
-    reading_.status = Status::stale;
-  else if (since_position_s_ == 0.0)
-    reading_.status = Status::ok;
+  reading_.status = fresh_.status(last_);
   return reading_;
 }
 
@@ -145,12 +140,9 @@ Result<std::unique_ptr<Device>> open_force_dimension(DeviceUrl& url, const OpenO
   wanted.rate_hz = options.rate_hz;
   const std::string file = url.take_text("library");
   if (auto valid = url.finish(); !valid) return std::move(valid).error();
-  if (!url.path().empty()) {
-    const auto index = finite_number(url.path());
-    if (!index || *index != std::floor(*index) || *index < 0.0 || *index > kHighestIndex)
-      return Error{ErrorCode::usage, "the number of a device is 0 to 15", "forcedimension:" + url.path()};
-    wanted.index = static_cast<int>(*index);
-  }
+  const auto index = url.path_number(kHighestIndex);
+  if (!index) return index.error();
+  wanted.index = std::max(0, *index);
   const auto dhd = load_dhd(file);
   if (!dhd) return dhd.error();
   auto device = ForceDimension::open(*dhd, wanted);

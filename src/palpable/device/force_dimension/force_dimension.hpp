@@ -4,6 +4,7 @@
 
 #include "palpable/device/device.hpp"
 #include "palpable/device/force_dimension/dhd_functions.hpp"
+#include "palpable/device/freshness.hpp"
 
 #include <memory>
 #include <string>
@@ -31,9 +32,6 @@ class ForceDimension final : public Device {
  public:
   /// The force limit of a device for which the library states none.
   static constexpr double kUnknownForce_N = 8.0;
-  /// Without a position for this long the force is zero and the position stale; later the device has failed.
-  static constexpr double kStale_s = 0.008;
-  static constexpr double kSilent_s = 0.5;
 
   /// Errors (device): no device, or the library's own sentence.
   static Result<std::unique_ptr<ForceDimension>> open(const DhdFunctions& dhd,
@@ -52,9 +50,10 @@ class ForceDimension final : public Device {
   DhdFunctions dhd_;
   char number_;
   Traits traits_;
-  double period_s_;
+  Freshness fresh_;
   Reading reading_;
-  double since_position_s_ = 0.0;
+  /// Of the last position.
+  Status last_ = Status::not_ready;
 };
 
 /// Opens `forcedimension:INDEX?initialise=yes&max-force=N&library=FILE`; without an index the first device.

@@ -247,7 +247,7 @@ void Inverse3::Link::watch() {
 }
 
 Inverse3::Inverse3(std::unique_ptr<Link> link, const Inverse3Options& options)
-    : link_(std::move(link)), period_s_(1.0 / options.rate_hz) {
+    : link_(std::move(link)), fresh_(1.0 / options.rate_hz) {
   traits_.name = "Haply Inverse3";
   if (!link_->filters().empty()) traits_.name += " (its service's filters: " + link_->filters() + ")";
   // About the reach of its arms around the middle; no hardware has confirmed it.
@@ -270,17 +270,14 @@ Result<std::unique_ptr<Inverse3>> Inverse3::open(const Inverse3Options& options)
 Inverse3::~Inverse3() = default;
 
 Reading Inverse3::read() noexcept {
-  since_answer_s_ += period_s_;
+  fresh_.pass();
   if (Link::State state; link_->states.take(state)) {
-    since_answer_s_ = 0.0;
+    fresh_.renew();
     const Vec3 moved = state.position_m - centre_m_;
     reading_.position.v = {moved.x, moved.z, -moved.y};
-    reading_.status = state.ready ? Status::ok : Status::not_ready;
+    last_ = state.ready ? Status::ok : Status::not_ready;
   }
-  if (since_answer_s_ > kSilent_s || link_->lost.load(std::memory_order_relaxed))
-    reading_.status = Status::fault;
-  else if (since_answer_s_ > kStale_s)
-    reading_.status = Status::stale;
+  reading_.status = link_->lost.load(std::memory_order_relaxed) ? Status::fault : fresh_.status(last_);
   return reading_;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/device/device.hpp"
+#include "palpable/device/freshness.hpp"
 #include "palpable/device/inverse3/inverse3_messages.hpp"
 
 #include <cstdint>
@@ -32,10 +33,6 @@ struct Inverse3Options {
 /// without waiting.
 class Inverse3 final : public Device {
  public:
-  /// Without an answer for this long the position is stale; later the device has failed.
-  static constexpr double kStale_s = 0.008;
-  static constexpr double kSilent_s = 0.5;
-
   /// Errors (device): no service, none of its devices has the identifier, no answer within two seconds.
   static Result<std::unique_ptr<Inverse3>> open(const Inverse3Options& options);
   ~Inverse3() override;
@@ -52,10 +49,11 @@ class Inverse3 final : public Device {
 
   std::unique_ptr<Link> link_;
   Traits traits_;
-  double period_s_;
+  Freshness fresh_;
   Vec3 centre_m_;
   Reading reading_;
-  double since_answer_s_ = 0.0;
+  /// Of the last answer.
+  Status last_ = Status::not_ready;
 };
 
 /// Opens `inverse3:DEVICE?port=10001&max-force=8&form=both`; without an identifier the first device. Errors:

@@ -53,7 +53,7 @@ std::array<double, 6> usable_workspace_mm(const HdFunctions& functions) {
 }  // namespace
 
 OpenHaptics::OpenHaptics(const HdFunctions& hd, unsigned handle, const OpenHapticsOptions& options)
-    : hd_(hd), handle_(handle), period_s_(1.0 / options.rate_hz) {
+    : hd_(hd), handle_(handle), fresh_(1.0 / options.rate_hz) {
   hd_.hdMakeCurrentDevice(handle_);
   traits_.name = text_or(hd_.hdGetString(hd::kModel), "3D Systems device");
   const auto box = usable_workspace_mm(hd_);
@@ -147,21 +147,17 @@ void OpenHaptics::exchange() noexcept {
 }
 
 Reading OpenHaptics::read() noexcept {
-  since_state_s_ += period_s_;
+  fresh_.pass();
   if (states_.take(state_)) {
     const Vec3 position = kMetres * (state_.position_mm - centre_mm_);
     if (is_finite(position) && norm(position) < kFarthestTouch_m) {
-      since_state_s_ = 0.0;
+      fresh_.renew();
+      last_ = state_.calibrated ? Status::ok : Status::not_ready;
       reading_.position.v = position;
       reading_.buttons = state_.buttons;
     }
   }
-  if (since_state_s_ > kSilent_s)
-    reading_.status = Status::fault;
-  else if (since_state_s_ > kStale_s)
-    reading_.status = Status::stale;
-  else if (since_state_s_ == 0.0)
-    reading_.status = state_.calibrated ? Status::ok : Status::not_ready;
+  reading_.status = fresh_.status(last_);
   return reading_;
 }
 

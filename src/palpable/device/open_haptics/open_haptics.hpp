@@ -4,6 +4,7 @@
 
 #include "palpable/core/system/hand_off.hpp"
 #include "palpable/device/device.hpp"
+#include "palpable/device/freshness.hpp"
 #include "palpable/device/open_haptics/hd_functions.hpp"
 #include "palpable/device/transport/force_hand_off.hpp"
 
@@ -31,10 +32,6 @@ struct OpenHapticsOptions {
 /// written; the servo's thread exchanges both with it without waiting (ForceHandOff).
 class OpenHaptics final : public Device {
  public:
-  /// Without a position for this long the position is stale; later the device has failed.
-  static constexpr double kStale_s = 0.008;
-  static constexpr double kSilent_s = 0.5;
-
   /// Starts the library's thread. Errors (device): no device, or the library's own sentence.
   static Result<std::unique_ptr<OpenHaptics>> open(const HdFunctions& hd, const OpenHapticsOptions& options);
   ~OpenHaptics() override;
@@ -62,7 +59,6 @@ class OpenHaptics final : public Device {
   unsigned long task_ = 0;
   Traits traits_;
   Vec3 centre_mm_;
-  double period_s_;
 
   LatestValue<State> states_;
   ForceHandOff forces_;
@@ -76,7 +72,9 @@ class OpenHaptics final : public Device {
   // The servo's thread only.
   State state_;
   Reading reading_;
-  double since_state_s_ = 0.0;
+  Freshness fresh_;
+  /// Of the last state with a position.
+  Status last_ = Status::not_ready;
 };
 
 /// Opens `touch:NAME?max-force=N&library=FILE`; without a name the default device. Errors: usage (options),

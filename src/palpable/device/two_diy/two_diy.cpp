@@ -84,7 +84,8 @@ TwoDiy::TwoDiy(std::unique_ptr<SerialPort> port, const TwoDiyVariant& variant, d
     : port_(std::move(port)),
       variant_(variant),
       traits_(traits_of(variant, rate_hz)),
-      period_s_(1.0 / rate_hz) {}
+      period_s_(1.0 / rate_hz),
+      fresh_(period_s_) {}
 
 Result<std::unique_ptr<TwoDiy>> TwoDiy::open(const std::string& path, const TwoDiyVariant& variant,
                                              double rate_hz) {
@@ -146,7 +147,7 @@ bool TwoDiy::is_plausible(std::array<float, 2> board_deg) const noexcept {
   constexpr double kLeast_deg = 2.0;
   // However long ago the last answer was: parts of answers that are taken for one often say 0 degrees.
   constexpr double kMost_deg = 45.0;
-  const double most_deg = std::min(kMost_deg, kLeast_deg + kFastest_deg_per_s * since_answer_s_);
+  const double most_deg = std::min(kMost_deg, kLeast_deg + kFastest_deg_per_s * fresh_.age_s());
   const auto turned = [&](std::size_t k) {
     return std::abs(static_cast<double>(board_deg[k]) - static_cast<double>(board_deg_[k]));
   };
@@ -157,7 +158,7 @@ void TwoDiy::follow(std::array<float, 2> board_deg) noexcept {
   board_deg_ = board_deg;
   const auto rad = [&](std::size_t k) { return kRadians * static_cast<double>(board_deg[k]); };
   angles_ = {rad(is_swapped() ? 1 : 0), rad(is_swapped() ? 0 : 1)};
-  since_answer_s_ = 0.0;
+  fresh_.renew();
   const auto handle = variant_.linkage.handle_at(angles_);
   has_place_ = handle.has_value();
   if (handle) reading_.position.v = {variant_.centre.x - handle->x, variant_.centre.y - handle->y, 0.0};
@@ -169,22 +170,20 @@ std::array<float, 2> TwoDiy::in_board_order(std::array<double, 2> by_motor_Nm) c
 }
 
 Reading TwoDiy::read() noexcept {
-  since_answer_s_ += period_s_;
+  fresh_.pass();
   std::array<std::byte, 64> bytes{};
   const auto angles = answers_.take(std::span(bytes).first(port_->read(bytes)));
   if (angles && is_plausible(*angles)) follow(*angles);
   awaited_ -= std::min(awaited_, answers_.complete() - answered_);
   answered_ = answers_.complete();
-  is_recent_ = since_answer_s_ <= kStale_s;
-  reading_.status = has_place_ && is_recent_ ? Status::ok : Status::stale;
-  if (port_->lost() || since_answer_s_ > kSilent_s) reading_.status = Status::fault;
+  reading_.status = port_->lost() ? Status::fault : fresh_.status(has_place_ ? Status::ok : Status::stale);
   return reading_;
 }
 
 void TwoDiy::write(Vector<DeviceFrame> force_N) noexcept {
   since_sent_s_ += period_s_;
   // Without a place the force has no direction.
-  const auto torques = has_place_ && is_recent_
+  const auto torques = reading_.status == Status::ok
                            ? variant_.linkage.torques(angles_, {-force_N.v.x, -force_N.v.y})
                            : std::nullopt;
   std::array<double, 2> sent = torques.value_or(std::array{0.0, 0.0});

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/device/device.hpp"
+#include "palpable/device/freshness.hpp"
 #include "palpable/device/transport/serial_port.hpp"
 #include "palpable/device/two_diy/two_diy_wire.hpp"
 #include "palpable/device/zero_write.hpp"
@@ -26,9 +27,6 @@ class TwoDiy final : public Device, public Guardable {
  public:
   /// Without a new answer for this long, the torques are sent again.
   static constexpr double kPatience_s = 0.005;
-  /// Without one for this long, the position is stale and the torques are zero; later the device has failed.
-  static constexpr double kStale_s = 0.008;
-  static constexpr double kSilent_s = 0.5;
 
   /// Sets the board up: the handle must be at home. Errors (device): no answer within a second.
   static Result<std::unique_ptr<TwoDiy>> open(const std::string& path, const TwoDiyVariant& variant,
@@ -57,20 +55,20 @@ class TwoDiy final : public Device, public Guardable {
   Traits traits_;
   TwoDiyAnswers answers_;
   double period_s_;
+  /// Of answers; without recent ones the torques are zero.
+  Freshness fresh_;
   std::array<float, 2> board_deg_{};
   LinkAngles angles_{};
   Reading reading_;
   /// The board numbers its angles and torques by motor, not by port.
   bool ordered_by_motor_ = false;
-  /// Whether the last angles determine a place, and are recent.
+  /// Whether the last angles determine a place.
   bool has_place_ = false;
-  bool is_recent_ = true;
   /// Messages that were sent and not yet answered, and answers at the last count.
   std::uint64_t awaited_ = 0;
   std::uint64_t answered_ = 0;
   bool sent_zero_ = true;
   double since_sent_s_ = 0.0;
-  double since_answer_s_ = 0.0;
 };
 
 /// Opens `2diy:PATH?variant=v3`; without a path the only /dev/ttyACM* that is there. Errors: usage (options),

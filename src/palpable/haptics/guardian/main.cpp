@@ -3,7 +3,8 @@
 // Waits until the program that started it ends, for whatever reason, and then writes the bytes that set the
 // device to zero force; also while the program's servo stands still. Descriptors: 3 is the read end of a pipe
 // whose write end only that program holds, 4 is the device, 5 is shared memory with the servo's counter of
-// ticks (u64). Arguments: the bytes in hexadecimal, and the time without a tick that counts as stillness, ms.
+// ticks (u64). Arguments: the bytes in hexadecimal, the time without a tick that counts as stillness, ms, and
+// the endpoint if the device is one of USB, else 0.
 #include <atomic>
 #include <cerrno>
 #include <chrono>
@@ -14,8 +15,10 @@
 #include <string_view>
 #include <vector>
 
+#include <linux/usbdevice_fs.h>
 #include <poll.h>
 #include <sched.h>
+#include <sys/ioctl.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -33,7 +36,21 @@ std::vector<unsigned char> bytes_in(std::string_view text) {
   return bytes;
 }
 
-bool write_all(const std::vector<unsigned char>& bytes) {
+/// One bulk transfer to a USB device, whose interface the shared descriptor has claimed.
+bool send_usb(std::vector<unsigned char> bytes, unsigned endpoint) {
+  constexpr unsigned kPatience_ms = 5;
+  usbdevfs_bulktransfer transfer{endpoint, static_cast<unsigned>(bytes.size()), kPatience_ms, bytes.data()};
+  return ioctl(kDevice, USBDEVFS_BULK, &transfer) == static_cast<int>(bytes.size());
+}
+
+struct Zero {
+  std::vector<unsigned char> bytes;
+  unsigned usb_endpoint = 0;
+};
+
+bool write_all(const Zero& zero) {
+  const auto& bytes = zero.bytes;
+  if (zero.usb_endpoint != 0) return send_usb(bytes, zero.usb_endpoint);
   // Fails on a serial line or a socket, which have no start.
   lseek(kDevice, 0, SEEK_SET);
   for (std::size_t done = 0; done < bytes.size();) {
@@ -46,8 +63,7 @@ bool write_all(const std::vector<unsigned char>& bytes) {
 
 /// Writes the bytes once each time that the counter, once it counts, stands still. Returns when the program
 /// has ended.
-void watch(const std::atomic<std::uint64_t>& beats, std::chrono::milliseconds still,
-           const std::vector<unsigned char>& bytes) {
+void watch(const std::atomic<std::uint64_t>& beats, std::chrono::milliseconds still, const Zero& zero) {
   using Clock = std::chrono::steady_clock;
   std::uint64_t last = 0;
   auto since = Clock::now();
@@ -62,7 +78,7 @@ void watch(const std::atomic<std::uint64_t>& beats, std::chrono::milliseconds st
       since = Clock::now();
       written = false;
     } else if (!written && Clock::now() - since > still) {
-      write_all(bytes);
+      write_all(zero);
       written = true;
     }
   }
@@ -72,10 +88,10 @@ void watch(const std::atomic<std::uint64_t>& beats, std::chrono::milliseconds st
 
 int main(int argc, char** argv) {
   constexpr int kWrongUsage = 2;
-  if (argc != 3) return kWrongUsage;
+  if (argc != 4) return kWrongUsage;
   void* shared = mmap(nullptr, sizeof(std::atomic<std::uint64_t>), PROT_READ, MAP_SHARED, kBeats, 0);
   if (shared == MAP_FAILED) return kWrongUsage;
-  const auto bytes = bytes_in(argv[1]);
+  const Zero zero{bytes_in(argv[1]), static_cast<unsigned>(std::atoi(argv[3]))};
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGPIPE}) std::signal(number, SIG_IGN);
   // Neither is always permitted; the program works without them.
   sched_param priority{};
@@ -84,6 +100,6 @@ int main(int argc, char** argv) {
   sched_setscheduler(0, SCHED_FIFO, &priority);
   mlockall(MCL_CURRENT | MCL_FUTURE);
   watch(*static_cast<const std::atomic<std::uint64_t>*>(shared),
-        std::chrono::milliseconds(std::atoi(argv[2])), bytes);
-  return write_all(bytes) ? 0 : 1;
+        std::chrono::milliseconds(std::atoi(argv[2])), zero);
+  return write_all(zero) ? 0 : 1;
 }

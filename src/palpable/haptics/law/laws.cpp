@@ -17,6 +17,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -73,6 +75,32 @@ std::vector<Law> laws_for(const models::Scene& scene) {
   return laws;
 }
 
+double largest_radius_m(const models::Scene& scene, Law law) {
+  const LawDescription& description = description_of(law);
+  // The laws of the plane touch a solid's view from above.
+  const bool on_field =
+      description.degrees_of_freedom > 2 && find_parameter(description, &LawParameters::radius_m) != nullptr;
+  const auto largest_m = [](const auto& field) {
+    return std::max(0.0, field.margin_m() - 0.5 * field.distance.cell_m());
+  };
+  if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model); on_field && field)
+    return largest_m(**field);
+  if (const auto* field = std::get_if<std::shared_ptr<const models::FieldOnLattice>>(&scene.model);
+      on_field && field)
+    return largest_m(**field);
+  return std::numeric_limits<double>::infinity();
+}
+
+std::string too_large_ball_words(double radius_m, double largest_m) {
+  constexpr double kSteps_per_mm = 10.0;
+  constexpr double kMore_m = 5e-4;
+  std::ostringstream words;
+  words << "a ball of " << 1e3 * radius_m << " mm touches this solid from beyond the border of its field: "
+        << "the largest radius is " << std::floor(1e3 * kSteps_per_mm * largest_m) / kSteps_per_mm
+        << " mm, or make the field with a margin (field.margin_m) of " << radius_m + kMore_m << " m";
+  return words.str();
+}
+
 Result<std::shared_ptr<const Touchable>> make_touchable(const models::Scene& scene,
                                                         const LawParameters& parameters, DilatedRelief* kept,
                                                         const Work& work) {
@@ -82,6 +110,8 @@ Result<std::shared_ptr<const Touchable>> make_touchable(const models::Scene& sce
   if (!renders(law, scene))
     return usage_error("the law " + std::string(law.name) + " does not exist for a " +
                        models::kind_of(scene.model));
+  if (const double largest_m = largest_radius_m(scene, law.law); parameters.radius_m > largest_m)
+    return usage_error(too_large_ball_words(*parameters.radius_m, largest_m));
   auto touchable = law.make({scene, parameters, kept, work}).touchable;
   if (!touchable || scene.guide == nullptr) return touchable;
   if (!models::is_valid(*scene.guide)) return usage_error("the scene's guide is out of range");

@@ -11,7 +11,9 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <numbers>
 #include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -22,10 +24,13 @@ namespace {
 
 using DistanceTo = std::function<double(Vec3)>;
 
-/// A solid in a box, sampled every quarter of a millimetre, with the least margin of a field.
+constexpr double kSpacing_m = 2.5e-4;
+/// The least margin of a field, and the largest ball that may touch it.
+constexpr double kAround_m = 2e-3;
+constexpr double kLargestBall_m = kAround_m - 0.5 * kSpacing_m - 1e-9;
+
+/// A solid in a box, sampled every quarter of a millimetre.
 models::Scene sampled_solid(const DistanceTo& distance_to, Vec3 least_m, Vec3 most_m) {
-  constexpr double kSpacing_m = 2.5e-4;
-  constexpr double kAround_m = 2e-3;
   models::Lattice lattice;
   lattice.origin_m = least_m - Vec3{kAround_m, kAround_m, kAround_m};
   lattice.spacing_m = kSpacing_m;
@@ -182,8 +187,9 @@ TEST(SolidAir, HasNoForceForAnyLawWithContactAndAnyRadius) {
   for (const Solid& solid : solids)
     for (const AirCase touched :
          {AirCase{Law::proxy, 0.0, 0.0}, AirCase{Law::proxy, 0.5, 0.0}, AirCase{Law::proxy, 0.3, 0.001},
-          AirCase{Law::proxy, 0.0, 0.005}, AirCase{Law::penalty, 0.0, 0.0}, AirCase{Law::penalty, 0.0, 0.002},
-          AirCase{Law::penalty, 0.0, 0.005}, AirCase{Law::tool, 0.0, 0.008}}) {
+          AirCase{Law::proxy, 0.0, kLargestBall_m}, AirCase{Law::penalty, 0.0, 0.0},
+          AirCase{Law::penalty, 0.0, 0.001}, AirCase{Law::penalty, 0.0, kLargestBall_m},
+          AirCase{Law::tool, 0.0, 0.008}}) {
       const Air air = air_around(solid, touched, 60, random);
       EXPECT_EQ(air.pushed, 0) << name_of(touched.law) << " friction " << touched.friction << " radius "
                                << touched.radius_m << ": " << air.most_N << " N";
@@ -197,6 +203,54 @@ TEST(SolidAir, HasNoForceForAnyLawWithContactAndAnyRadius) {
     }
   EXPECT_GT(all.clear_ticks, 100000);
   EXPECT_GT(all.contacts, 500);
+}
+
+/// The work of `penalty` on a hand led once around a circle whose middle is near a solid's surface.
+double work_on_circle_J(const Touchable& law, double around_m, std::mt19937_64& random) {
+  constexpr int kSteps = 4000;
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  const Vec3 middle{0.016 * unit(random), 0.008 * unit(random), 0.008 * unit(random)};
+  const Vec3 a = palpable::unit(Vec3{unit(random), unit(random), unit(random)});
+  const Vec3 b = palpable::unit(cross(a, Vec3{unit(random), unit(random), unit(random)}));
+  const auto at = [&](int k) {
+    const double angle = 2.0 * std::numbers::pi * k / kSteps;
+    return middle + around_m * (std::cos(angle) * a + std::sin(angle) * b);
+  };
+  double work_J = 0.0;
+  for (int k = 0; k < kSteps; ++k) {
+    TouchState state;
+    work_J += dot(output_at(law, state, 0.5 * (at(k) + at(k + 1))).force_N.v, at(k + 1) - at(k));
+  }
+  return work_J;
+}
+
+TEST(SolidAir, ClosedPathsOfTheLargestBallMakeNoEnergy) {
+  LawParameters p;
+  p.law = Law::penalty;
+  p.stiffness_N_per_m = 500.0;
+  p.damping_Ns_per_m = 0.0;
+  p.radius_m = kLargestBall_m;
+  std::mt19937_64 random(33);
+  const Solid solid = two_balls();
+  const auto law = made(solid.scene, p);
+  for (int k = 0; k < 40; ++k) EXPECT_LE(std::abs(work_on_circle_J(*law, 0.003, random)), 1e-6);
+}
+
+TEST(SolidAir, LargerBallsThanTheMarginAreRefusedWithTheLargestRadius) {
+  const Solid solid = two_balls();
+  for (const Law law : {Law::proxy, Law::penalty}) {
+    EXPECT_NEAR(largest_radius_m(solid.scene, law), kLargestBall_m, 1e-8);
+    LawParameters p;
+    p.law = law;
+    p.radius_m = 0.003;
+    const auto refused = make_touchable(solid.scene, p);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::usage);
+    EXPECT_NE(refused.error().message.find("the largest radius is 1.8 mm"), std::string::npos)
+        << refused.error().message;
+  }
+  // A ball that rolls on the view from above does not touch the field.
+  EXPECT_TRUE(std::isinf(largest_radius_m(solid.scene, Law::rolling)));
 }
 
 /// The greatest force of the law `rolling` on a resting hand: anywhere, and where no part of the solid is

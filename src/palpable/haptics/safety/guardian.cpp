@@ -41,8 +41,9 @@ Result<std::unique_ptr<Guardian>> Guardian::start(const device::ZeroWrite& zero)
                      : MAP_FAILED;
   if (memory == MAP_FAILED) return Error{ErrorCode::failed, "no memory can be shared with the guardian", {}};
   auto* beats = new (memory) Beats{};
-  const auto process = start_child(*program, {hexadecimal(zero.bytes), std::to_string(kStill_ms)},
-                                   std::array{its.number(), device.number(), shared.number()});
+  const auto process = start_child(
+      *program, {hexadecimal(zero.bytes), std::to_string(kStill_ms), std::to_string(zero.usb_endpoint)},
+      std::array{its.number(), device.number(), shared.number()});
   std::unique_ptr<Guardian> guardian(new Guardian(std::move(ours), beats, process ? *process : -1));
   if (!process) return process.error();
   return guardian;

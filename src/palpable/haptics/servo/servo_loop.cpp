@@ -402,5 +402,6 @@ RealTimeOutcome ServoLoop::real_time() const {
 }
 const device::Traits& ServoLoop::device_traits() const { return impl_->device->traits(); }
 std::string ServoLoop::device_fault() const { return impl_->device->fault(); }
+std::string ServoLoop::device_guidance() const { return impl_->device->guidance(); }
 
 }  // namespace palpable::haptics

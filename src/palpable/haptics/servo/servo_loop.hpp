@@ -95,6 +95,8 @@ class ServoLoop {
   const device::Traits& device_traits() const;
   /// The device's description of its fault; empty if there is none.
   std::string device_fault() const;
+  /// What the person does next so that the device becomes ready; empty if nothing.
+  std::string device_guidance() const;
 
  private:
   struct Impl;

@@ -7,6 +7,7 @@
 #include "palpable/models/field/superquadric.hpp"
 #include "palpable/models/relief/relief.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -26,6 +27,13 @@ struct SolidField {
   /// The superquadrics that it was sampled from; empty for other solids.
   std::vector<Superquadric> primitives;
 
+  /// The least space between the solid and the border of its field: from farther away than that the distance
+  /// is not the field's own (outside_box()).
+  double margin_m() const {
+    const Vec3 below = least_m - distance.origin_m();
+    const Vec3 above = distance.origin_m() + distance.size_m() - most_m;
+    return std::min({below.x, below.y, below.z, above.x, above.y, above.z});
+  }
   std::size_t memory_bytes() const { return distance.memory_bytes() + from_above->memory_bytes(); }
 };
 

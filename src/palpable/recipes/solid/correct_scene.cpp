@@ -16,13 +16,17 @@
 namespace palpable::recipes {
 namespace {
 
-/// The options that the field was built with; its resolution follows from its cells.
+/// The options that the field was built with; its resolution follows from its cells. Its margin is the rule's
+/// or what was asked for, rounded up to whole root cells.
 sculpt::FieldOptions options_of(const models::Field& field) {
   const Vec3 size = field.most_m - field.least_m;
   sculpt::FieldOptions options;
   const double cells = std::max({size.x, size.y, size.z}) / field.distance.cell_m();
   options.resolution = std::clamp(static_cast<int>(std::lround(cells)), 16, 4096);
   options.max_error_m = field.distance.errors().bound_m;
+  const models::FieldGrid& grid = field.distance.grid();
+  const double asked_m = field.margin_m() - 0.5 * grid.cell_m * (1 << grid.levels);
+  if (asked_m > sculpt::field_margin_m({field.least_m, field.most_m}, 0.0)) options.margin_m = asked_m;
   return options;
 }
 

@@ -205,6 +205,7 @@ sculpt::DenseFieldOptions dense_options(const FieldRecipe& recipe) {
   sculpt::DenseFieldOptions dense;
   if (recipe.storage == FieldStorage::paper) dense.content = models::DenseContent::distance_and_force;
   dense.resolution = recipe.field.resolution;
+  dense.margin_m = recipe.field.margin_m;
   return dense;
 }
 

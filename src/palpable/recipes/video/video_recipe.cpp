@@ -197,11 +197,27 @@ Result<MadeScene> field_of_shapes(const VideoModel& model, const VideoRecipe& re
   return made;
 }
 
+// The field was made from values in the ground's axes; its scene states the world of the poses as its input.
+void state_world(const VideoModel& model, models::Scene& scene) {
+  const auto axes = model.axes.axes_from_world();
+  Transform<models::InputFrame, models::InputFrame> axes_from_input;
+  axes_from_input.rotation = axes.rotation, axes_from_input.translation_m = axes.translation_m;
+  scene.scene_from_input = scene.scene_from_input * axes_from_input;
+}
+
 Result<MadeScene> corrected_field(const VideoModel& model, const std::vector<FrameDepth>& maps,
                                   const VideoRecipe& recipe, const FieldRecipe& field, const Work& work,
                                   VideoReconstruction& video) {
+  std::vector<int> numbers;
+  for (const auto& depth : video.depth_maps) numbers.push_back(depth.frame_number);
+  const TakeState grown = [&](MadeScene state) {
+    state_world(model, state.scene);
+    recipe.grown(std::move(state));
+  };
+  const auto observer =
+      growing_fields(recipe.growth, field, std::move(numbers), recipe.grown ? grown : TakeState(), work);
   auto corrected = corrected_model(model, maps, video.depth_maps.front().picture, recipe.shapes,
-                                   recipe.corrected, {}, work);
+                                   recipe.corrected, observer, work);
   if (!corrected) return corrected.error();
   const bool kept = corrected->surface.triangles.empty();
   auto made = kept ? field_from_superquadrics(std::move(corrected->shapes.shapes), field, work)
@@ -263,16 +279,6 @@ Result<CameraMotion> motion_of(Frames& frames, const vision::VideoCamera& camera
              : vision::motion_from_tracks(*tracks, count, camera, recipe.motion, work);
 }
 
-// The field was made from values in the ground's axes; its scene states the world of the poses as its input.
-void state_world(const VideoModel& model, MadeScene& made, VideoReconstruction& video) {
-  const auto axes = model.axes.axes_from_world();
-  Transform<models::InputFrame, models::InputFrame> axes_from_input;
-  axes_from_input.rotation = axes.rotation, axes_from_input.translation_m = axes.translation_m;
-  made.scene.scene_from_input = made.scene.scene_from_input * axes_from_input;
-  const auto& all = made.scene.scene_from_input;
-  video.scene_from_world = {all.rotation, all.translation_m, all.scale};
-}
-
 Result<MadeScene> field_of_surface(const VideoModel& model, const std::vector<FrameDepth>& maps,
                                    const VideoRecipe& recipe, const FieldRecipe& field, const Work& work,
                                    VideoReconstruction& video) {
@@ -331,6 +337,7 @@ std::vector<Parameter> parameters_of(VideoRecipe& recipe) {
   append_parameters(out, "model", parameters_of(recipe.model));
   append_parameters(out, "shapes", parameters_of(recipe.shapes));
   append_parameters(out, "corrected", parameters_of(recipe.corrected));
+  append_parameters(out, "growth", parameters_of(recipe.growth));
   append_parameters(out, "scale", parameters_of(recipe.scale));
   append_parameters(out, "advice", parameters_of(recipe.advice));
   return out;
@@ -366,7 +373,9 @@ Result<MadeScene> field_from_video(const std::vector<VideoFrame>& given, const v
   const FieldRecipe field = placed(recipe, video.metric);
   auto made = field_of_surface(model, depth->maps, recipe, field, work, video);
   if (!made) return made.error();
-  state_world(model, *made, video);
+  state_world(model, made->scene);
+  const auto& placed_by = made->scene.scene_from_input;
+  video.scene_from_world = {placed_by.rotation, placed_by.translation_m, placed_by.scale};
   made->notes = notes_of(*frames, video, depth->scale, made->notes);
   video.structure = std::move(model.structure);
   made->video = std::make_shared<const VideoReconstruction>(std::move(video));

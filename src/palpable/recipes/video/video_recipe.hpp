@@ -10,6 +10,7 @@
 #include "palpable/recipes/made_scene.hpp"
 #include "palpable/recipes/solid/field_recipe.hpp"
 #include "palpable/recipes/video/corrected_model.hpp"
+#include "palpable/recipes/video/model_growth.hpp"
 #include "palpable/recipes/video/model_shapes.hpp"
 #include "palpable/recipes/video/video_advice.hpp"
 #include "palpable/recipes/video/video_model.hpp"
@@ -71,6 +72,11 @@ struct VideoRecipe {
   VideoModelOptions model;
   ModelShapesOptions shapes;
   CorrectedModelOptions corrected;
+  /// How a growing model is shown to `grown`.
+  GrowthOptions growth;
+  /// Receives the states of a model that is being corrected, in the order of their errors, on the thread
+  /// that makes it. May be empty; not called for other surfaces.
+  TakeState grown;
   VideoScaleOptions scale;
   VideoAdviceOptions advice;
   sculpt::FusionOptions fusion;

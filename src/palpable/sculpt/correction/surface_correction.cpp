@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/correction/surface_correction.hpp"
 
+#include "palpable/sculpt/correction/surface_geodesic.hpp"
 #include "palpable/sculpt/triangles/box.hpp"
 #include "palpable/sculpt/triangles/pinched_edges.hpp"
 #include "palpable/sculpt/triangles/triangle_tree.hpp"
@@ -18,22 +19,6 @@
 #include <utility>
 
 namespace palpable::sculpt {
-
-struct SampleNetwork {
-  struct Edge {
-    std::uint32_t to = 0;
-    double length_m = 0.0;
-  };
-  std::vector<Vec3> normals;
-  /// Sample i's neighbours are edges[begin[i]] ... edges[begin[i + 1] - 1].
-  std::vector<std::uint32_t> begin;
-  std::vector<Edge> edges;
-
-  std::span<const Edge> from(std::uint32_t i) const {
-    return {edges.data() + begin[i], begin[i + 1] - begin[i]};
-  }
-};
-
 namespace {
 
 constexpr double kRadian = std::numbers::pi / 180.0;
@@ -41,31 +26,6 @@ constexpr double kRadian = std::numbers::pi / 180.0;
 Vec3 normal_of(const Mesh& mesh, const std::array<std::uint32_t, 3>& t) {
   const Vec3 a = mesh.vertices_m[t[0]];
   return unit(cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a));
-}
-
-SampleNetwork network_of(const Mesh& mesh) {
-  SampleNetwork n;
-  n.normals.resize(mesh.vertices_m.size());
-  n.begin.resize(mesh.vertices_m.size() + 1);
-  for (const auto& t : mesh.triangles) {
-    const Vec3 a = mesh.vertices_m[t[0]];
-    const Vec3 twice = cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a);
-    for (const std::uint32_t i : t) {
-      n.normals[i] += twice;
-      // In a closed mesh each edge occurs once in each direction.
-      ++n.begin[i + 1];
-    }
-  }
-  for (Vec3& normal : n.normals) normal = unit(normal);
-  for (std::size_t i = 1; i < n.begin.size(); ++i) n.begin[i] += n.begin[i - 1];
-  n.edges.resize(3 * mesh.triangles.size());
-  std::vector<std::uint32_t> next(n.begin.begin(), n.begin.end() - 1);
-  for (const auto& t : mesh.triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
-      n.edges[next[a]++] = {b, norm(mesh.vertices_m[b] - mesh.vertices_m[a])};
-    }
-  return n;
 }
 
 /// The parameter t at which the line p + t d meets a triangle, border included (Moller & Trumbore
@@ -124,58 +84,6 @@ std::vector<std::optional<double>> distances_along_normals(const Mesh& measured,
   });
   return distances;
 }
-
-/// The samples within a geodesic distance of one of them, by a search along the mesh's edges. Edges zigzag,
-/// so the length of a path only bounds the search. The distance itself is the length of an arc over the
-/// chord, whose angle follows from both normals; it is exact on a sphere.
-class Geodesic {
- public:
-  Geodesic(const CorrectedSurface& surface, double longest_path)
-      : longest_path_(longest_path),
-        places_m_(surface.predicted.vertices_m),
-        network_(*surface.network),
-        path_m_(places_m_.size(), kFar) {}
-
-  /// Calls visit(sample) for samples that may be within the radius; distance_m() gives the exact distance.
-  template <class Visit>
-  void around(std::uint32_t from, double radius_m, Visit&& visit) {
-    const auto reach = [&](std::uint32_t i, double path_m) {
-      if (path_m >= path_m_[i] || path_m > longest_path_ * radius_m) return;
-      if (path_m_[i] == kFar) seen_.push_back(i);
-      path_m_[i] = path_m;
-      open_.push_back({i, path_m});
-    };
-    reach(from, 0.0);
-    // Edges have similar lengths, so a queue in order of arrival visits few samples twice.
-    for (std::size_t k = 0; k < open_.size(); ++k) {
-      const SampleNetwork::Edge here = open_[k];
-      if (here.length_m > path_m_[here.to]) continue;
-      for (const SampleNetwork::Edge& edge : network_.from(here.to))
-        reach(edge.to, here.length_m + edge.length_m);
-    }
-    for (const std::uint32_t i : seen_) {
-      if (squared_norm(places_m_[from] - places_m_[i]) < radius_m * radius_m) visit(i);
-      path_m_[i] = kFar;
-    }
-    seen_.clear();
-    open_.clear();
-  }
-
-  double distance_m(std::uint32_t a, std::uint32_t b) const {
-    const double chord = norm(places_m_[a] - places_m_[b]);
-    const double half_sine = 0.5 * norm(network_.normals[a] - network_.normals[b]);
-    return half_sine > 1e-6 ? chord * std::asin(std::min(half_sine, 1.0)) / half_sine : chord;
-  }
-
- private:
-  static constexpr double kFar = std::numeric_limits<double>::infinity();
-  double longest_path_;
-  const std::vector<Vec3>& places_m_;
-  const SampleNetwork& network_;
-  std::vector<double> path_m_;
-  std::vector<std::uint32_t> seen_;
-  std::vector<SampleNetwork::Edge> open_;
-};
 
 Result<void> check(const Mesh& measured, const CorrectionOptions& options) {
   if (auto valid = check_ranges(options); !valid) return valid;

@@ -21,8 +21,8 @@ namespace {
 using models::DenseContent;
 using models::Lattice;
 
-Lattice lattice_of(const Box& bounds, double spacing_m) {
-  const double margin_m = field_margin_m(bounds);
+Lattice lattice_of(const Box& bounds, double spacing_m, double asked_margin_m) {
+  const double margin_m = field_margin_m(bounds, asked_margin_m);
   const Vec3 size = bounds.size_m();
   const auto count = [&](double extent) {
     return static_cast<int>(std::ceil((extent + 2.0 * margin_m) / spacing_m - 1e-9)) + 1;
@@ -125,14 +125,15 @@ Result<std::vector<float>> marched(const DistanceSource& source, const Lattice& 
 }  // namespace
 
 Result<Lattice> lattice_around(const Box& bounds, const DenseFieldOptions& options) {
-  const auto spacing_m = finest_cell_m(bounds, {.resolution = options.resolution});
+  const auto spacing_m =
+      finest_cell_m(bounds, {.resolution = options.resolution, .margin_m = options.margin_m});
   if (!spacing_m) return spacing_m.error();
-  const Lattice lattice = lattice_of(bounds, *spacing_m);
+  const Lattice lattice = lattice_of(bounds, *spacing_m, options.margin_m);
   const double needed = bytes_of(lattice, options.content), most = static_cast<double>(options.most_bytes);
   if (needed <= most) return lattice;
   int fits = static_cast<int>(options.resolution * std::cbrt(most / needed)) + 1;
-  while (fits > 16 &&
-         bytes_of(lattice_of(bounds, *spacing_m * options.resolution / fits), options.content) > most)
+  while (fits > 16 && bytes_of(lattice_of(bounds, *spacing_m * options.resolution / fits, options.margin_m),
+                               options.content) > most)
     --fits;
   return field_too_large("a dense field", needed, options.most_bytes, options.resolution, fits);
 }

@@ -17,11 +17,13 @@ struct DenseFieldOptions {
   models::DenseContent content = models::DenseContent::distance;
   /// Cells along the solid's longest side, 16 ... 4096.
   int resolution = 512;
+  /// As FieldOptions::margin_m.
+  double margin_m = 0.0;
   /// A larger field is refused before any work is done.
   std::size_t most_bytes = std::size_t{1} << 31U;
 };
 
-/// The lattice for a solid in `bounds`, which surrounds it by 6 % of its longest side, at least 2 mm. Quick.
+/// The lattice for a solid in `bounds`, which surrounds it by field_margin_m(). Quick.
 /// Errors: as finest_cell_m(); failed for one over most_bytes, with the size that it would need and the
 /// resolution that fits.
 Result<models::Lattice> lattice_around(const Box& bounds, const DenseFieldOptions& options);

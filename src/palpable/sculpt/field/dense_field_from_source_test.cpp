@@ -115,7 +115,8 @@ TEST(DenseFieldFromSource, RefusesWhatWouldNotFitBeforeAnythingIsAskedAndSaysWha
     Box bounds() const override { return {{0.0, 0.0, 0.0}, {0.1, 0.05, 0.02}}; }
   };
   const Untouched solid;
-  DenseFieldOptions options{DenseContent::distance_and_force, 1024, std::size_t{64} << 20U};
+  DenseFieldOptions options{DenseContent::distance_and_force, 1024};
+  options.most_bytes = std::size_t{64} << 20U;
   const auto field = dense_field_from_source(solid, options, Work{});
   ASSERT_FALSE(field);
   EXPECT_EQ(field.error().code, ErrorCode::failed);

@@ -16,6 +16,8 @@ using models::DistanceField;
 using models::FieldGrid;
 using models::FieldTree;
 
+constexpr double kLargestMargin_m = 0.05;
+
 Error usage(std::string message) { return {ErrorCode::usage, std::move(message), {}}; }
 
 double longest_side(const Box& box) {
@@ -24,11 +26,11 @@ double longest_side(const Box& box) {
 }
 
 /// Root cells near a sixteenth of the longest side.
-FieldGrid grid_around(const Box& bounds, double cell_m, int resolution) {
+FieldGrid grid_around(const Box& bounds, double cell_m, const FieldOptions& options) {
   FieldGrid grid;
   grid.cell_m = cell_m;
-  while ((16 << grid.levels) < resolution && grid.levels < 8) ++grid.levels;
-  const double margin_m = field_margin_m(bounds);
+  while ((16 << grid.levels) < options.resolution && grid.levels < 8) ++grid.levels;
+  const double margin_m = field_margin_m(bounds, options.margin_m);
   const double root_m = cell_m * (1 << grid.levels);
   const Vec3 size = bounds.most_m - bounds.least_m;
   const auto roots = [&](double extent) {
@@ -42,17 +44,25 @@ FieldGrid grid_around(const Box& bounds, double cell_m, int resolution) {
 }  // namespace
 
 std::vector<Parameter> parameters_of(FieldOptions& o) {
-  return {{"resolution", &o.resolution, {16, 4096}, "cells", "finest cells along the longest side"},
-          {"max_error_m",
-           &o.max_error_m,
-           {0.0, 1.0},
-           "m",
-           "error bound; 0 = a ten-thousandth of the longest side"},
-          {"inside_m", &o.inside_m, {0.0, 1.0}, "m", "how deep inside the bound holds"},
-          {"outside_m", &o.outside_m, {0.0, 1.0}, "m", "how far outside the bound holds"}};
+  return {
+      {"resolution", &o.resolution, {16, 4096}, "cells", "finest cells along the longest side"},
+      {"max_error_m",
+       &o.max_error_m,
+       {0.0, 1.0},
+       "m",
+       "error bound; 0 = a ten-thousandth of the longest side"},
+      {"inside_m", &o.inside_m, {0.0, 1.0}, "m", "how deep inside the bound holds"},
+      {"outside_m", &o.outside_m, {0.0, 1.0}, "m", "how far outside the bound holds"},
+      {"margin_m",
+       &o.margin_m,
+       {0.0, kLargestMargin_m},
+       "m",
+       "space around the solid, the largest radius of a ball that touches it; 0 = 6 % of the longest side, "
+       "at least 2 mm"}};
 }
 
-double field_margin_m(const Box& bounds) {
+double field_margin_m(const Box& bounds, double asked_m) {
+  if (asked_m > 0.0) return asked_m;
   const double longest_m = longest_side(bounds);
   return std::max(0.06 * longest_m, std::min(0.002, 0.1 * longest_m));
 }
@@ -62,6 +72,8 @@ Result<double> finest_cell_m(const Box& bounds, const FieldOptions& options) {
     return usage("a field's resolution is 16 to 4096 cells along its longest side");
   if (!(options.max_error_m >= 0.0 && options.max_error_m <= 1.0))
     return usage("a field's greatest error is 0 to 1 m");
+  if (!(options.margin_m >= 0.0 && options.margin_m <= kLargestMargin_m))
+    return usage("a field's margin is 0 to 0.05 m");
   const double longest_m = longest_side(bounds);
   if (!(longest_m > 0.0 && longest_m < 1e6)) return invalid_input("is a solid without a finite extent");
   const double cell_m = longest_m / options.resolution;
@@ -83,7 +95,7 @@ Result<DistanceField> field_from_source(const DistanceSource& source, const Fiel
   const auto cell_m = finest_cell_m(box, options);
   if (!cell_m) return cell_m.error();
   const double longest_m = longest_side(box);
-  const FieldGrid grid = grid_around(box, *cell_m, options.resolution);
+  const FieldGrid grid = grid_around(box, *cell_m, options);
   const FitBounds bounds = bounds_for(longest_m, *cell_m, options);
   auto branches = branches_of(source, grid, bounds, options, nullptr, work);
   if (!branches) return branches.error();

@@ -23,6 +23,9 @@ struct FieldOptions {
   /// the longest side, and at most 15 % and 5 %.
   double inside_m = 0.003;
   double outside_m = 0.001;
+  /// Empty space around the solid, 0 ... 0.05 m, which is also the largest radius of a ball that touches the
+  /// field; 0 = field_margin_m()'s rule.
+  double margin_m = 0.0;
   /// A field that would need more memory is refused before it is allocated.
   std::size_t most_bytes = std::size_t{1} << 31U;
 };
@@ -40,15 +43,15 @@ Result<double> finest_cell_m(const Box& bounds, const FieldOptions& options);
 /// refuses.
 double facet_rounding_m(const Box& bounds, const FieldOptions& options);
 
-/// Margin of a field around the solid in `bounds`: 6 % of its longest side, at least 2 mm, but no more than
-/// 10 % of the side because of that minimum.
-double field_margin_m(const Box& bounds);
+/// Margin of a field around the solid in `bounds`: `asked_m`; if that is 0, 6 % of the solid's longest side,
+/// at least 2 mm, but no more than 10 % of the side because of that minimum.
+double field_margin_m(const Box& bounds, double asked_m);
 
 /// Samples a solid's distance adaptively: cells that no leaf of models/field/field_leaf.hpp fits are split
-/// into eight until they are the finest. The grid surrounds the solid by 6 % of its longest side, at least 2
-/// mm. Long work: all threads, reports progress, polls cancel; the same for any number of threads. Errors: as
-/// finest_cell_m(); failed for a field over most_bytes, naming about what it would take and the resolution
-/// that fits; interrupted.
+/// into eight until they are the finest. The grid surrounds the solid by field_margin_m(). Long work: all
+/// threads, reports progress, polls cancel; the same for any number of threads. Errors: as finest_cell_m();
+/// failed for a field over most_bytes, naming about what it would take and the resolution that fits;
+/// interrupted.
 Result<models::DistanceField> field_from_source(const DistanceSource& source, const FieldOptions& options,
                                                 const Work& work);
 

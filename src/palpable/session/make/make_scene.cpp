@@ -302,10 +302,11 @@ Result<void> make_scenes(const MakeOptions& options, const TakeScene& take, cons
     auto quick = quick_scene(from->values, options, work);
     const bool begun = quick.has_value();
     if (begun) take(*finished(*std::exchange(quick, std::nullopt), *from, options));
-    auto made = finished(made_for_cache(std::move(from->values), options, key, work), *from, options);
+    MakeOptions growing = options;
+    growing.recipes.video.grown = [&](MadeScene state) { take(*finished(std::move(state), *from, options)); };
+    auto made = finished(made_for_cache(std::move(from->values), growing, key, work), *from, options);
     if (!made) return made.error();
-    if (begun)
-      made->notes.emplace(made->notes.begin(), "The better model is ready: from now on you touch it.");
+    if (begun) made->notes.emplace(made->notes.begin(), "The best model is ready: from now on you touch it.");
     take(std::move(*made));
     return {};
   }

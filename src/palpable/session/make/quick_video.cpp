@@ -53,6 +53,10 @@ recipes::VideoRecipe quick_recipe(recipes::VideoRecipe recipe, const QuickVideo&
   recipe.tracks.most_points = std::min(recipe.tracks.most_points, options.most_points);
   recipe.tracks.least_distance_px = std::max(4.0, recipe.tracks.least_distance_px / 2);
   recipe.field.field.resolution = std::min(recipe.field.field.resolution, options.resolution);
+  // The superquadrics alone are soon ready; their correction follows.
+  if (recipe.surface == recipes::VideoSurface::corrected)
+    recipe.surface = recipes::VideoSurface::superquadrics;
+  recipe.grown = {};
   // Of the length's frame only the full video is sure to have a picture.
   recipe.length.reset();
   return recipe;

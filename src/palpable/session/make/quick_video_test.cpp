@@ -31,5 +31,14 @@ TEST(QuickVideo, KeepsASmallVideoAsItIs) {
   EXPECT_EQ(quick.camera.pinhole, video.camera.pinhole);
 }
 
+TEST(QuickRecipe, OfACorrectedSurfaceIsItsSuperquadricsAlone) {
+  recipes::VideoRecipe corrected;
+  corrected.surface = recipes::VideoSurface::corrected;
+  corrected.grown = [](recipes::MadeScene) {};
+  const recipes::VideoRecipe quick = quick_recipe(corrected, {});
+  EXPECT_EQ(quick.surface, recipes::VideoSurface::superquadrics);
+  EXPECT_FALSE(quick.grown);
+}
+
 }  // namespace
 }  // namespace palpable::session

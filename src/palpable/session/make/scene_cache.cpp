@@ -58,9 +58,9 @@ std::string text_of(const sculpt::PlacementOptions& placement) {
 }
 std::string text_of(const sculpt::FieldOptions& field) {
   // The memory limit decides whether there is a field, not its content.
-  const auto& [resolution, max_error_m, inside_m, outside_m, most_bytes] = field;
+  const auto& [resolution, max_error_m, inside_m, outside_m, margin_m, most_bytes] = field;
   static_cast<void>(most_bytes);
-  return fmt::format("{}; {:a}; {:a}; {:a}", resolution, max_error_m, inside_m, outside_m);
+  return fmt::format("{}; {:a}; {:a}; {:a}; {:a}", resolution, max_error_m, inside_m, outside_m, margin_m);
 }
 std::string text_of(const sculpt::WallOptions& walls) {
   // Up follows from the placement.

@@ -144,6 +144,19 @@ void limit_slope_force(const device::Traits& device, PreparedScene& prepared) {
       wanted_N, device.max_force_N));
 }
 
+/// Limits the ball to what a field has room for, rather than refusing a scene because of the last one's ball.
+void limit_radius(const models::Scene& scene, PreparedScene& prepared) {
+  const double largest_m = haptics::largest_radius_m(scene, prepared.law.law);
+  const auto* parameter =
+      haptics::find_parameter(haptics::description_of(prepared.law.law), &haptics::LawParameters::radius_m);
+  const double wanted_m = prepared.law.radius_m.value_or(0.0);
+  // Values out of range are rejected later by the law.
+  if (!(wanted_m > largest_m) || wanted_m > parameter->max) return;
+  prepared.law.radius_m = largest_m;
+  prepared.notices.push_back(
+      fmt::format("The probe's radius was lowered: {}.", haptics::too_large_ball_words(wanted_m, largest_m)));
+}
+
 /// The damping that was set for one law does not apply to another.
 void replace_law(haptics::LawParameters& parameters, haptics::Law law) {
   parameters.law = law;
@@ -229,6 +242,7 @@ Result<PreparedScene> prepare_scene(const models::Scene& scene, const TouchSetti
   if (settings.limits == Limits::of_device) limit_slope_force(device, prepared);
   if (settings.limits == Limits::of_device)
     make_safe(*scaled, device, rate_hz, scene_from_device.scale, settings.hand_damping_Ns_per_m, prepared);
+  limit_radius(*scaled, prepared);
   make_carried(*scaled, device, rate_hz, scene_from_device.scale, prepared);
   prepared.materials = scaled->materials;
   auto touchable = haptics::make_touchable(*scaled, prepared.law, &kept.dilated, work);

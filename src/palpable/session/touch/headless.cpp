@@ -5,6 +5,7 @@
 #include "palpable/haptics/servo/pacing.hpp"
 
 #include <chrono>
+#include <memory>
 #include <string>
 #include <thread>
 #include <utility>
@@ -45,6 +46,13 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
     for (const std::string& sentence : session.notices()) options.on_notice(sentence);
   };
   report_notices();
+  auto feeding = std::make_unique<Feeding>(options.live, session, [&options](const std::string& sentence) {
+    if (options.on_notice) options.on_notice(sentence);
+  });
+  const auto guide = [&] {
+    if (const std::string step = session.take_guidance(); !step.empty() && options.on_notice)
+      options.on_notice(step + ".");
+  };
 
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
@@ -61,6 +69,7 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
     }
     if (const auto fault = session.take_recording_fault(); fault && options.on_notice)
       options.on_notice("The recording has ended: " + fault->sentence());
+    guide();
     if (session.latest().status == device::Status::fault) {
       failed = true;
       break;
@@ -72,13 +81,16 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
     std::this_thread::sleep_until(before + kLook);
   }
   maker.cancel();
+  feeding.reset();
   auto recorded = session.stop_recording();
   const std::string fault = session.device_fault();
   session.stop();
   if (!recorded) return std::move(recorded).error();
   if (failed)
     return Error{ErrorCode::device, fault.empty() ? "the device has failed" : fault, options.device_url};
-  return session.statistics();
+  auto statistics = session.statistics();
+  if (options.live != nullptr) statistics.live = options.live->statistics();
+  return statistics;
 }
 
 }  // namespace palpable::session

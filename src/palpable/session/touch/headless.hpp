@@ -5,6 +5,7 @@
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/session/make/maker_thread.hpp"
+#include "palpable/session/touch/live_feed.hpp"
 #include "palpable/session/touch/touch_session.hpp"
 
 #include <filesystem>
@@ -24,12 +25,14 @@ struct HeadlessOptions {
   std::filesystem::path recording;
   /// CLOCK_MONOTONIC at the user's request, ns; 0 = now.
   std::int64_t begin_ns = 0;
+  /// Feeds the touch with the frames of a live source; not owned, null = none.
+  LiveFeed* live = nullptr;
   /// The walk of an explorer, in seconds from the first scene; empty = the exocentric view.
   std::vector<WalkStep> walk;
   /// Called for each step of the walk when it is taken; may be empty.
   std::function<void(const ExplorerPose&)> on_pose;
   /// Called for each sentence about changes due to the device's limits, at the start and with each better
-  /// scene; may be empty.
+  /// scene, and about the live source, by its thread; may be empty.
   std::function<void(const std::string&)> on_notice;
   /// Called for each missed deadline; may be empty.
   std::function<void(const haptics::MissedDeadline&)> on_missed;

@@ -64,6 +64,7 @@ struct TouchSession::Impl {
   std::shared_ptr<const models::Scene> scene;
   TouchSettings settings;
   haptics::Law law_in_use = haptics::Law::proxy;
+  double radius_in_use_m = 0.0;
   Transform<SceneFrame, DeviceFrame> scene_from_device;
   /// Pose of the explorer, under `changing`; nullopt in the exocentric frame.
   std::optional<ExplorerPose> pose;
@@ -74,6 +75,8 @@ struct TouchSession::Impl {
   /// The newest sample of each probe.
   std::array<haptics::TouchSample, haptics::kMaxLiveProbes> latest;
   std::unique_ptr<Recorder> recorder;
+  /// The step that was told last.
+  std::string guidance;
 };
 
 device::RecordedScene TouchSession::Impl::described(const PreparedScene& prepared,
@@ -107,6 +110,7 @@ Result<void> TouchSession::Impl::change(std::shared_ptr<const models::Scene> to_
   scene = std::move(to_scene);
   settings = to_settings;
   law_in_use = prepared->law.law;
+  radius_in_use_m = prepared->law.radius_m.value_or(0.0);
   scene_from_device = to_place;
   notices = std::move(prepared->notices);
   return {};
@@ -152,6 +156,7 @@ Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const m
   impl->scene = std::move(scene);
   impl->settings = settings;
   impl->law_in_use = prepared->law.law;
+  impl->radius_in_use_m = prepared->law.radius_m.value_or(0.0);
   impl->scene_from_device = place;
   impl->notices = std::move(prepared->notices);
   std::vector<std::unique_ptr<device::Device>> further;
@@ -200,6 +205,11 @@ std::shared_ptr<const models::Scene> TouchSession::scene() const {
   return impl_->scene;
 }
 
+std::uint32_t TouchSession::newest_scene_id() const {
+  const std::lock_guard lock(impl_->state);
+  return impl_->described_now.id;
+}
+
 TouchSettings TouchSession::settings() const {
   const std::lock_guard lock(impl_->state);
   return impl_->settings;
@@ -208,6 +218,11 @@ TouchSettings TouchSession::settings() const {
 haptics::Law TouchSession::law_in_use() const {
   const std::lock_guard lock(impl_->state);
   return impl_->law_in_use;
+}
+
+double TouchSession::radius_in_use_m() const {
+  const std::lock_guard lock(impl_->state);
+  return impl_->radius_in_use_m;
 }
 
 std::vector<std::string> TouchSession::notices() const {
@@ -335,5 +350,11 @@ TouchStatistics TouchSession::statistics() const {
 
 const device::Traits& TouchSession::device_traits() const { return impl_->loop->device_traits(); }
 std::string TouchSession::device_fault() const { return impl_->loop->device_fault(); }
+
+std::string TouchSession::take_guidance() {
+  std::string guidance = impl_->loop->device_guidance();
+  if (guidance == impl_->guidance) return {};
+  return impl_->guidance = std::move(guidance);
+}
 
 }  // namespace palpable::session

@@ -61,9 +61,14 @@ class TouchSession {
   /// that are out of range, or not one for each label of the scene.
   Result<void> change_materials(std::vector<models::Material> materials, const TouchSettings& settings);
   std::shared_ptr<const models::Scene> scene() const;
+  /// The id that samples have of the scene that was handed over last.
+  std::uint32_t newest_scene_id() const;
   TouchSettings settings() const;
   /// Differs from the settings if the scene or the device does not support that law.
   haptics::Law law_in_use() const;
+  /// Radius of the touching ball in use, metres: lower than in the settings if the scene has no room for
+  /// that.
+  double radius_in_use_m() const;
   /// What the device's limits changed and why, one sentence each: "Stiffness 800 N/m was lowered to 412 N/m:
   /// …". Empty if nothing was changed.
   std::vector<std::string> notices() const;
@@ -107,6 +112,9 @@ class TouchSession {
   const device::Traits& device_traits() const;
   /// Empty while the device works.
   std::string device_fault() const;
+  /// What the person does next so that the device becomes ready, once for each such step; empty if nothing is
+  /// new. For one reader.
+  std::string take_guidance();
 
  private:
   struct Impl;

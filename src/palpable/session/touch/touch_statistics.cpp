@@ -18,6 +18,17 @@ Json percentiles(const haptics::Percentiles& of) {
       {"p50", number(of.p50)}, {"p99", number(of.p99)}, {"p99_9", number(of.p99_9)}, {"max", number(of.max)}};
 }
 
+Json live_json(const LiveStatistics& live) {
+  return {{"frames", live.frames},
+          {"dropped", live.dropped},
+          {"fps", number(live.fps)},
+          {"latency_ms",
+           {{"p50", number(live.latency_p50_ms)},
+            {"p99", number(live.latency_p99_ms)},
+            {"max", number(live.latency_max_ms)}}},
+          {"stale_s", number(live.stale_s)}};
+}
+
 }  // namespace
 
 std::string to_json(const TouchStatistics& statistics) {
@@ -53,6 +64,7 @@ std::string to_json(const TouchStatistics& statistics) {
   json["device"] = statistics.device;
   json["realtime_priority"] = statistics.realtime_priority;
   json["memory_lock"] = statistics.memory_lock;
+  if (statistics.live) json["live"] = live_json(*statistics.live);
   return json.dump();
 }
 

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "palpable/haptics/tick/servo_types.hpp"
+#include "palpable/session/touch/live_statistics.hpp"
 
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace palpable::session {
@@ -20,6 +22,8 @@ struct TouchStatistics {
   std::string device;
   std::string realtime_priority;
   std::string memory_lock;
+  /// Of a touch of a live source.
+  std::optional<LiveStatistics> live;
 };
 
 /// One JSON object {"servo": {"ticks", "rate_hz", …}, "force": …} (docs/cli.md); values that are not finite

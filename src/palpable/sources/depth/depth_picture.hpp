@@ -55,9 +55,10 @@ struct DepthSettings {
 /// The settings of `first`; those that it does not contain, from `otherwise`.
 DepthSettings merged(DepthSettings first, const DepthSettings& otherwise);
 
-/// The settings in a JSON text: `meaning`, `metres_per_unit`, `px_per_unit`, `near_m`, `far_m`, `range`,
-/// `order`, `projection`, `far_plane`, a camera's `fx, fy, cx, cy, width, height`, and `colour` with a
-/// camera, `rotation` (9 numbers) and `translation_m` (3). Unknown keys are ignored. Errors: invalid_input.
+/// The settings in a JSON text: `meaning`, `metres_per_unit` (or `scale`: the same, or, above 1, units of a
+/// metre), `px_per_unit`, `near_m`, `far_m`, `range`, `order`, `projection`, `far_plane`, a camera's `fx, fy,
+/// cx, cy, width, height`, and `colour` with a camera, `rotation` (9 numbers) and `translation_m` (3).
+/// Unknown keys are ignored. Errors: invalid_input.
 Result<DepthSettings> decode_depth_settings(std::string_view json);
 
 /// Reads the sidecar of a depth file: FILE.json, FILE with the suffix .json, or depth.json in its folder; the

@@ -131,6 +131,10 @@ Result<DepthSettings> decode_depth_settings(std::string_view text) {
   }
   auto metres = scale_in(object, "metres_per_unit");
   if (!metres) return std::move(metres).error();
+  const auto scale = scale_in(object, "scale");
+  if (!scale) return scale.error();
+  // Some cameras state the metres of a unit, others the units of a metre.
+  if (*scale && !*metres) *metres = **scale > 1.0 ? 1.0 / **scale : **scale;
   auto pixels = scale_in(object, "px_per_unit");
   if (!pixels) return std::move(pixels).error();
   auto buffer = zbuffer_in(object);

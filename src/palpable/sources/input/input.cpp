@@ -4,6 +4,7 @@
 
 #include "palpable/core/files/byte_reader.hpp"
 #include "palpable/core/files/read_file.hpp"
+#include "palpable/core/text/name_order.hpp"
 #include "palpable/formats/packing/zip.hpp"
 #include "palpable/formats/vdb/vdb.hpp"
 #include "palpable/sources/city_json.hpp"
@@ -115,32 +116,6 @@ Result<InputKind> archive_kind(const fs::path& path) {
   return invalid_input("is a zip archive, but neither a scene nor a NumPy file", path.string());
 }
 
-/// Natural order of names: frame-2 before frame-10.
-bool counted_before(const std::string& a, const std::string& b) {
-  const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
-  std::size_t i = 0;
-  std::size_t j = 0;
-  while (i < a.size() && j < b.size()) {
-    if (is_digit(a[i]) && is_digit(b[j])) {
-      const auto number = [&](const std::string& s, std::size_t& at) {
-        while (at + 1 < s.size() && s[at] == '0' && is_digit(s[at + 1])) ++at;
-        const std::size_t begin = at;
-        while (at < s.size() && is_digit(s[at])) ++at;
-        return std::string_view(s).substr(begin, at - begin);
-      };
-      const std::string_view left = number(a, i);
-      const std::string_view right = number(b, j);
-      if (left.size() != right.size()) return left.size() < right.size();
-      if (left != right) return left < right;
-    } else {
-      if (a[i] != b[j]) return a[i] < b[j];
-      ++i;
-      ++j;
-    }
-  }
-  return a.size() - i < b.size() - j;
-}
-
 /// Whether a file is called like a picture, whatever it holds.
 bool is_named_as_picture(const fs::path& file) {
   constexpr std::array<std::string_view, 13> kSuffixes{".png",  ".jpg",  ".jpeg", ".jpe",  ".tif",
@@ -180,7 +155,10 @@ Result<std::vector<fs::path>> pictures_in(const fs::path& folder, std::vector<No
     return counted_before(a.filename().string(), b.filename().string());
   });
   if (files.size() < 2)
-    return invalid_input("is a folder with fewer than two pictures, so not a sequence", folder.string());
+    return invalid_input(
+        "is a folder with fewer than two pictures, so not a sequence: take several while you walk around the "
+        "model",
+        folder.string());
   if (!left_out.empty()) {
     const char* const why = left_out.size() == 1 ? "was left out: it is not a readable picture"
                                                  : "were left out: they are not readable pictures";

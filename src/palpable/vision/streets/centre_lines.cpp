@@ -328,6 +328,33 @@ CentreLines centre_lines_of(const Raster<std::uint8_t>& mask, const ThinningGuid
   return graph;
 }
 
+int split_line(CentreLines& graph, std::size_t number, std::size_t at) {
+  CentreLine& line = graph.lines[number];
+  if (at == 0) return line.first;
+  if (at + 1 == line.points.size()) return line.last;
+  const int middle = static_cast<int>(graph.nodes.size());
+  graph.nodes.push_back(line.points[at]);
+  CentreLine rest = line;
+  rest.points.assign(line.points.begin() + static_cast<std::ptrdiff_t>(at), line.points.end());
+  rest.first = middle;
+  line.points.resize(at + 1);
+  line.last = middle;
+  graph.lines.push_back(std::move(rest));
+  return middle;
+}
+
+void connect_nodes(CentreLines& graph, int a, int b, double radius_px) {
+  const MapPoint from = graph.nodes[static_cast<std::size_t>(a)];
+  const MapPoint to = graph.nodes[static_cast<std::size_t>(b)];
+  const int steps = std::max(1, static_cast<int>(std::hypot(to.x - from.x, to.y - from.y)));
+  CentreLine line{{}, a, b, radius_px, 0.0};
+  for (int i = 0; i <= steps; ++i) {
+    const double part = static_cast<double>(i) / steps;
+    line.points.push_back({from.x + part * (to.x - from.x), from.y + part * (to.y - from.y)});
+  }
+  graph.lines.push_back(std::move(line));
+}
+
 std::vector<MapPoint> smoothed(const std::vector<MapPoint>& points, int reach) {
   std::vector<MapPoint> out = points;
   const int n = static_cast<int>(points.size());

@@ -69,6 +69,12 @@ void remove_short_networks(CentreLines& graph, double least_px, double least_rad
 /// Joins the two lines of each node that has only two.
 void join_lines(CentreLines& graph);
 
+/// Divides a line at one of its points; returns the node there, which is one of its own at an end.
+int split_line(CentreLines& graph, std::size_t number, std::size_t at);
+
+/// Adds a straight line between two nodes.
+void connect_nodes(CentreLines& graph, int a, int b, double radius_px);
+
 /// The points as a moving mean over 2 * reach + 1 of them; the ends stay.
 std::vector<MapPoint> smoothed(const std::vector<MapPoint>& points, int reach);
 

@@ -102,15 +102,6 @@ class Joiner {
     return colours_.of_pixel.contains(x, y) && (colours_.seen(x, y) == 0 || is_street(p));
   }
 
-  /// Adds a straight line between two nodes.
-  void connect(int a, int b, double radius_px) {
-    const int steps = std::max(1, static_cast<int>(norm(node(b) - node(a))));
-    CentreLine line{{}, a, b, radius_px, 0.0};
-    for (int i = 0; i <= steps; ++i)
-      line.points.push_back(node(a) + (static_cast<double>(i) / steps) * (node(b) - node(a)));
-    graph_.lines.push_back(std::move(line));
-  }
-
   /// The cost of bridging the gap between two ends; nullopt if they do not face each other.
   std::optional<double> gap_cost(const FreeEnd& a, const FreeEnd& b) const {
     const MapPoint gap = b.at - a.at;
@@ -241,25 +232,10 @@ class Joiner {
     for (const Pair& pair : pairs) {
       if (used[pair.a] || used[pair.b]) continue;
       used[pair.a] = used[pair.b] = true;
-      connect(ends[pair.a].node, ends[pair.b].node, std::min(ends[pair.a].radius_px, ends[pair.b].radius_px));
+      connect_nodes(graph_, ends[pair.a].node, ends[pair.b].node,
+                    std::min(ends[pair.a].radius_px, ends[pair.b].radius_px));
     }
     join_lines(graph_);
-  }
-
-  /// Splits a line at one of its points; returns the node there.
-  int split(std::size_t number, std::size_t at) {
-    CentreLine& line = graph_.lines[number];
-    if (at == 0) return line.first;
-    if (at + 1 == line.points.size()) return line.last;
-    const int middle = static_cast<int>(graph_.nodes.size());
-    graph_.nodes.push_back(line.points[at]);
-    CentreLine rest = line;
-    rest.points.assign(line.points.begin() + static_cast<std::ptrdiff_t>(at), line.points.end());
-    rest.first = middle;
-    line.points.resize(at + 1);
-    line.last = middle;
-    graph_.lines.push_back(std::move(rest));
-    return middle;
   }
 
   struct Meeting {
@@ -315,8 +291,8 @@ class Joiner {
           return p.x == meeting.at.x && p.y == meeting.at.y;
         });
         if (found == points.end()) continue;
-        const int there = split(i, static_cast<std::size_t>(found - points.begin()));
-        if (there != meeting.node) connect(meeting.node, there, meeting.radius_px);
+        const int there = split_line(graph_, i, static_cast<std::size_t>(found - points.begin()));
+        if (there != meeting.node) connect_nodes(graph_, meeting.node, there, meeting.radius_px);
         break;
       }
     }
@@ -330,7 +306,7 @@ class Joiner {
       const double t = std::max(0.0, distance_to_side(colours_.frame, end.at, end.direction));
       if (t > reach) continue;
       graph_.nodes.push_back(end.at + t * end.direction);
-      connect(end.node, static_cast<int>(graph_.nodes.size()) - 1, end.radius_px);
+      connect_nodes(graph_, end.node, static_cast<int>(graph_.nodes.size()) - 1, end.radius_px);
     }
     join_lines(graph_);
   }

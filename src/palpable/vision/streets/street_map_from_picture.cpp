@@ -177,6 +177,39 @@ Raster<Rgb8> inverted(const Raster<Rgb8>& picture) {
   return out;
 }
 
+/// The streets and junctions of a network.
+void add_network(StreetMap& map, const CentreLines& graph, const MapOutlineOptions& options) {
+  for (const CentreLine& line : graph.lines) {
+    const int reach =
+        std::max(options.least_smoothing_points, static_cast<int>(options.smoothing_radii * line.radius_px));
+    map.streets.push_back(
+        {{}, 2.0 * line.radius_px, simplified(smoothed(line.points, reach), options.line_error_px)});
+  }
+  const std::vector<int> degrees = degrees_of(graph);
+  for (std::size_t n = 0; n < degrees.size(); ++n)
+    if (degrees[n] > 2) map.junctions.push_back({graph.nodes[n], degrees[n], false});
+}
+
+/// Reads the names that lie along streets and were not found, or not whole, by their letters alone.
+Result<void> read_along_streets(const Raster<Rgb8>& lettering, const CentreLines& graph,
+                                std::vector<TextLine>& text, std::vector<ReadLine>& read,
+                                const StreetMapOptions& options, const Work& work) {
+  const auto names = street_lettering(graph, text, read, options.under_names);
+  if (!names) return {};
+  const std::vector<TextLine> along =
+      unread_lettering(lettering_along(lettering, graph, *names, options.text, options.along_streets), text,
+                       read, options.along_streets.sure);
+  auto more = read_text_lines(lettering, along, options.reading, work);
+  if (!more) return more.error();
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    if (more->lines[i].text.empty()) continue;
+    text.push_back(along[i]);
+    read.push_back(more->lines[i]);
+  }
+  keep_best_readings(text, read);
+  return {};
+}
+
 }  // namespace
 
 Result<FoundStreetMap> street_map_from_picture(const Image& picture, const StreetMapOptions& options,
@@ -191,8 +224,8 @@ Result<FoundStreetMap> street_map_from_picture(const Image& picture, const Stree
   if (work.cancelled()) return Work::interrupted();
   work.report(0.3, "joining streets");
   const Raster<Rgb8> lettering = has_dark_land(colours, options) ? inverted(pixels) : pixels;
-  const std::vector<TextLine> text = find_text_lines(lettering, options.text);
-  const CentreLines graph = join_streets(colours, layers, text, options.graph);
+  std::vector<TextLine> text = find_text_lines(lettering, options.text);
+  CentreLines graph = join_streets(colours, layers, text, options.graph);
   if (!is_street_map(colours, layers, graph, options))
     return invalid_input(
         "no streets were found in this picture: it is not a street map drawn in flat colours");
@@ -200,22 +233,16 @@ Result<FoundStreetMap> street_map_from_picture(const Image& picture, const Stree
   StreetMap& map = out.map;
   map.width_px = picture.width;
   map.height_px = picture.height;
-  for (const CentreLine& line : graph.lines) {
-    const MapOutlineOptions& outlines = options.outlines;
-    const int reach = std::max(outlines.least_smoothing_points,
-                               static_cast<int>(outlines.smoothing_radii * line.radius_px));
-    map.streets.push_back(
-        {{}, 2.0 * line.radius_px, simplified(smoothed(line.points, reach), outlines.line_error_px)});
-  }
-  const std::vector<int> degrees = degrees_of(graph);
-  for (std::size_t n = 0; n < degrees.size(); ++n)
-    if (degrees[n] > 2) map.junctions.push_back({graph.nodes[n], degrees[n], false});
   for (std::size_t k = 0; k < layers.size(); ++k)
     if (const auto kind = area_kind(layers[k].layer))
       add_areas(colours, k, *kind, options.outlines, map.areas);
   work.report(0.4, "reading names");
   auto reading = read_text_lines(lettering, text, options.reading, work);
   if (!reading) return reading.error();
+  if (auto more = read_along_streets(lettering, graph, text, reading->lines, options, work); !more)
+    return more.error();
+  add_streets_under(graph, text, reading->lines, options.under_names);
+  add_network(map, graph, options.outlines);
   add_names(map, text, reading->lines, options.names);
   out.notes = std::move(reading->notes);
   return out;

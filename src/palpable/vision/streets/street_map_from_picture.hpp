@@ -11,7 +11,9 @@
 #include "palpable/vision/streets/map_colours.hpp"
 #include "palpable/vision/streets/street_colours.hpp"
 #include "palpable/vision/streets/street_graph.hpp"
+#include "palpable/vision/streets/street_lettering.hpp"
 #include "palpable/vision/streets/street_names.hpp"
+#include "palpable/vision/streets/streets_under_names.hpp"
 #include "palpable/vision/text/read_text.hpp"
 #include "palpable/vision/text/text_lines.hpp"
 
@@ -78,6 +80,8 @@ struct StreetMapOptions {
   MapRecognitionOptions recognition;
   MapOutlineOptions outlines;
   ReadTextOptions reading;
+  StreetsUnderNamesOptions under_names;
+  LetteringAlongOptions along_streets;
   StreetNameOptions names;
 };
 /// Every parameter with its range, except languages and gazetteer.

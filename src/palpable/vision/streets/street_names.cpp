@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/streets/street_names.hpp"
 
+#include "palpable/core/geometry/map_place.hpp"
 #include "palpable/core/geometry/segment.hpp"
 #include "palpable/vision/streets/gazetteer.hpp"
 
@@ -156,11 +157,20 @@ bool is_at_border(const StreetMap& map, const TextLine& line, const StreetNameOp
   return is_near(line.centre.front()) || is_near(line.centre.back());
 }
 
+/// Whether a name begins with the word of streets, in small letters: "quai de l'hirondelle".
+bool is_small_name(std::string_view words) {
+  std::string large(words);
+  if (!large.empty())
+    large.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(large.front())));
+  return is_whole_name(large) && is_street_name(words.substr(0, words.find(' ')));
+}
+
 /// What is read as a street's name, spelled as in the gazetteer; nullopt if that has no such name.
 std::optional<std::string> name_of(const StreetMap& map, const TextLine& line, const ReadLine& read,
                                    const StreetNameOptions& options) {
   if (options.gazetteer.empty()) {
-    const bool is_name = read.confidence >= options.least_confidence && is_whole_name(read.text) &&
+    const bool is_name = read.confidence >= options.least_confidence &&
+                         (is_whole_name(read.text) || is_small_name(read.text)) &&
                          !is_at_border(map, line, options);
     return is_name ? std::optional(read.text) : std::nullopt;
   }

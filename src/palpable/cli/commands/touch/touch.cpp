@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/commands/touch/touch_headless.hpp"
+#include "palpable/cli/commands/touch/touch_live.hpp"
 #include "palpable/cli/commands/touch/touch_page.hpp"
 #include "palpable/cli/commands/touch/touch_plan.hpp"
 #include "palpable/core/files/build_id.hpp"
@@ -50,6 +51,9 @@ Result<Answer> touch(TouchArguments arguments, Console& console) {
     arguments.scene = *std::move(with_input);
   }
   if (const auto filled = fill_plan(arguments, *published, plan); !filled) return filled.error();
+  const auto live = open_live(
+      arguments, plan, [&console](const Note& note) { console.note(note); }, console.work());
+  if (!live) return live.error();
   plan.options.seed = console.options().seed;
   // Without progress: the maker of scenes reports its own at the same time.
   plan.options.work = {console.work().threads, console.work().seed, {}, &interrupted()};

@@ -55,6 +55,7 @@ Result<Answer> touch_without_page(const TouchArguments& arguments, const TouchPl
   headless.recording = arguments.recording;
   headless.begin_ns = plan.begin_ns;
   headless.walk = plan.walk;
+  headless.live = plan.live.get();
   headless.on_pose = [&console](const session::ExplorerPose& pose) { console.note(session::words_of(pose)); };
   if (!arguments.device.empty()) headless.device_url = arguments.device;
   headless.on_notice = [&console](const std::string& sentence) { console.note(sentence); };

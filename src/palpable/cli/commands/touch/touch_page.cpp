@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <mutex>
 #include <utility>
 
@@ -42,8 +43,8 @@ class NoteBox {
 };
 
 /// The file to which the page saves the scene: the scene's own file, else a new one in the current folder.
-std::filesystem::path save_path(const std::vector<std::filesystem::path>& inputs) {
-  std::filesystem::path first = inputs.empty() ? "scene" : inputs.front();
+std::filesystem::path save_path(const std::vector<std::filesystem::path>& inputs, bool is_live) {
+  std::filesystem::path first = is_live ? "live" : inputs.empty() ? "scene" : inputs.front();
   if (inputs.size() == 1 && first.extension() == ".palp") return first;
   const std::string stem = first.has_stem() ? first.stem().string() : "scene";
   std::filesystem::path free = stem + ".palp";
@@ -59,8 +60,9 @@ Result<void> serve_page(const TouchArguments& arguments, const TouchPlan& plan,
   page::TouchHost host(session, {std::string("palpable ") + PALPABLE_VERSION,
                                  {},
                                  [&maker] { return maker.take(std::chrono::milliseconds(0)); },
-                                 save_path(plan.make.input.files),
-                                 !plan.walk.empty()});
+                                 save_path(plan.make.input.files, plan.live != nullptr),
+                                 !plan.walk.empty(),
+                                 plan.live != nullptr});
   notes.open([&host](const Note& note) { host.say("info", note.sentence); });
   std::optional<OpenedBrowser> browser;
   page::ServeOptions options;
@@ -97,12 +99,20 @@ Result<Answer> touch_with_page(const TouchArguments& arguments, const TouchPlan&
                                             plan.begin_ns);
   if (!opened) return opened.error();
   session::TouchSession& session = **opened;
+  auto feeding =
+      std::make_unique<session::Feeding>(plan.live.get(), session, [&](const std::string& sentence) {
+        console.note(sentence);
+        notes.put(Note(sentence));
+      });
   const auto served = serve_page(arguments, plan, session, maker, notes, console);
+  feeding.reset();
   const auto recorded = session.stop_recording();
   session.stop();
   if (!served) return served.error();
   if (!recorded) return recorded.error();
-  return answer_of(session.statistics());
+  auto statistics = session.statistics();
+  if (plan.live) statistics.live = plan.live->statistics();
+  return answer_of(statistics);
 }
 
 }  // namespace palpable::cli

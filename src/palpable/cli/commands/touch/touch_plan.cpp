@@ -59,6 +59,14 @@ std::optional<Note> note_on_law(const TouchPlan& plan, const models::Scene& scen
 }  // namespace
 
 session::SceneMaker maker_of(const TouchPlan& plan, Notes notes) {
+  if (plan.live)
+    return
+        [plan, notes = std::move(notes)](const session::DeliverScene& deliver, const Work&) -> Result<void> {
+          auto scene = named_scene(*plan.live->first_scene(), plan, notes);
+          if (!scene) return std::move(scene).error();
+          deliver(*std::move(scene));
+          return {};
+        };
   return [plan, notes = std::move(notes)](const session::DeliverScene& deliver,
                                           const Work& work) -> Result<void> {
     std::set<std::string> given;

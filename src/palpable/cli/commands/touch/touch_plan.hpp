@@ -59,6 +59,8 @@ struct TouchPlan {
   session::TouchSettings settings;
   session::SessionOptions options;
   std::int64_t begin_ns = 0;
+  /// Null unless the input is a live source.
+  std::shared_ptr<session::LiveFeed> live;
 };
 
 /// Errors: usage, for options that exclude each other.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/Core>
 #include <ceres/ceres.h>
 #include <ceres/rotation.h>
 
@@ -26,6 +27,33 @@ struct ProjectionError {
     return true;
   }
 };
+
+Eigen::Vector3d centre_of(const BundlePose& pose) {
+  const Vec3 c = camera_pose(pose).translation_m;
+  return {c.x, c.y, c.z};
+}
+
+// Fixes the scale, which images do not determine: one coordinate of the translation of the camera farthest
+// from the first. A free scale makes the normal equations singular once the damping is small, and every such
+// step is lost.
+void fix_scale(Bundle& bundle, ceres::Problem& problem) {
+  const Eigen::Vector3d first = centre_of(bundle.poses.front());
+  std::size_t farthest = 0;
+  Eigen::Vector3d moved = Eigen::Vector3d::Zero();
+  for (std::size_t i = 1; i < bundle.poses.size(); ++i) {
+    if (!problem.HasParameterBlock(bundle.poses[i].data())) continue;
+    // By a change of scale about the first camera, the translation changes in this direction.
+    const Eigen::Vector3d offset = centre_of(bundle.poses[i]) - first;
+    if (offset.norm() <= moved.norm()) continue;
+    farthest = i;
+    ceres::AngleAxisRotatePoint(bundle.poses[i].data(), offset.data(), moved.data());
+  }
+  if (farthest == 0) return;
+  int greatest = 0;
+  moved.cwiseAbs().maxCoeff(&greatest);
+  problem.SetManifold(bundle.poses[farthest].data(),
+                      new ceres::SubsetManifold(6, {3 + greatest}));  // owned by the problem
+}
 
 class StopWhenCancelled : public ceres::IterationCallback {
  public:
@@ -76,6 +104,7 @@ void adjust_bundle(Bundle& bundle, const Pinhole& camera, const BundleOptions& o
   }
   if (problem.HasParameterBlock(bundle.poses[0].data()))
     problem.SetParameterBlockConstant(bundle.poses[0].data());
+  fix_scale(bundle, problem);
   auto* ordering = new ceres::ParameterBlockOrdering;  // owned by the options
   for (auto& point : bundle.points) {
     if (!problem.HasParameterBlock(point.data())) continue;

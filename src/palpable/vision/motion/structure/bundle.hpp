@@ -47,7 +47,8 @@ double projection_error_px(const Pinhole& camera, const BundlePose& pose, const 
                            ImagePoint seen);
 
 /// Minimises the sum of robust squared reprojection errors over poses and points (Ceres, sparse Schur
-/// complement). The first pose is fixed. Polls cancel between iterations and returns early then.
+/// complement). The first pose is fixed, and the scale by one coordinate of the farthest other one. Polls
+/// cancel between iterations and returns early then.
 void adjust_bundle(Bundle& bundle, const Pinhole& camera, const BundleOptions& options, const Work& work);
 
 }  // namespace palpable::vision

@@ -1,0 +1,32 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/picture/raster.hpp"
+#include "palpable/models/relief/relief.hpp"
+
+namespace palpable::sculpt {
+
+/// The depths that a relief shows, metres: 0 < near_m < far_m. Nearer ones are clamped, farther and unknown
+/// ones are at the base.
+struct DepthWindow {
+  double near_m = 0.0;
+  double far_m = 0.0;
+};
+
+struct WindowedReliefOptions {
+  /// Greatest width and depth, and the height of near_m above far_m; each 1 mm ... 1 m.
+  Vec3 size_m{0.10, 0.10, 0.015};
+  /// No place becomes steeper (rise over run), 0.1 ... 100: the tops of steps are cut, at a quarter of the
+  /// cost of models::limit_slope().
+  double steepest_slope = 3.0;
+};
+
+/// A relief whose heights depend on each pixel's own depth only, linearly, whatever the other pixels show: so
+/// the relief of a scene at rest stays where it is from frame to frame of a live source, which
+/// relief_from_depth() does not promise. Errors: usage for options out of range or an empty window;
+/// invalid_input for fewer than 2 x 2 pixels.
+Result<models::Relief> relief_in_window(const Raster<float>& depth_m, const DepthWindow& window,
+                                        const WindowedReliefOptions& options);
+
+}  // namespace palpable::sculpt

@@ -1,0 +1,189 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/touch/live_feed.hpp"
+
+#include "palpable/core/check.hpp"
+#include "palpable/session/touch/touch_session.hpp"
+#include "palpable/vision/depth_camera/clean_depth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace palpable::session {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+/// How long a source is waited for before the feed looks whether it shall end.
+constexpr auto kPatience = std::chrono::milliseconds(50);
+
+double seconds_between(Clock::time_point from, Clock::time_point to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
+double share_unknown(const Raster<float>& depth_m) {
+  const auto unknown = std::count_if(depth_m.values().begin(), depth_m.values().end(),
+                                     [](float z) { return !std::isfinite(z); });
+  return static_cast<double>(unknown) / static_cast<double>(depth_m.count());
+}
+
+/// Waits until the servo has begun with this scene, or a later one; false if that lasts too long.
+bool wait_until_felt(const TouchSession& session, std::uint32_t id, const std::atomic<bool>& ending) {
+  constexpr auto kLook = std::chrono::microseconds(500);
+  constexpr auto kTooLong = std::chrono::milliseconds(500);
+  for (const auto end = Clock::now() + kTooLong; Clock::now() < end && !ending;) {
+    const auto sample = session.latest();
+    if (std::max(sample.scene_id, sample.coming_scene_id) >= id) return true;
+    std::this_thread::sleep_for(kLook);
+  }
+  return false;
+}
+
+}  // namespace
+
+Result<void> check(const LiveOptions& options) {
+  const auto usage = [](const char* message) { return Error{ErrorCode::usage, message, {}}; };
+  if (options.longest_side_px < 16 || options.longest_side_px > 2048)
+    return usage("live frames have 16 to 2048 pixels on their longer side");
+  if (!(options.fade_s >= 0.005 && options.fade_s <= 1.0))
+    return usage("the change between two live frames takes 0.005 to 1 s");
+  if (!(options.lost_s >= 0.1 && options.lost_s <= 60.0))
+    return usage("a live source counts as lost after 0.1 to 60 s");
+  if (!(options.first_s >= 0.1 && options.first_s <= 600.0))
+    return usage("a first depth is waited for 0.1 to 600 s");
+  return vision::check(options.steady);
+}
+
+LiveFeed::LiveFeed(std::unique_ptr<LiveSource> source, const LiveOptions& options)
+    : source_(std::move(source)), options_(options), steady_(options.steady) {}
+
+LiveFeed::~LiveFeed() { stop(); }
+
+Result<std::unique_ptr<LiveFeed>> LiveFeed::open(std::unique_ptr<LiveSource> source,
+                                                 const LiveOptions& options, const Work& work) {
+  PALPABLE_CHECK(source != nullptr);
+  if (auto valid = check(options); !valid) return std::move(valid).error();
+  std::unique_ptr<LiveFeed> feed(new LiveFeed(std::move(source), options));
+  for (const auto begin = Clock::now(); !work.cancelled();) {
+    auto frame = feed->source_->take(Clock::now() + kPatience);
+    if (!frame) return std::move(frame).error();
+    if (*frame) {
+      feed->last_arrival_ = (*frame)->arrival;
+      auto relief = feed->relief_of(**frame);
+      if (!relief) return std::move(relief).error();
+      if (*relief) return feed->begin_with(*std::move(relief)), std::move(feed);
+    }
+    if (feed->source_->has_ended() || seconds_between(begin, Clock::now()) > options.first_s)
+      return invalid_input("no frame of the live source has a known depth");
+  }
+  return Work::interrupted();
+}
+
+void LiveFeed::begin_with(std::shared_ptr<const models::Relief> relief) {
+  auto scene = std::make_shared<models::Scene>();
+  scene->model = std::move(relief);
+  scene->source.method = "live depth";
+  refresh_picture(*scene);
+  first_ = std::move(scene);
+}
+
+/// Null for a frame before any depth is known.
+Result<std::shared_ptr<const models::Relief>> LiveFeed::relief_of(const LiveFrame& frame) {
+  const double dt_s = std::max(0.0, seconds_between(last_arrival_, frame.arrival));
+  const Raster<float>& raw = frame.depth.depth_m;
+  const int longest = std::max(raw.width(), raw.height());
+  const int k = std::max(1, (longest + options_.longest_side_px - 1) / options_.longest_side_px);
+  const auto& noise = options_.steady.noise;
+  const auto& depth_m = steady_.add(vision::clean_depth(vision::reduced_depth(raw, k, noise), noise), dt_s);
+  auto window = options_.window;
+  if (const auto range = range_.add(depth_m, dt_s); !window && range)
+    window = sculpt::DepthWindow{range->near_m, range->far_m};
+  if (!window) return std::shared_ptr<const models::Relief>();
+  auto relief = sculpt::relief_in_window(depth_m, *window, options_.relief);
+  if (!relief) return std::move(relief).error();
+  return std::make_shared<const models::Relief>(*std::move(relief));
+}
+
+/// The colour picture is for the eye, and is read less often than the depth.
+void LiveFeed::refresh_picture(models::Scene& scene) {
+  constexpr auto kPeriod = std::chrono::seconds(1);
+  if (!scene.texture.empty() && last_arrival_ - last_picture_ < kPeriod) return;
+  last_picture_ = last_arrival_;
+  if (const auto picture = source_->colour()) scene.texture = rgb8(*picture);
+}
+
+void LiveFeed::start(TouchSession& session, Say say) {
+  PALPABLE_CHECK(!thread_.joinable());
+  counts_.begin = Clock::now();
+  thread_ = std::thread([this, &session, say = std::move(say)] { run(session, say); });
+}
+
+void LiveFeed::stop() {
+  ending_ = true;
+  if (thread_.joinable()) thread_.join();
+}
+
+LiveStatistics LiveFeed::statistics() const {
+  const std::lock_guard lock(mutex_);
+  return live_statistics(counts_, Clock::now());
+}
+
+void LiveFeed::run(TouchSession& session, const Say& say) {
+  std::optional<std::uint64_t> number;
+  bool said_unreadable = false;
+  while (!ending_) {
+    auto frame = source_->take(Clock::now() + kPatience);
+    if (!frame) {
+      if (!std::exchange(said_unreadable, true))
+        say(frame.error().sentence() + "; the touch goes on with the next picture.");
+      continue;
+    }
+    if (!*frame) {
+      watch_source(say);
+      if (source_->has_ended()) return;
+      continue;
+    }
+    if (std::exchange(is_lost_, false)) say("The pictures come again.");
+    {
+      const std::lock_guard lock(mutex_);
+      counts_.arrived += (*frame)->number - number.value_or((*frame)->number - 1);
+    }
+    number = (*frame)->number;
+    feel(session, **frame);
+    constexpr double kMuch = 0.3;
+    if (!said_unknown_ && share_unknown((*frame)->depth.depth_m) > kMuch) {
+      said_unknown_ = true;
+      say("More than 30 % of the picture has no depth; there is no surface there.");
+    }
+  }
+}
+
+void LiveFeed::feel(TouchSession& session, const LiveFrame& frame) {
+  auto relief = relief_of(frame);
+  last_arrival_ = frame.arrival;
+  // A frame of another size than the first may be too small for a relief.
+  if (!relief || !*relief) return;
+  auto scene = std::make_shared<models::Scene>(*session.scene());
+  scene->model = *std::move(relief);
+  refresh_picture(*scene);
+  if (const auto changed = session.change_scene(std::move(scene)); !changed) return;
+  if (!wait_until_felt(session, session.newest_scene_id(), ending_)) return;
+  const auto now = Clock::now();
+  const std::lock_guard lock(mutex_);
+  counts_.newest_felt = frame.arrival;
+  counts_.latencies_ms.push_back(1e3 * seconds_between(frame.arrival, now));
+}
+
+void LiveFeed::watch_source(const Say& say) {
+  if (is_lost_) return;
+  if (source_->has_ended()) {
+    say("The live pictures have ended; the surface of the last one stays.");
+  } else if (seconds_between(last_arrival_, Clock::now()) > options_.lost_s) {
+    is_lost_ = true;
+    say(fmt::format("No picture has come for {:.1f} s; the surface of the last one stays.", options_.lost_s));
+  }
+}
+
+}  // namespace palpable::session

@@ -1,0 +1,113 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/models/scene/scene.hpp"
+#include "palpable/sculpt/relief/relief_in_window.hpp"
+#include "palpable/session/touch/live_source.hpp"
+#include "palpable/session/touch/live_statistics.hpp"
+#include "palpable/vision/depth_camera/depth_range.hpp"
+#include "palpable/vision/depth_camera/steady_depth.hpp"
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+
+namespace palpable::session {
+
+class TouchSession;
+
+/// How the frames of a depth camera become the surface under the hand. The defaults are the same for every
+/// camera.
+struct LiveOptions {
+  vision::SteadyDepthOptions steady;
+  sculpt::WindowedReliefOptions relief;
+  /// Depths that the relief shows; not given: vision::FollowedRange.
+  std::optional<sculpt::DepthWindow> window;
+  /// Frames are reduced by a whole factor until their longer side has at most this many pixels: at 30 frames
+  /// a second a ball's surface of more cannot be computed in time on two processors. 16 ... 2048.
+  int longest_side_px = 240;
+  /// The duration of the change from one frame's surface to the next: with 30 frames a second it moves all
+  /// the time. Seconds, 0.005 ... 1.
+  double fade_s = 0.03;
+  /// Without a frame for this time the picture counts as lost, and a sentence says so. Seconds, 0.1 ... 60.
+  double lost_s = 1.0;
+  /// For this time a first depth is waited for. Seconds, 0.1 ... 600.
+  double first_s = 10.0;
+};
+
+/// Errors: usage for a value out of range.
+Result<void> check(const LiveOptions& options);
+
+/// Feeds a touch from a live source: each frame becomes a scene, which takes the place of the one before.
+/// Frames that come faster than they can be used are left out, the oldest first.
+class LiveFeed {
+ public:
+  /// Takes sentences for the user; called by the feed's thread.
+  using Say = std::function<void(const std::string&)>;
+
+  /// Waits for the first frame with a known depth, for LiveOptions::first_s. Errors: as check(),
+  /// LiveSource::take() and sculpt::relief_in_window(); invalid_input if none comes; interrupted.
+  static Result<std::unique_ptr<LiveFeed>> open(std::unique_ptr<LiveSource> source,
+                                                const LiveOptions& options, const Work& work);
+  ~LiveFeed();
+  LiveFeed(const LiveFeed&) = delete;
+  LiveFeed& operator=(const LiveFeed&) = delete;
+
+  /// The scene of the first frame.
+  const std::shared_ptr<const models::Scene>& first_scene() const { return first_; }
+  /// Feeds `session`, which must have the first scene, on a thread of its own until stop(). Once. Materials,
+  /// names and title that the session's scene has by then, or gets, stay.
+  void start(TouchSession& session, Say say);
+  /// Before the session ends.
+  void stop();
+  LiveStatistics statistics() const;
+
+ private:
+  LiveFeed(std::unique_ptr<LiveSource> source, const LiveOptions& options);
+  Result<std::shared_ptr<const models::Relief>> relief_of(const LiveFrame& frame);
+  void begin_with(std::shared_ptr<const models::Relief> relief);
+  void refresh_picture(models::Scene& scene);
+  void run(TouchSession& session, const Say& say);
+  void feel(TouchSession& session, const LiveFrame& frame);
+  void watch_source(const Say& say);
+
+  std::unique_ptr<LiveSource> source_;
+  LiveOptions options_;
+  vision::SteadyDepth steady_;
+  vision::FollowedRange range_;
+  std::shared_ptr<const models::Scene> first_;
+  std::chrono::steady_clock::time_point last_arrival_;
+  std::chrono::steady_clock::time_point last_picture_;
+  bool is_lost_ = false;
+  bool said_unknown_ = false;
+  std::atomic<bool> ending_{false};
+  mutable std::mutex mutex_;
+  LiveCounts counts_;
+  std::thread thread_;
+};
+
+/// Feeds a session, if there is a feed, for as long as this object lives.
+class Feeding {
+ public:
+  Feeding(LiveFeed* feed, TouchSession& session, LiveFeed::Say say) : feed_(feed) {
+    if (feed_ != nullptr) feed_->start(session, std::move(say));
+  }
+  ~Feeding() {
+    if (feed_ != nullptr) feed_->stop();
+  }
+  Feeding(const Feeding&) = delete;
+  Feeding& operator=(const Feeding&) = delete;
+
+ private:
+  LiveFeed* feed_;
+};
+
+}  // namespace palpable::session

@@ -1,0 +1,49 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/picture/camera.hpp"
+#include "palpable/core/picture/image.hpp"
+#include "palpable/core/result.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace palpable::session {
+
+/// One frame of a live source.
+struct LiveFrame {
+  /// Counted from 0 with every frame that arrived, also those that were never taken.
+  std::uint64_t number = 0;
+  std::chrono::steady_clock::time_point arrival;
+  DepthMap depth;
+};
+
+/// A source of frames that arrive whether they are taken or not. One thread takes them.
+class LiveSource {
+ public:
+  LiveSource() = default;
+  virtual ~LiveSource() = default;
+  LiveSource(const LiveSource&) = delete;
+  LiveSource& operator=(const LiveSource&) = delete;
+
+  /// The newest frame that has not been taken; waits for one until `deadline`. nullopt: none came, or the
+  /// source has ended. Errors: invalid_input for a frame that cannot be read; the next call goes on with the
+  /// next frame.
+  virtual Result<std::optional<LiveFrame>> take(std::chrono::steady_clock::time_point deadline) = 0;
+  virtual bool has_ended() const = 0;
+  /// The colour picture of the frame that was taken last; nullopt if there is none.
+  virtual std::optional<Image> colour() = 0;
+};
+
+/// Whether a command's input is the address of a live source, whatever its scheme.
+bool is_live_address(const std::string& input);
+
+/// Opens frames:FOLDER?fps=30&loop=0: the frames of a folder, paced as from a camera. Errors: usage for an
+/// unknown scheme or option; invalid_input as sources::FrameFolder::open().
+Result<std::unique_ptr<LiveSource>> open_live_source(const std::string& address);
+
+}  // namespace palpable::session

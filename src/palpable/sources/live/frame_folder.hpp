@@ -1,0 +1,42 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/picture/camera.hpp"
+#include "palpable/core/picture/image.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/sources/depth/depth_picture.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace palpable::sources {
+
+/// The frames of a depth camera in a folder, in the order of their names: NAME.depth.png with NAME.color.png,
+/// .jpg or .jpeg beside it. What the numbers mean is stated by a
+/// sidecar (read_depth_sidecar(); without one they are millimetres).
+class FrameFolder {
+ public:
+  /// Lists the frames; reads none. Errors: invalid_input, naming the folder or the sidecar: unreadable,
+  /// without frames, a sidecar that does not state depth or distance along the axis.
+  static Result<FrameFolder> open(const std::filesystem::path& folder);
+
+  std::size_t size() const { return frames_.size(); }
+  /// The depth of frame `k` < size(); all unknown if the camera saw nothing. Errors: as read_raster().
+  Result<DepthMap> depth(std::size_t k) const;
+  /// Its colour picture. Errors: as read_picture(); invalid_input if there is none.
+  Result<Image> colour(std::size_t k) const;
+
+ private:
+  struct Frame {
+    std::filesystem::path depth;
+    /// Empty if there is none.
+    std::filesystem::path colour;
+  };
+  std::vector<Frame> frames_;
+  double metres_per_unit_ = 0.001;
+};
+
+}  // namespace palpable::sources

@@ -1,0 +1,89 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sources/live/frame_folder.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+
+namespace palpable::sources {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An empty folder for one test.
+fs::path empty_folder(const std::string& name) {
+  const fs::path folder = fs::path(testing::TempDir()) / ("frames-" + name);
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return folder;
+}
+
+/// A frame whose pixels all have this number, and one without a reading.
+void write_frame(const fs::path& folder, const std::string& name, int value) {
+  cv::Mat depth(4, 6, CV_16U, cv::Scalar(value));
+  depth.at<std::uint16_t>(0, 0) = 0;
+  ASSERT_TRUE(cv::imwrite((folder / (name + ".depth.png")).string(), depth));
+}
+
+TEST(FrameFolder, ListsFramesInNaturalOrderAndReadsMillimetres) {
+  const auto folder = empty_folder("order");
+  write_frame(folder, "frame-10", 3000);
+  write_frame(folder, "frame-2", 2000);
+  std::ofstream(folder / "frame-2.color.png") << "not a picture";
+  std::ofstream(folder / "notes.txt") << "not a frame";
+  const auto frames = FrameFolder::open(folder);
+  ASSERT_TRUE(frames) << frames.error().sentence();
+  ASSERT_EQ(frames->size(), 2U);
+  const auto first = frames->depth(0);
+  ASSERT_TRUE(first) << first.error().sentence();
+  EXPECT_FLOAT_EQ(first->depth_m(3, 2), 2.0F);
+  EXPECT_TRUE(std::isnan(first->depth_m(0, 0)));
+  EXPECT_EQ(frames->colour(0).error().code, ErrorCode::invalid_input);
+  EXPECT_EQ(frames->colour(1).error().code, ErrorCode::invalid_input);
+}
+
+TEST(FrameFolder, TakesTheScaleOfASidecar) {
+  const auto folder = empty_folder("scale");
+  write_frame(folder, "a", 5000);
+  std::ofstream(folder / "depth.json") << R"({"meaning": "depth", "metres_per_unit": 0.0002})";
+  const auto frames = FrameFolder::open(folder);
+  ASSERT_TRUE(frames) << frames.error().sentence();
+  EXPECT_FLOAT_EQ(frames->depth(0)->depth_m(1, 1), 1.0F);
+  std::ofstream(folder / "depth.json") << R"({"scale": 5000})";
+  EXPECT_FLOAT_EQ(FrameFolder::open(folder)->depth(0)->depth_m(1, 1), 1.0F);
+  std::ofstream(folder / "depth.json") << R"({"meaning": "disparity"})";
+  EXPECT_EQ(FrameFolder::open(folder).error().code, ErrorCode::invalid_input);
+}
+
+TEST(FrameFolder, GivesAFrameInWhichNothingIsSeen) {
+  const auto folder = empty_folder("dark");
+  write_frame(folder, "a", 0);
+  const auto dark = FrameFolder::open(folder)->depth(0);
+  ASSERT_TRUE(dark) << dark.error().sentence();
+  EXPECT_TRUE(std::isnan(dark->depth_m(3, 3)));
+}
+
+TEST(FrameFolder, RefusesAFolderWithoutFrames) {
+  const auto folder = empty_folder("none");
+  EXPECT_EQ(FrameFolder::open(folder).error().code, ErrorCode::invalid_input);
+  EXPECT_EQ(FrameFolder::open(folder / "missing").error().code, ErrorCode::invalid_input);
+}
+
+TEST(FrameFolder, NamesAFrameThatCannotBeRead) {
+  const auto folder = empty_folder("damaged");
+  write_frame(folder, "a", 1000);
+  std::ofstream(folder / "b.depth.png") << "rubbish";
+  const auto frames = FrameFolder::open(folder);
+  ASSERT_TRUE(frames);
+  EXPECT_TRUE(frames->depth(0));
+  const auto damaged = frames->depth(1);
+  ASSERT_FALSE(damaged);
+  EXPECT_NE(damaged.error().sentence().find("b.depth.png"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace palpable::sources
