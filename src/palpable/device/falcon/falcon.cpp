@@ -133,8 +133,7 @@ std::string Falcon::fault() const {
 std::string Falcon::guidance() const {
   if (link_.is_homed()) return {};
   return "Pull the grip of the Falcon out as far as it goes, then push it in as far as it goes; the red "
-         "light "
-         "turns green when it knows its place";
+         "light turns green when it knows its place";
 }
 
 std::optional<ZeroWrite> Falcon::zero_write() const {

@@ -19,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -49,6 +50,30 @@ Result<void> check(const LawParameters& parameters) {
   return {};
 }
 
+/// What a ball has on a field: the space between solid and border, and how much of it it cannot use.
+struct RoomForABall {
+  double margin_m;
+  double lost_m;
+};
+
+template <typename Field>
+RoomForABall room_of(const Field& field) {
+  return {field.margin_m(), 0.5 * field.distance.cell_m()};
+}
+
+/// nullopt where nothing limits a ball. The laws of the plane touch a solid's view from above; the places of
+/// a tool touch the solid from within its field whatever the tool's size.
+std::optional<RoomForABall> room_for_a_ball(const models::Scene& scene, Law law) {
+  const LawDescription& description = description_of(law);
+  if (description.degrees_of_freedom <= 2 || find_parameter(description, &LawParameters::radius_m) == nullptr)
+    return std::nullopt;
+  if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model))
+    return room_of(**field);
+  if (const auto* field = std::get_if<std::shared_ptr<const models::FieldOnLattice>>(&scene.model))
+    return room_of(**field);
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::span<const LawDescription* const> all_laws() { return kLaws; }
@@ -76,28 +101,20 @@ std::vector<Law> laws_for(const models::Scene& scene) {
 }
 
 double largest_radius_m(const models::Scene& scene, Law law) {
-  const LawDescription& description = description_of(law);
-  // The laws of the plane touch a solid's view from above.
-  const bool on_field =
-      description.degrees_of_freedom > 2 && find_parameter(description, &LawParameters::radius_m) != nullptr;
-  const auto largest_m = [](const auto& field) {
-    return std::max(0.0, field.margin_m() - 0.5 * field.distance.cell_m());
-  };
-  if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model); on_field && field)
-    return largest_m(**field);
-  if (const auto* field = std::get_if<std::shared_ptr<const models::FieldOnLattice>>(&scene.model);
-      on_field && field)
-    return largest_m(**field);
-  return std::numeric_limits<double>::infinity();
+  const auto room = room_for_a_ball(scene, law);
+  return room ? std::max(0.0, room->margin_m - room->lost_m) : std::numeric_limits<double>::infinity();
 }
 
-std::string too_large_ball_words(double radius_m, double largest_m) {
-  constexpr double kSteps_per_mm = 10.0;
-  constexpr double kMore_m = 5e-4;
+std::string too_large_ball_words(double radius_m, const models::Scene& scene, Law law) {
+  constexpr double kSteps_per_m = 1e5;
+  const auto room = room_for_a_ball(scene, law);
+  const double needed_m = radius_m + (room ? room->lost_m : 0.0);
   std::ostringstream words;
   words << "a ball of " << 1e3 * radius_m << " mm touches this solid from beyond the border of its field: "
-        << "the largest radius is " << std::floor(1e3 * kSteps_per_mm * largest_m) / kSteps_per_mm
-        << " mm, or make the field with a margin (field.margin_m) of " << radius_m + kMore_m << " m";
+        << "the largest radius is "
+        << 1e3 * std::floor(kSteps_per_m * largest_radius_m(scene, law)) / kSteps_per_m
+        << " mm, or make the field with a margin (field.margin_m) of "
+        << std::ceil(kSteps_per_m * needed_m) / kSteps_per_m << " m";
   return words.str();
 }
 
@@ -111,7 +128,7 @@ Result<std::shared_ptr<const Touchable>> make_touchable(const models::Scene& sce
     return usage_error("the law " + std::string(law.name) + " does not exist for a " +
                        models::kind_of(scene.model));
   if (const double largest_m = largest_radius_m(scene, law.law); parameters.radius_m > largest_m)
-    return usage_error(too_large_ball_words(*parameters.radius_m, largest_m));
+    return usage_error(too_large_ball_words(*parameters.radius_m, scene, law.law));
   auto touchable = law.make({scene, parameters, kept, work}).touchable;
   if (!touchable || scene.guide == nullptr) return touchable;
   if (!models::is_valid(*scene.guide)) return usage_error("the scene's guide is out of range");

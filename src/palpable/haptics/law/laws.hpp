@@ -31,7 +31,7 @@ std::vector<Law> laws_for(const models::Scene& scene);
 /// the force not its gradient. Otherwise infinite.
 double largest_radius_m(const models::Scene& scene, Law law);
 /// That a ball is larger than largest_radius_m(), and which field it could touch, as a clause.
-std::string too_large_ball_words(double radius_m, double largest_m);
+std::string too_large_ball_words(double radius_m, const models::Scene& scene, Law law);
 
 /// Cache of the dilated relief, whose computation in make_touchable() is expensive. The owner of a touch
 /// keeps it while parameters change. Empty at first. One thread at a time.

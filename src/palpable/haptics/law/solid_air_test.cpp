@@ -24,19 +24,22 @@ namespace {
 
 using DistanceTo = std::function<double(Vec3)>;
 
-constexpr double kSpacing_m = 2.5e-4;
-/// The least margin of a field, and the largest ball that may touch it.
-constexpr double kAround_m = 2e-3;
-constexpr double kLargestBall_m = kAround_m - 0.5 * kSpacing_m - 1e-9;
+/// How a solid is sampled: how far apart, and how far around it.
+struct Sampling {
+  double spacing_m = 2.5e-4;
+  double around_m = 2e-3;
+};
+/// The largest ball that may touch a field with the least margin.
+constexpr double kLargestBall_m = Sampling{}.around_m - 0.5 * Sampling{}.spacing_m - 1e-9;
 
-/// A solid in a box, sampled every quarter of a millimetre.
-models::Scene sampled_solid(const DistanceTo& distance_to, Vec3 least_m, Vec3 most_m) {
+models::Scene sampled_solid(const DistanceTo& distance_to, Vec3 least_m, Vec3 most_m,
+                            const Sampling& sampling = {}) {
   models::Lattice lattice;
-  lattice.origin_m = least_m - Vec3{kAround_m, kAround_m, kAround_m};
-  lattice.spacing_m = kSpacing_m;
+  lattice.origin_m = least_m - sampling.around_m * Vec3{1.0, 1.0, 1.0};
+  lattice.spacing_m = sampling.spacing_m;
   const Vec3 size = most_m - least_m;
-  const auto count = [](double extent_m) {
-    return static_cast<int>(std::ceil((extent_m + 2.0 * kAround_m) / kSpacing_m)) + 1;
+  const auto count = [&](double extent_m) {
+    return static_cast<int>(std::ceil((extent_m + 2.0 * sampling.around_m) / sampling.spacing_m)) + 1;
   };
   lattice.counts = {count(size.x), count(size.y), count(size.z)};
   std::vector<float> values(lattice.places());
@@ -67,11 +70,11 @@ struct Solid {
 };
 
 /// Two balls beside each other, 4 mm apart.
-Solid two_balls() {
+Solid two_balls(const Sampling& sampling = {}) {
   const DistanceTo distance_to = [](Vec3 p) {
     return norm(Vec3{std::abs(p.x) - kBeside_m, p.y, p.z}) - kBall_m;
   };
-  return {sampled_solid(distance_to, {-0.014, -0.006, -0.006}, {0.014, 0.006, 0.006}), distance_to};
+  return {sampled_solid(distance_to, {-0.014, -0.006, -0.006}, {0.014, 0.006, 0.006}, sampling), distance_to};
 }
 
 /// Eight balls of 2 to 5 mm, some of them apart.
@@ -205,6 +208,19 @@ TEST(SolidAir, HasNoForceForAnyLawWithContactAndAnyRadius) {
   EXPECT_GT(all.contacts, 500);
 }
 
+TEST(SolidAir, HasNoForceForABallOfTwentyMillimetresOnAFieldWithRoomForIt) {
+  constexpr double kRadius_m = 0.02;
+  constexpr double kSpacing_m = 5e-4;
+  std::mt19937_64 random(35);
+  const Solid solid = two_balls({kSpacing_m, kRadius_m + 0.5 * kSpacing_m + 1e-5});
+  for (const Law law : {Law::proxy, Law::penalty}) {
+    const Air air = air_around(solid, {law, 0.0, kRadius_m}, 200, random);
+    EXPECT_EQ(air.pushed, 0) << name_of(law) << ": " << air.most_N << " N";
+    EXPECT_EQ(air.late, 0) << name_of(law) << " of " << air.contacts;
+    EXPECT_GT(air.contacts, 50) << name_of(law);
+  }
+}
+
 /// The work of `penalty` on a hand led once around a circle whose middle is near a solid's surface.
 double work_on_circle_J(const Touchable& law, double around_m, std::mt19937_64& random) {
   constexpr int kSteps = 4000;
@@ -246,8 +262,11 @@ TEST(SolidAir, LargerBallsThanTheMarginAreRefusedWithTheLargestRadius) {
     const auto refused = make_touchable(solid.scene, p);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::usage);
-    EXPECT_NE(refused.error().message.find("the largest radius is 1.8 mm"), std::string::npos)
-        << refused.error().message;
+    const std::string& words = refused.error().message;
+    EXPECT_NE(words.find("the largest radius is 1.87 mm"), std::string::npos) << words;
+    // Half a spacing more than the ball.
+    EXPECT_NE(words.find("(field.margin_m) of 0.00313 m"), std::string::npos) << words;
+    EXPECT_GE(largest_radius_m(two_balls({2.5e-4, 0.00313}).scene, law), 0.003);
   }
   // A ball that rolls on the view from above does not touch the field.
   EXPECT_TRUE(std::isinf(largest_radius_m(solid.scene, Law::rolling)));

@@ -38,6 +38,10 @@ class CountedHand final : public device::Device {
   }
   void stop() noexcept override { hand_.stop(); }
 
+  /// As SimulatedHand's.
+  void set_goal(Vec3 goal_m) noexcept { hand_.set_goal(goal_m); }
+  Vec3 true_position_m() const noexcept { return hand_.true_position_m(); }
+
   /// No tick comes for so long; after 5 ms the watchdog cuts the force.
   void stall(int ticks) {
     for (int n = 1; n < ticks; ++n) {

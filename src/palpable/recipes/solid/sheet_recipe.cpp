@@ -5,6 +5,7 @@
 #include "palpable/core/text/figure.hpp"
 #include "palpable/recipes/solid/mesh_surface_check.hpp"
 #include "palpable/recipes/solid/placement_notes.hpp"
+#include "palpable/sculpt/relief/relief_shape.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -20,7 +21,6 @@ namespace {
 using sculpt::Lay;
 using SceneFromInput = Transform<SceneFrame, models::InputFrame>;
 
-constexpr Vec3 kDefaultSize_m{0.10, 0.10, 0.015};
 /// Ramps over less of the area are not worth a word.
 constexpr double kLeastRampShare = 0.005;
 
@@ -56,7 +56,7 @@ Result<MadeScene> relief_from_mesh(Mesh mesh, const SheetRecipe& recipe, const W
   if (auto has_surface = check_surface(mesh); !has_surface) return std::move(has_surface).error();
   const sculpt::Box box = sculpt::bounds_of(mesh);
   sculpt::PlacementOptions fit = recipe.placement;
-  if (!fit.size_m) fit.size_m = kDefaultSize_m;
+  if (!fit.size_m) fit.size_m = sculpt::kDefaultReliefSize_m;
   auto placement = sculpt::placement_of(box, fit);
   if (!placement) return placement.error();
   const AxisDirection towards = towards_person(mesh, *placement, recipe);

@@ -4,6 +4,7 @@
 
 #include "palpable/models/relief/relief_shaping.hpp"
 #include "palpable/sculpt/relief/holes.hpp"
+#include "palpable/sculpt/relief/relief_shape.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,20 +16,13 @@
 namespace palpable::sculpt {
 namespace {
 
-constexpr Vec3 kDefaultSize_m{0.10, 0.10, 0.015};
-
 Error usage(std::string message) { return {ErrorCode::usage, std::move(message), {}}; }
 
 Result<void> check(const ReliefOptions& options) {
-  if (options.size_m) {
-    const Vec3 s = *options.size_m;
-    for (const double side : {s.x, s.y, s.z})
-      if (!(side >= 0.001 && side <= 1.0)) return usage("the size's sides must be 1 to 1000 mm");
-  }
+  const Vec3 size = options.size_m.value_or(kDefaultReliefSize_m);
+  if (auto valid = check_relief_shape(size, options.steepest_slope); !valid) return valid;
   if (!(options.exaggerate >= 0.1 && options.exaggerate <= 10.0))
     return usage("exaggerate must be 0.1 to 10");
-  if (!(options.steepest_slope >= 0.1 && options.steepest_slope <= 100.0))
-    return usage("the steepest slope must be 0.1 to 100");
   if (!(options.compression >= 1.5 && options.compression <= 100.0))
     return usage("the compression must be 1.5 to 100");
   if (!(options.smooth_m >= 0.0 && options.smooth_m <= 0.01))
@@ -113,7 +107,7 @@ Result<models::Relief> relief_from_nearness(Raster<float> nearness, Window windo
   stretch(nearness, window);
   if (options.resampling != Resampling::none) resample(nearness, options);
 
-  const Vec3 size = options.size_m.value_or(kDefaultSize_m);
+  const Vec3 size = options.size_m.value_or(kDefaultReliefSize_m);
   const double pixel_m = std::min(size.x / nearness.width(), size.y / nearness.height());
   double height_m = size.z * options.exaggerate;
   if (options.size_m) height_m = std::min(height_m, size.z);

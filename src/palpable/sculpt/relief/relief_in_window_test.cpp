@@ -12,7 +12,7 @@
 namespace palpable::sculpt {
 namespace {
 
-constexpr DepthWindow kWindow{1.0, 2.0};
+constexpr vision::DepthRange kWindow{1.0, 2.0};
 
 Raster<float> plane_at(float z_m) { return Raster<float>(20, 10, z_m); }
 

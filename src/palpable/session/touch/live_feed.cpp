@@ -29,7 +29,8 @@ double share_unknown(const Raster<float>& depth_m) {
   return static_cast<double>(unknown) / static_cast<double>(depth_m.count());
 }
 
-/// Waits until the servo has begun with this scene, or a later one; false if that lasts too long.
+/// Waits until the servo has begun with this scene, or a later one; false if that lasts too long. It polls,
+/// because a tick may wake nobody.
 bool wait_until_felt(const TouchSession& session, std::uint32_t id, const std::atomic<bool>& ending) {
   constexpr auto kLook = std::chrono::microseconds(500);
   constexpr auto kTooLong = std::chrono::milliseconds(500);
@@ -97,11 +98,10 @@ Result<std::shared_ptr<const models::Relief>> LiveFeed::relief_of(const LiveFram
   const int k = std::max(1, (longest + options_.longest_side_px - 1) / options_.longest_side_px);
   const auto& noise = options_.steady.noise;
   const auto& depth_m = steady_.add(vision::clean_depth(vision::reduced_depth(raw, k, noise), noise), dt_s);
-  auto window = options_.window;
-  if (const auto range = range_.add(depth_m, dt_s); !window && range)
-    window = sculpt::DepthWindow{range->near_m, range->far_m};
-  if (!window) return std::shared_ptr<const models::Relief>();
-  auto relief = sculpt::relief_in_window(depth_m, *window, options_.relief);
+  auto range = options_.range;
+  if (const auto followed = range_.add(depth_m, dt_s); !range) range = followed;
+  if (!range) return std::shared_ptr<const models::Relief>();
+  auto relief = sculpt::relief_in_window(depth_m, *range, options_.relief);
   if (!relief) return std::move(relief).error();
   return std::make_shared<const models::Relief>(*std::move(relief));
 }
@@ -116,7 +116,7 @@ void LiveFeed::refresh_picture(models::Scene& scene) {
 
 void LiveFeed::start(TouchSession& session, Say say) {
   PALPABLE_CHECK(!thread_.joinable());
-  counts_.begin = Clock::now();
+  begin_ = Clock::now();
   thread_ = std::thread([this, &session, say = std::move(say)] { run(session, say); });
 }
 
@@ -127,7 +127,15 @@ void LiveFeed::stop() {
 
 LiveStatistics LiveFeed::statistics() const {
   const std::lock_guard lock(mutex_);
-  return live_statistics(counts_, Clock::now());
+  const auto now = Clock::now();
+  LiveStatistics live;
+  live.frames = arrived_;
+  live.latency = latencies_.summary();
+  live.dropped = arrived_ - live.latency.count;
+  if (const double lasted_s = seconds_between(begin_, now); lasted_s > 0.0)
+    live.fps = static_cast<double>(live.latency.count) / lasted_s;
+  if (live.latency.count > 0) live.stale_s = seconds_between(newest_felt_, now);
+  return live;
 }
 
 void LiveFeed::run(TouchSession& session, const Say& say) {
@@ -148,7 +156,7 @@ void LiveFeed::run(TouchSession& session, const Say& say) {
     if (std::exchange(is_lost_, false)) say("The pictures come again.");
     {
       const std::lock_guard lock(mutex_);
-      counts_.arrived += (*frame)->number - number.value_or((*frame)->number - 1);
+      arrived_ += (*frame)->number - number.value_or((*frame)->number - 1);
     }
     number = (*frame)->number;
     feel(session, **frame);
@@ -172,8 +180,8 @@ void LiveFeed::feel(TouchSession& session, const LiveFrame& frame) {
   if (!wait_until_felt(session, session.newest_scene_id(), ending_)) return;
   const auto now = Clock::now();
   const std::lock_guard lock(mutex_);
-  counts_.newest_felt = frame.arrival;
-  counts_.latencies_ms.push_back(1e3 * seconds_between(frame.arrival, now));
+  newest_felt_ = frame.arrival;
+  latencies_.record_ns(1e9 * seconds_between(frame.arrival, now));
 }
 
 void LiveFeed::watch_source(const Say& say) {

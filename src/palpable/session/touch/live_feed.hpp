@@ -4,14 +4,17 @@
 
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
+#include "palpable/haptics/servo/latency_recorder.hpp"
 #include "palpable/models/scene/scene.hpp"
 #include "palpable/sculpt/relief/relief_in_window.hpp"
 #include "palpable/session/touch/live_source.hpp"
-#include "palpable/session/touch/live_statistics.hpp"
+#include "palpable/session/touch/touch_statistics.hpp"
 #include "palpable/vision/depth_camera/depth_range.hpp"
 #include "palpable/vision/depth_camera/steady_depth.hpp"
 
 #include <atomic>
+#include <chrono>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -30,7 +33,7 @@ struct LiveOptions {
   vision::SteadyDepthOptions steady;
   sculpt::WindowedReliefOptions relief;
   /// Depths that the relief shows; not given: vision::FollowedRange.
-  std::optional<sculpt::DepthWindow> window;
+  std::optional<vision::DepthRange> range;
   /// Frames are reduced by a whole factor until their longer side has at most this many pixels: at 30 frames
   /// a second a ball's surface of more cannot be computed in time on two processors. 16 ... 2048.
   int longest_side_px = 240;
@@ -71,6 +74,8 @@ class LiveFeed {
   LiveStatistics statistics() const;
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   LiveFeed(std::unique_ptr<LiveSource> source, const LiveOptions& options);
   Result<std::shared_ptr<const models::Relief>> relief_of(const LiveFrame& frame);
   void begin_with(std::shared_ptr<const models::Relief> relief);
@@ -84,13 +89,17 @@ class LiveFeed {
   vision::SteadyDepth steady_;
   vision::FollowedRange range_;
   std::shared_ptr<const models::Scene> first_;
-  std::chrono::steady_clock::time_point last_arrival_;
-  std::chrono::steady_clock::time_point last_picture_;
+  Clock::time_point last_arrival_;
+  Clock::time_point last_picture_;
   bool is_lost_ = false;
   bool said_unknown_ = false;
   std::atomic<bool> ending_{false};
+  /// Guards what statistics() reads.
   mutable std::mutex mutex_;
-  LiveCounts counts_;
+  Clock::time_point begin_;
+  Clock::time_point newest_felt_;
+  std::uint64_t arrived_ = 0;
+  haptics::LatencyRecorder latencies_;
   std::thread thread_;
 };
 

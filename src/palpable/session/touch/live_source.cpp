@@ -61,14 +61,14 @@ class PacedFrames : public LiveSource {
 };
 
 /// The schemes of DESIGN's live sources, so that an address is never taken for the name of a file.
-constexpr std::array<std::string_view, 9> kSchemes{
-    "frames:", "camera:", "openni:", "freenect:", "realsense:", "rtsp:", "http:", "https:", "ros:"};
+constexpr std::array<std::string_view, 10> kSchemes{
+    "frames:", "camera:", "openni:", "freenect:", "realsense:", "rtsp:", "http:", "https:", "ros:", "robot:"};
 
 }  // namespace
 
 bool is_live_address(const std::string& input) {
-  return input.starts_with("robot:") || std::any_of(kSchemes.begin(), kSchemes.end(),
-                                                    [&](auto scheme) { return input.starts_with(scheme); });
+  return std::any_of(kSchemes.begin(), kSchemes.end(),
+                     [&](auto scheme) { return input.starts_with(scheme); });
 }
 
 Result<std::unique_ptr<LiveSource>> open_live_source(const std::string& address) {

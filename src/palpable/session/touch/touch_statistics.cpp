@@ -19,13 +19,14 @@ Json percentiles(const haptics::Percentiles& of) {
 }
 
 Json live_json(const LiveStatistics& live) {
+  const auto ms = [&](double ns) { return live.latency.count > 0 ? Json(1e-6 * ns) : Json(nullptr); };
   return {{"frames", live.frames},
           {"dropped", live.dropped},
           {"fps", number(live.fps)},
           {"latency_ms",
-           {{"p50", number(live.latency_p50_ms)},
-            {"p99", number(live.latency_p99_ms)},
-            {"max", number(live.latency_max_ms)}}},
+           {{"p50", ms(live.latency.p50_ns)},
+            {"p99", ms(live.latency.p99_ns)},
+            {"max", ms(live.latency.max_ns)}}},
           {"stale_s", number(live.stale_s)}};
 }
 

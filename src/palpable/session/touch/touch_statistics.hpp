@@ -2,14 +2,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/haptics/servo/latency_recorder.hpp"
 #include "palpable/haptics/tick/servo_types.hpp"
-#include "palpable/session/touch/live_statistics.hpp"
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
 
 namespace palpable::session {
+
+/// How a live touch kept up with its source.
+struct LiveStatistics {
+  /// Frames that arrived, and those of them that were never felt.
+  std::uint64_t frames = 0;
+  std::uint64_t dropped = 0;
+  /// Frames a second that were felt.
+  double fps = std::numeric_limits<double>::quiet_NaN();
+  /// From the arrival of a frame to the first tick that knows it, of the frames that were felt.
+  haptics::LatencySummary latency;
+  /// Age of the newest felt frame; NaN if none was felt.
+  double stale_s = std::numeric_limits<double>::quiet_NaN();
+};
 
 /// Statistics of a touch without page (docs/cli.md).
 struct TouchStatistics {

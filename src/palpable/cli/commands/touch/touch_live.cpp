@@ -39,7 +39,7 @@ Result<session::LiveOptions> live_options(const sculpt::ReliefOptions& relief) {
   if (relief.near.has_value() != relief.far.has_value())
     return Error{ErrorCode::usage, "a live source needs both ends of the depths that it shows, or none",
                  relief.near ? "--near" : "--far"};
-  if (relief.near) options.window = sculpt::DepthWindow{*relief.near, *relief.far};
+  if (relief.near) options.range = vision::DepthRange{*relief.near, *relief.far};
   return options;
 }
 
