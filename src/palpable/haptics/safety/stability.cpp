@@ -13,8 +13,8 @@ constexpr double kMargin = 0.9;
 /// The share of the virtual damper's dissipation that may compensate the held spring force. The rest is a
 /// margin for the damper's errors: its velocity is some ticks old and comes from a quantised sensor. Measured
 /// (docs/history): with 0.9, one of twelve random hands received generated energy of some microjoules; with
-/// 0.65, none of 60 with `proxy`.
-constexpr double kHeldMargin = 0.65;
+/// 0.66, none of 600 (palpable_stiffness_set).
+constexpr double kHeldMargin = 0.66;
 /// The share of the damping of device and hand that a wall's damping may reach, so that both conditions below
 /// can hold.
 constexpr double kWallsShare = 0.55;

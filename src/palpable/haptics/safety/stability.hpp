@@ -43,7 +43,7 @@ inline constexpr double kLeastHandDamping_Ns_per_m = 1.5;
 
 /// The virtual wall nearest to the desired one that is safe on the device at `rate_hz` (> 0). First the
 /// damping is raised to what the stiffness needs, to at most 0.55 of the damping of device and hand; there
-/// both conditions nearly meet. Then the stiffness is lowered below each limit: to 65 % of what the virtual
+/// both conditions nearly meet. Then the stiffness is lowered below each limit: to 66 % of what the virtual
 /// damper can dissipate (its velocity is delayed and quantised), and to 90 % of the other limits. A property
 /// that the device does not state limits nothing, except damping, which counts as 0. `scale` is metres in the
 /// scene per metre at the device: a scene that is shown smaller is stiffer at the hand. Stiffness > 0 and

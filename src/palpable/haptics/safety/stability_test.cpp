@@ -3,6 +3,7 @@
 #include "palpable/haptics/safety/stability.hpp"
 
 #include "palpable/haptics/safety/test_hands.hpp"
+#include "palpable/haptics/safety/test_tapping_hand.hpp"
 #include "palpable/haptics/servo/test_touch.hpp"
 #include "palpable/haptics/tick/tick.hpp"
 
@@ -31,19 +32,19 @@ TEST(SafeContact, DoesNotChangeASoftWall) {
 }
 
 TEST(SafeContact, GivesAWallTheDampingThatItNeeds) {
-  // (2d + 1)·K·T/2 from 65 % of it.
+  // (2d + 1)·K·T/2 from 66 % of it.
   const auto safe = safe_contact(known(), 1000.0, 1.0, 500.0, 0.0);
   EXPECT_EQ(safe.stiffness_N_per_m, 500.0);
-  EXPECT_NEAR(safe.damping_Ns_per_m, 0.25 / 0.65, 1e-12);
+  EXPECT_NEAR(safe.damping_Ns_per_m, 0.25 / 0.66, 1e-12);
 }
 
 TEST(SafeContact, CountsTheDelayAndTheRate) {
   // Device and hand have a damping of 1.6 N·s/m; the wall may add at most 0.55 of that.
   device::Traits traits = known();
-  EXPECT_NEAR(safe_contact(traits, 1000.0, 1.0, 1e6, 0.5).stiffness_N_per_m, 0.65 * 1.1 * 1600.0, 1e-9);
+  EXPECT_NEAR(safe_contact(traits, 1000.0, 1.0, 1e6, 0.5).stiffness_N_per_m, 0.66 * 1.1 * 1600.0, 1e-9);
   traits.delay_samples = 2;
-  EXPECT_NEAR(safe_contact(traits, 1000.0, 1.0, 1e6, 0.5).stiffness_N_per_m, 0.65 * 1.1 * 320.0, 1e-9);
-  EXPECT_NEAR(safe_contact(traits, 4000.0, 1.0, 1e6, 0.5).stiffness_N_per_m, 0.65 * 1.1 * 1280.0, 1e-9);
+  EXPECT_NEAR(safe_contact(traits, 1000.0, 1.0, 1e6, 0.5).stiffness_N_per_m, 0.66 * 1.1 * 320.0, 1e-9);
+  EXPECT_NEAR(safe_contact(traits, 4000.0, 1.0, 1e6, 0.5).stiffness_N_per_m, 0.66 * 1.1 * 1280.0, 1e-9);
   EXPECT_NE(safe_contact(traits, 4000.0, 1.0, 1e6, 0.5).bound, StiffnessBound::none);
 }
 
@@ -65,7 +66,7 @@ TEST(SafeContact, AccountsForTheScaleOfTheScene) {
   // A scene of 0.5 m is mapped to a device workspace of 0.1 m: there, stiffness and damping are five times as
   // large.
   const auto safe = safe_contact(known(), 1000.0, 5.0, 1e6, 0.1);
-  EXPECT_NEAR(safe.stiffness_N_per_m, 0.65 * 1.1 * 320.0, 1e-9);
+  EXPECT_NEAR(safe.stiffness_N_per_m, 0.66 * 1.1 * 320.0, 1e-9);
 }
 
 TEST(SafeContact, LimitsNothingWithoutMotors) {
@@ -103,6 +104,25 @@ TEST(SafeContact, ComesToRestInEveryTestedHand) {
     EXPECT_LE(most_m - least_m, std::max(10e-6, hand.resolution_m))
         << "round " << round << " delay " << hand.delay_samples << " K " << safe.stiffness_N_per_m;
   }
+}
+
+TEST(SafeContact, AWallAtTheLimitReturnsNoMoreThanAHandThatTapsItGave) {
+  constexpr double kSeconds = 15.0;
+  constexpr double kAllowed_J = 1e-6;
+  constexpr int kDevices = 40;
+  std::mt19937_64 random(5);
+  int too_stiff = 0;
+  for (int n = 0; n < kDevices; ++n) {
+    const auto hand = random_device(random);
+    const auto wall = stiffest_wall(hand);
+    const auto received_J = [&](double share) {
+      return most_received_J(hand, share * wall.stiffness_N_per_m, wall.damping_Ns_per_m, kSeconds, random());
+    };
+    EXPECT_LE(received_J(1.0), kAllowed_J) << "device " << n;
+    too_stiff += received_J(1.6) > kAllowed_J ? 1 : 0;
+  }
+  // Nor is the limit far too low.
+  EXPECT_EQ(too_stiff, kDevices);
 }
 
 }  // namespace
