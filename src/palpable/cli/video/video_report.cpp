@@ -210,6 +210,7 @@ draw::ReportSection figures_section(const VideoReconstruction& video, const std:
       {"what", "value"},
       {{"pictures read", fmt::format("{}", f.frames)},
        {"blurred pictures, left out", fmt::format("{}", f.blurred)},
+       {"blurred pictures among blurred ones, used", fmt::format("{}", f.soft)},
        {"pictures like the one before, left out", fmt::format("{}", f.copies)},
        {"pictures whose camera position was found", fmt::format("{} of {}", f.posed, f.tried)},
        {"points that could be followed (median)", fmt::format("{:.0f}", f.followed_points)},

@@ -44,8 +44,8 @@ double seconds_between(InverseClock::time_point from, InverseClock::time_point t
 }  // namespace
 
 /// Sends one command over a connection of its own and waits for it to be read, a fifth of a second at most: a
-/// broken connection takes no zero force any more, and the service may hold the last one.
-void send_anew(std::uint16_t port, const std::string& command) {
+/// broken connection takes no zero force any more, and the service may hold the last one. False: not read.
+bool send_anew(std::uint16_t port, const std::string& command) {
   asio::io_context context;
   websocket::stream<asio::ip::tcp::socket> socket(context);
   beast::flat_buffer buffer;
@@ -68,6 +68,7 @@ void send_anew(std::uint16_t port, const std::string& command) {
     });
   });
   context.run_for(std::chrono::milliseconds(200));
+  return awaited == 0;
 }
 
 /// The connection and its thread. Handlers run in that thread only.
@@ -229,8 +230,15 @@ void Inverse3::Link::send() {
 }
 
 void Inverse3::Link::lose() {
-  if (lost.exchange(true) || !pushes_) return;
-  send_anew(options_.port, inverse3_command(device_id_, {}, options_.form, true));
+  if (lost.exchange(true)) return;
+  // A service that still writes into this connection would be held up by it, and answer no other.
+  beast::error_code ignored;
+  socket_.next_layer().close(ignored);
+  if (!pushes_) return;
+  constexpr int kAttempts = 10;
+  const auto free = inverse3_command(device_id_, {}, options_.form, true);
+  for (int n = 0; n < kAttempts && !send_anew(options_.port, free); ++n) {
+  }
 }
 
 void Inverse3::Link::watch() {

@@ -47,8 +47,8 @@ inline SafeContact stiffest_wall(const device::HandOptions& hand) {
 }
 
 /// The most energy that this hand receives in one contact with a level wall beyond what it gave, without
-/// controller. It taps the wall at 1 to 7 Hz with 2 to 10 mm, presses it for a while, leaves, and does that
-/// again, for so many seconds.
+/// controller. It taps the wall at 1 to 7 Hz with goals 2 to 10 mm deep, presses it for a while, leaves, and
+/// does that again, for so many seconds.
 inline double most_received_J(const device::HandOptions& options, double stiffness_N_per_m,
                               double damping_Ns_per_m, double seconds, std::uint64_t seed) {
   constexpr double kT_s = 0.001;
@@ -74,18 +74,20 @@ inline double most_received_J(const device::HandOptions& options, double stiffne
   tick_options.passivity = Passivity::observe;
   Ring<TouchEvent> events(1024);
   TickPipeline tick(hand, touched, tick_options, events);
-  double taps_hz = 0.0, reach_m = 0.0, above_m = 0.0, pressed_m = 0.0;
+  // Goals without jumps: a hand does not accelerate like that.
+  const double above_m = between(0.0, 0.005);
+  double taps = 0.0, reach_m = 0.0, pressed_m = 0.0;
   for (int n = 0; n * kT_s < seconds; ++n) {
     const double t = std::fmod(n * kT_s, kRound_s);
     if (t < kT_s) {
-      taps_hz = between(1.0, 7.0);
+      taps = std::round(kTapping_s * between(1.0, 7.0));
       reach_m = between(0.002, 0.010);
-      above_m = between(0.0, 0.5) * reach_m;
       pressed_m = between(0.0, 0.010);
     }
-    const double turned =
-        2.0 * std::numbers::pi * (t < kTapping_s ? taps_hz * t : (t - kTapping_s) / kPressing_s);
-    const double depth_m = 0.5 * (1.0 - std::cos(turned)) * (t < kTapping_s ? reach_m : pressed_m + above_m);
+    const bool taps_now = t < kTapping_s;
+    const double way = taps_now ? taps * t / kTapping_s : (t - kTapping_s) / kPressing_s;
+    const double depth_m =
+        0.5 * (1.0 - std::cos(2.0 * std::numbers::pi * way)) * (above_m + (taps_now ? reach_m : pressed_m));
     hand.set_goal({0.0, 0.0, above_m - depth_m});
     tick.step(n * kT_s, kT_s);
     while (events.take()) {

@@ -91,9 +91,9 @@ std::vector<Note> advice_on(const VideoFigures& f, const VideoAdviceOptions& opt
     out.emplace_back(fmt::format(
         "The video was cut before frame {}: only one part of it could be used. Film the model in one go.",
         f.cuts.front()));
-  if (f.blurred > options.most_blurred * f.frames)
-    out.emplace_back(fmt::format("{} of {} pictures are blurred: film more slowly, or in more light.",
-                                 f.blurred, f.frames));
+  if (const int blurred = f.blurred + f.soft; blurred > options.most_blurred * f.frames)
+    out.emplace_back(
+        fmt::format("{} of {} pictures are blurred: film more slowly, or in more light.", blurred, f.frames));
   if (f.posed < options.least_posed * f.tried)
     out.emplace_back(
         fmt::format("The camera's position is known in only {} of {} pictures: film more slowly, with "

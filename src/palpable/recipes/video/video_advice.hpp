@@ -17,6 +17,8 @@ namespace palpable::recipes {
 struct VideoFigures {
   /// Frames that were read; of these, blurred ones and copies of the frame before, which were left out.
   int frames = 0, blurred = 0, copies = 0;
+  /// Further blurred frames, which were used because those around them are no better.
+  int soft = 0;
   /// Frames whose camera position was found, and the number of the frames that were tried.
   int posed = 0, tried = 0;
   /// Numbers of the frames before which a video was cut.

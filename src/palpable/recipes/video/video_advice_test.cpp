@@ -27,7 +27,7 @@ TEST(VideoAdvice, IsEmptyForAGoodVideo) { EXPECT_TRUE(advice_on(good_video(), {}
 
 TEST(VideoAdvice, NamesEachFault) {
   VideoFigures video = good_video();
-  video.blurred = 40;
+  video.blurred = 15, video.soft = 25;
   EXPECT_THAT(only_advice(video), HasSubstr("film more slowly"));
   video = good_video(), video.frames = video.tried = video.posed = 3;
   EXPECT_THAT(only_advice(video), HasSubstr("only 3 pictures"));

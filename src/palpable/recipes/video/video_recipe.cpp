@@ -76,6 +76,7 @@ Result<Frames> frames_of(const std::vector<VideoFrame>& given, const VideoRecipe
   Frames out;
   out.figures.frames = static_cast<int>(used);
   out.figures.blurred = usable->blurred, out.figures.copies = usable->copies;
+  out.figures.soft = usable->soft;
   out.figures.tried = static_cast<int>(usable->kept.size());
   out.figures.brightness = brightness_of(greys);
   for (const int i : usable->kept) {

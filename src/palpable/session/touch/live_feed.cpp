@@ -86,6 +86,7 @@ void LiveFeed::begin_with(std::shared_ptr<const models::Relief> relief) {
   auto scene = std::make_shared<models::Scene>();
   scene->model = std::move(relief);
   scene->source.method = "live depth";
+  scene->title = "Live pictures of a depth camera";
   refresh_picture(*scene);
   first_ = std::move(scene);
 }

@@ -64,7 +64,7 @@ class LiveFeed {
   LiveFeed(const LiveFeed&) = delete;
   LiveFeed& operator=(const LiveFeed&) = delete;
 
-  /// The scene of the first frame.
+  /// The scene of the first frame, with a title that says that it is live.
   const std::shared_ptr<const models::Scene>& first_scene() const { return first_; }
   /// Feeds `session`, which must have the first scene, on a thread of its own until stop(). Once. Materials,
   /// names and title that the session's scene has by then, or gets, stay.

@@ -69,14 +69,17 @@ Result<UsableFrames> usable_frames(std::span<const Raster<std::uint8_t>> frames,
     sharpness.push_back(sharpness_of(frame));
   }
   UsableFrames out;
+  const double sharpest_tenth = sharpness.empty() ? 0.0 : quantile_of(sharpness, 0.9);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (!out.kept.empty() &&
         change_between(frames[static_cast<std::size_t>(out.kept.back())], frames[i]) < options.least_change)
       ++out.copies;
     else if (is_blurred(sharpness, i, options))
       ++out.blurred;
-    else
+    else {
       out.kept.push_back(static_cast<int>(i));
+      out.soft += sharpness[i] < options.least_sharpness * sharpest_tenth ? 1 : 0;
+    }
   }
   return out;
 }

@@ -31,6 +31,9 @@ struct UsableFrames {
   std::vector<int> kept;
   int blurred = 0;
   int copies = 0;
+  /// Frames that are kept, since those around them are no better, but that the sharpest tenth of all frames
+  /// exceeds as far as a frame that is left out.
+  int soft = 0;
 };
 
 /// Leaves out blurred frames and copies. Sharpness is the variance of the Laplacian (Pech-Pacheco et al.

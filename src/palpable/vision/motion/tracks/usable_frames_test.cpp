@@ -45,6 +45,16 @@ TEST(UsableFrames, KeepsAVideoThatIsBlurredThroughout) {
   EXPECT_EQ(chosen->kept.size(), frames.size());
 }
 
+TEST(UsableFrames, CountsBlurredFramesAmongBlurredOnes) {
+  constexpr int kFrames = 30;
+  std::vector<Raster<std::uint8_t>> frames;
+  for (int i = 0; i < kFrames; ++i) frames.push_back(patches(2 * i, i % 2 == 1 ? 15 : 0));
+  const auto chosen = usable_frames(frames, {}, {});
+  ASSERT_TRUE(chosen);
+  EXPECT_EQ(chosen->blurred + chosen->soft, kFrames / 2);
+  EXPECT_GT(chosen->soft, 0);
+}
+
 TEST(UsableFrames, RefusesOptionsOutOfRange) {
   const auto chosen = usable_frames({}, {.least_sharpness = 2.0}, {});
   ASSERT_FALSE(chosen);
