@@ -6,8 +6,9 @@
 First, valid files of every kind are made by the program, or taken from fuzz/corpus if the program does not write the kind. Then N
 copies, each with some bytes changed or a part removed, repeated or exchanged, are read by a command. A run passes if no signal ends
 it, it takes less than 10 s of processor time and 2 GB, its exit code is 0 to 4, its error is one short line of plain text, and a file
-that contradicts its own counts, sizes or checksums (whole.py) is refused. Prints the failures with their seeds; --keep keeps those
-files. File number k depends only on the seed and on k: --first K --count 1 repeats one file."""
+that contradicts its own counts, sizes or checksums (whole.py) is refused. Prints each failure at once with its seed, and the counts
+after every 500 files, at the end, and when it is interrupted (Ctrl-C, SIGTERM), then with the options that continue; --keep keeps the
+files that failed. File number k depends only on the seed and on k: --first K --count 1 repeats one file."""
 import argparse
 import os
 import pathlib
@@ -19,6 +20,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 
 from whole import contradiction
 
@@ -26,6 +28,7 @@ MEMORY_BYTES = 2 << 30
 SECONDS = 10
 # Wall time is limited less strictly, since other programs may use the processor.
 PATIENCE_S = 600
+SUMMARY_EVERY = 500
 CORPUS = pathlib.Path(__file__).resolve().parent / "corpus"
 
 
@@ -132,6 +135,10 @@ def fault_of(command, damaged):
         run.kill()
         run.communicate()
         return f"took over {PATIENCE_S} s"
+    except KeyboardInterrupt:
+        run.kill()
+        run.communicate()
+        raise
     if run.returncode == -signal.SIGXCPU:
         return f"took over {SECONDS} s of processor time"
     if run.returncode < 0:
@@ -153,38 +160,77 @@ def says_damage(text):
     return any(word in text for word in ("damage", "cut off", "interrupted"))
 
 
+class Tally:
+    """What was found so far, in lines that are printed at once: a long run may be ended at any time."""
+
+    def __init__(self, given, kinds):
+        self.given, self.kinds = given, kinds
+        self.done = self.faults = 0
+        self.begin = time.monotonic()
+
+    def failed(self, file, number, fault):
+        self.faults += 1
+        print(f"{file.name}, seed {self.given.seed}, number {number}: {fault}", flush=True)
+
+    def passed(self):
+        self.done += 1
+        if self.done % SUMMARY_EVERY == 0 and self.done < self.given.count:
+            self.summary()
+
+    def summary(self):
+        used = resource.getrusage(resource.RUSAGE_CHILDREN)
+        print(f"{self.done} files of {self.kinds} kinds and samples from number {self.given.first} of seed {self.given.seed}: {self.faults} not "
+              f"withstood, at most {used.ru_maxrss >> 10} MiB, {used.ru_utime + used.ru_stime:.0f} s of processor time, "
+              f"{time.monotonic() - self.begin:.0f} s", flush=True)
+        return used.ru_maxrss << 10
+
+    def to_continue(self):
+        left = self.given.count - self.done
+        return f"interrupted; continue with --seed {self.given.seed} --first {self.given.first + self.done} --count {left}"
+
+
+def try_all(given, folder, files, tally):
+    for n in range(given.first, given.first + given.count):
+        rng = random.Random(given.seed * 1000003 + n)
+        file, command = files[n % len(files)]
+        damaged = folder / ("damaged" + file.suffix)
+        damaged.write_bytes(mutated(file.read_bytes(), rng))
+        if fault := fault_of(command(damaged), damaged):
+            tally.failed(file, n, fault)
+            if given.keep:
+                os.makedirs(given.keep, exist_ok=True)
+                shutil.copy(damaged, os.path.join(given.keep, f"{given.seed}-{n}-{file.name}"))
+        tally.passed()
+
+
+def interrupt(number, frame):
+    raise KeyboardInterrupt
+
+
 def main():
     arguments = argparse.ArgumentParser(description=__doc__)
-    arguments.add_argument("program")
+    arguments.add_argument("program", type=os.path.abspath)
     arguments.add_argument("--count", type=int, default=1000)
     arguments.add_argument("--seed", type=int, default=1)
     arguments.add_argument("--first", type=int, default=0)
     arguments.add_argument("--keep")
     given = arguments.parse_args()
-    faults = 0
+    # A shell starts background processes with SIGINT ignored.
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, interrupt)
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        files = whole_files(os.path.abspath(given.program), folder)
-        for n in range(given.first, given.first + given.count):
-            rng = random.Random(given.seed * 1000003 + n)
-            file, command = files[n % len(files)]
-            data = mutated(file.read_bytes(), rng)
-            damaged = folder / ("damaged" + file.suffix)
-            damaged.write_bytes(data)
-            fault = fault_of(command(damaged), damaged)
-            if not fault:
-                continue
-            faults += 1
-            print(f"{file.name}, seed {given.seed}, number {n}: {fault}", flush=True)
-            if given.keep:
-                os.makedirs(given.keep, exist_ok=True)
-                shutil.copy(damaged, os.path.join(given.keep, f"{given.seed}-{n}-{file.name}"))
-        used = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * 1024
-    if used > MEMORY_BYTES:
-        faults += 1
-        print(f"the largest run took {used >> 20} MiB")
-    print(f"{given.count} files of {len(files)} kinds and samples, {faults} not withstood, at most {used >> 20} MiB")
-    sys.exit(1 if faults else 0)
+        files = whole_files(given.program, folder)
+        tally = Tally(given, len(files))
+        try:
+            try_all(given, folder, files, tally)
+        except KeyboardInterrupt:
+            tally.summary()
+            print(tally.to_continue(), flush=True)
+            sys.exit(130)
+    if tally.summary() > MEMORY_BYTES:
+        sys.exit("the largest run took more memory than is allowed")
+    sys.exit(1 if tally.faults else 0)
 
 
 if __name__ == "__main__":

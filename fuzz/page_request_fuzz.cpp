@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The lines of the input are the parts of a request. A request without the secret is never admitted.
 #include "palpable/core/check.hpp"
+#include "palpable/page/assets.hpp"
 #include "palpable/page/http.hpp"
 
 #include <array>
@@ -9,6 +10,12 @@
 #include <cstdint>
 
 using namespace palpable::page;
+
+// Instead of the built page.
+const Asset* palpable::page::find_asset(std::string_view path) {
+  static constexpr Asset kIndex{"/index.html", "text/html", "<!doctype html>"};
+  return path == "/" || path == kIndex.path ? &kIndex : nullptr;
+}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr std::string_view kSecret = "0123456789abcdef0123456789abcdef";

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/calibration/calibration_reply.hpp"
+#include "palpable/sources/map/extract_reply.hpp"
 #include "palpable/sources/picture/picture_reply.hpp"
 #include "palpable/sources/solid/mesh_reply.hpp"
 
@@ -24,5 +25,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static_cast<void>(raster_in(reply));
   static_cast<void>(photo_depth_in(reply));
   static_cast<void>(calibration_in(reply));
+  if (const auto extract = map_extract_in(reply)) static_cast<void>(reply_of(*extract));
   return 0;
 }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/arguments/map_options.hpp"
 
-#include "palpable/core/files/byte_reader.hpp"
 #include "palpable/core/files/read_file.hpp"
 #include "palpable/core/text/number_text.hpp"
+#include "palpable/vision/streets/gazetteer.hpp"
 
 #include <algorithm>
 #include <array>
@@ -94,20 +94,10 @@ Result<sources::ExtractWindow> window_of(const MapArguments& arguments) {
 }
 
 Result<std::vector<std::string>> gazetteer_of(const std::string& path) {
-  const auto file = read_file(path);
-  if (!file) return file.error();
-  std::vector<std::string> names;
-  std::string_view text = as_text(*file);
-  constexpr std::size_t kLongest = 200, kMost = 1'000'000;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    if (!line.empty() && line.size() <= kLongest) names.emplace_back(line);
-  }
-  if (names.empty() || names.size() > kMost)
-    return invalid_input("is no gazetteer: a text file with one name a line, 1 to 1 000 000 of them", path);
+  const auto text = read_text_file(path);
+  if (!text) return text.error();
+  auto names = vision::parse_gazetteer(*text);
+  if (!names) return invalid_input(names.error().message, path);
   return names;
 }
 

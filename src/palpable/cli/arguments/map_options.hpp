@@ -28,8 +28,8 @@ void add_map_options(Options& options, MapArguments& arguments);
 /// layer.
 Result<sources::ExtractWindow> window_of(const MapArguments& arguments);
 
-/// The lines of a file of names that are not empty. Errors: as read_file(); invalid_input for no names or
-/// more than a million.
+/// The names in a file (vision/streets/gazetteer.hpp). Errors: as read_text_file(); invalid_input as
+/// parse_gazetteer().
 Result<std::vector<std::string>> gazetteer_of(const std::string& path);
 
 }  // namespace palpable::cli

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/cli/arguments/tool_text.hpp"
 #include "palpable/cli/options.hpp"
-#include "palpable/haptics/servo/tool_path.hpp"
 
 #include <filesystem>
 #include <string>
@@ -20,15 +20,7 @@ void add_tool_option(Options& options, std::string& tool);
 /// the file.
 Result<std::vector<haptics::ToolPlace>> tool_from(const std::string& tool);
 
-/// The poses of one or several probes in a file.
-struct ToolPath {
-  std::vector<haptics::ToolPose> poses;
-  bool names_probes = false;
-  bool turns = false;
-};
-
-/// Reads a path from a CSV with t_s,x_m,y_m,z_m; optionally a column probe for several probes, and
-/// qw,qx,qy,qz for the orientation (scene_from_tool). Errors: as read_path().
+/// Reads a path (tool_text.hpp). Errors: as read_path().
 Result<ToolPath> read_tool_path(const std::filesystem::path& file);
 
 }  // namespace palpable::cli

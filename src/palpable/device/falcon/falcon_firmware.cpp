@@ -66,7 +66,8 @@ bool greet(UsbTransfers& usb) {
   const auto wanted = bytes_of({0x0A, 0x44, 0x2C, 0x0D});
   // A zero may come first.
   const auto answer = ask(usb, bytes_of({0x0A, 0x43, 0x0D}), wanted.size() + 1, kWait_s);
-  if (std::ranges::search(answer, wanted).empty()) return false;
+  // clang 14 cannot compile std::ranges::search of libstdc++ 12.
+  if (std::search(answer.begin(), answer.end(), wanted.begin(), wanted.end()) == answer.end()) return false;
   if (!usb.control(kModem, kDtrLow) || !usb.control(kBaud, kImageBaud)) return false;
   const auto ready = bytes_of({0x41});
   return ask(usb, ready, 1, kWait_s) == ready;

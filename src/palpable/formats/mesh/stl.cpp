@@ -16,9 +16,9 @@ Result<std::vector<std::byte>> encode_stl(const Mesh& mesh) {
   if (mesh.triangles.size() > kMostTriangles)
     return Error{ErrorCode::failed, "the surface has more than 50 million triangles", {}};
   constexpr std::string_view kTitle = "Palpable, binary STL, millimetres";
-  constexpr std::size_t kHeader = 80;
+  constexpr std::size_t kHeaderBytes = 80;
   ByteWriter file;
-  for (std::size_t k = 0; k < kHeader; ++k)
+  for (std::size_t k = 0; k < kHeaderBytes; ++k)
     file.u8(k < kTitle.size() ? static_cast<std::uint8_t>(kTitle[k]) : ' ');
   file.u32(static_cast<std::uint32_t>(mesh.triangles.size()));
   const auto vector = [&file](Vec3 v) {

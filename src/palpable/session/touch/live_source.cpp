@@ -71,7 +71,7 @@ bool is_live_address(const std::string& input) {
                      [&](auto scheme) { return input.starts_with(scheme); });
 }
 
-Result<std::unique_ptr<LiveSource>> open_live_source(const std::string& address) {
+Result<FramesAddress> parse_frames_address(const std::string& address) {
   auto url = device::DeviceUrl::parse(address);
   if (!url) return std::move(url).error();
   if (url->scheme() != "frames")
@@ -82,10 +82,16 @@ Result<std::unique_ptr<LiveSource>> open_live_source(const std::string& address)
   const double rate_hz = url->take_number("fps", 30.0, 0.1, 240.0);
   const int repeats = url->take_count("loop", 0, 0, 1);
   if (auto finished = url->finish(); !finished) return std::move(finished).error();
-  auto folder = sources::FrameFolder::open(url->path());
+  return FramesAddress{std::string(url->path()), rate_hz, repeats == 1};
+}
+
+Result<std::unique_ptr<LiveSource>> open_live_source(const std::string& address) {
+  const auto parsed = parse_frames_address(address);
+  if (!parsed) return parsed.error();
+  auto folder = sources::FrameFolder::open(parsed->folder);
   if (!folder) return std::move(folder).error();
   return std::unique_ptr<LiveSource>(
-      std::make_unique<PacedFrames>(*std::move(folder), rate_hz, repeats == 1));
+      std::make_unique<PacedFrames>(*std::move(folder), parsed->rate_hz, parsed->repeats));
 }
 
 }  // namespace palpable::session

@@ -42,8 +42,18 @@ class LiveSource {
 /// Whether a command's input is the address of a live source, whatever its scheme.
 bool is_live_address(const std::string& input);
 
-/// Opens frames:FOLDER?fps=30&loop=0: the frames of a folder, paced as from a camera. Errors: usage for an
-/// unknown scheme or option; invalid_input as sources::FrameFolder::open().
+/// What an address of frames says.
+struct FramesAddress {
+  std::string folder;
+  double rate_hz = 30.0;
+  bool repeats = false;
+};
+
+/// Parses frames:FOLDER?fps=30&loop=0. Errors: usage for another scheme, or an unknown or wrong option.
+Result<FramesAddress> parse_frames_address(const std::string& address);
+
+/// Opens frames:FOLDER?fps=30&loop=0: the frames of a folder, paced as from a camera. Errors:
+/// parse_frames_address(); invalid_input as sources::FrameFolder::open().
 Result<std::unique_ptr<LiveSource>> open_live_source(const std::string& address);
 
 }  // namespace palpable::session

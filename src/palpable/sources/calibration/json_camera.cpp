@@ -37,8 +37,8 @@ Result<Pinhole> pinhole_from(const nlohmann::json& object) {
   const double width = *number_in(object, "width");
   const double height = *number_in(object, "height");
   // Checked as doubles first, so that the conversion to int is defined.
-  constexpr double kMaxSide = 1e9;
-  if (!(width >= 1.0 && width < kMaxSide && height >= 1.0 && height < kMaxSide))
+  constexpr double kMaxSide_px = 1e9;
+  if (!(width >= 1.0 && width < kMaxSide_px && height >= 1.0 && height < kMaxSide_px))
     return invalid_input("states an impossible picture size");
   if (width != std::floor(width) || height != std::floor(height))
     return invalid_input("states a picture size that is not in whole pixels");

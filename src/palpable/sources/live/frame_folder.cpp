@@ -17,18 +17,15 @@ namespace {
 namespace fs = std::filesystem;
 
 /// NAME of NAME.depth.png; empty for other files.
-std::string frame_name(const fs::path& file) {
+std::string frame_name(const std::string& file) {
   constexpr std::string_view kMark = ".depth.png";
-  const std::string name = file.filename().string();
-  return name.ends_with(kMark) ? name.substr(0, name.size() - kMark.size()) : std::string();
+  return file.ends_with(kMark) ? file.substr(0, file.size() - kMark.size()) : std::string();
 }
 
-/// The colour picture of a frame, if there is one.
-fs::path colour_beside(const fs::path& folder, const std::string& name) {
-  for (const char* suffix : {".color.png", ".color.jpg", ".color.jpeg"}) {
-    std::error_code unknown;
-    if (fs::path file = folder / (name + suffix); fs::is_regular_file(file, unknown)) return file;
-  }
+/// The colour picture of a frame; empty if there is none.
+std::string colour_among(const std::set<std::string>& names, const std::string& frame) {
+  for (const char* suffix : {".color.png", ".color.jpg", ".color.jpeg"})
+    if (auto file = frame + suffix; names.contains(file)) return file;
   return {};
 }
 
@@ -46,39 +43,47 @@ Result<double> scale_of(const fs::path& depth) {
 
 }  // namespace
 
+std::vector<FrameNames> frames_among(const std::set<std::string>& names) {
+  std::vector<std::string> found;
+  for (const std::string& file : names)
+    if (auto name = frame_name(file); !name.empty()) found.push_back(std::move(name));
+  std::sort(found.begin(), found.end(), counted_before);
+  std::vector<FrameNames> frames;
+  for (const std::string& name : found) frames.push_back({name + ".depth.png", colour_among(names, name)});
+  return frames;
+}
+
 Result<FrameFolder> FrameFolder::open(const fs::path& folder) {
   FrameFolder found;
   std::error_code failed;
-  std::vector<std::pair<std::string, fs::path>> named;
+  std::set<std::string> names;
   for (auto it = fs::directory_iterator(folder, failed); !failed && it != fs::directory_iterator();
        it.increment(failed)) {
     std::error_code unknown;
-    if (!it->is_regular_file(unknown)) continue;
-    if (auto name = frame_name(it->path()); !name.empty()) named.emplace_back(std::move(name), it->path());
+    if (it->is_regular_file(unknown)) names.insert(it->path().filename().string());
   }
   if (failed) return invalid_input("cannot be read: " + failed.message(), folder.string());
-  if (named.empty())
+  found.folder_ = folder;
+  found.frames_ = frames_among(names);
+  if (found.frames_.empty())
     return invalid_input("holds no frames: files NAME.depth.png, and NAME.color.png or .jpg beside them",
                          folder.string());
-  std::sort(named.begin(), named.end(),
-            [](const auto& a, const auto& b) { return counted_before(a.first, b.first); });
-  for (const auto& [name, depth] : named) found.frames_.push_back({depth, colour_beside(folder, name)});
-  auto scale = scale_of(found.frames_.front().depth);
+  auto scale = scale_of(folder / found.frames_.front().depth);
   if (!scale) return std::move(scale).error();
   found.metres_per_unit_ = *scale;
   return found;
 }
 
 Result<DepthMap> FrameFolder::depth(std::size_t k) const {
-  const auto values = read_raster(frames_.at(k).depth);
+  const auto values = read_raster(folder_ / frames_.at(k).depth);
   if (!values) return values.error();
   return depth_from_values(*values, metres_per_unit_).depth;
 }
 
 Result<Image> FrameFolder::colour(std::size_t k) const {
-  const Frame& frame = frames_.at(k);
-  if (frame.colour.empty()) return invalid_input("has no colour picture", frame.depth.string());
-  return read_picture(frame.colour);
+  const FrameNames& frame = frames_.at(k);
+  if (frame.colour.empty()) return invalid_input("has no colour picture", (folder_ / frame.depth).string());
+  return read_picture(folder_ / frame.colour);
 }
 
 }  // namespace palpable::sources

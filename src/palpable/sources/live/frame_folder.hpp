@@ -9,10 +9,21 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace palpable::sources {
+
+/// The names of one frame's files.
+struct FrameNames {
+  std::string depth;
+  /// Empty if there is none.
+  std::string colour;
+};
+
+/// The frames among the names of a folder's files, in the order of their names (counted_before()).
+std::vector<FrameNames> frames_among(const std::set<std::string>& names);
 
 /// The frames of a depth camera in a folder, in the order of their names: NAME.depth.png with NAME.color.png,
 /// .jpg or .jpeg beside it. What the numbers mean is stated by a
@@ -30,12 +41,8 @@ class FrameFolder {
   Result<Image> colour(std::size_t k) const;
 
  private:
-  struct Frame {
-    std::filesystem::path depth;
-    /// Empty if there is none.
-    std::filesystem::path colour;
-  };
-  std::vector<Frame> frames_;
+  std::filesystem::path folder_;
+  std::vector<FrameNames> frames_;
   double metres_per_unit_ = 0.001;
 };
 

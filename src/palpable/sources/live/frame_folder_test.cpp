@@ -46,6 +46,16 @@ TEST(FrameFolder, ListsFramesInNaturalOrderAndReadsMillimetres) {
   EXPECT_EQ(frames->colour(1).error().code, ErrorCode::invalid_input);
 }
 
+TEST(FrameFolder, PairsADepthWithItsColourByName) {
+  const auto frames =
+      frames_among({".depth.png", "a10.depth.png", "a2.color.jpg", "a2.depth.png", "b.color.png"});
+  ASSERT_EQ(frames.size(), 2U);
+  EXPECT_EQ(frames[0].depth, "a2.depth.png");
+  EXPECT_EQ(frames[0].colour, "a2.color.jpg");
+  EXPECT_EQ(frames[1].depth, "a10.depth.png");
+  EXPECT_EQ(frames[1].colour, "");
+}
+
 TEST(FrameFolder, TakesTheScaleOfASidecar) {
   const auto folder = empty_folder("scale");
   write_frame(folder, "a", 5000);

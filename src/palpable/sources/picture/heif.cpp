@@ -96,7 +96,7 @@ std::vector<std::byte> colours_in(const heif_image* pixels, const StoredImage& i
       continue;
     }
     for (std::size_t x = 0; x < row_samples; ++x) {
-      const std::uint32_t raw = std::min<std::uint32_t>(row[2 * x] | (row[2 * x + 1] << 8U), most);
+      const std::uint32_t raw = std::min(row[2 * x] | (std::uint32_t{row[2 * x + 1]} << 8U), most);
       const auto scaled = static_cast<std::uint16_t>((raw * 65535U + most / 2) / most);
       std::memcpy(to + 2 * x, &scaled, sizeof scaled);
     }

@@ -9,6 +9,20 @@
 
 namespace palpable::vision {
 
+Result<std::vector<std::string>> parse_gazetteer(std::string_view text) {
+  std::vector<std::string> names;
+  while (!text.empty() && names.size() <= kMaxNames) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (!line.empty() && line.size() <= kMaxNameBytes) names.emplace_back(line);
+  }
+  if (names.empty() || names.size() > kMaxNames)
+    return invalid_input("is no gazetteer: a text file with one name a line, 1 to 1 000 000 of them");
+  return names;
+}
+
 std::string compared_form(std::string_view name) {
   // The base letters of U+00C0 ... U+00FF, in UTF-8 0xC3 and 0x80 ... 0xBF.
   constexpr std::string_view kBase = "aaaaaaaceeeeiiiidnooooo\0ouuuuytsaaaaaaaceeeeiiiidnooooo\0ouuuuyty";

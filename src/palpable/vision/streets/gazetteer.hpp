@@ -2,12 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/result.hpp"
+
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace palpable::vision {
+
+/// Greatest number of names in a gazetteer, and of bytes in a name; longer lines are skipped.
+inline constexpr std::size_t kMaxNames = 1'000'000, kMaxNameBytes = 200;
+
+/// The lines of a text that are not empty. Errors (invalid_input, without a place): no names, or more than
+/// kMaxNames.
+Result<std::vector<std::string>> parse_gazetteer(std::string_view text);
 
 /// The letters and digits of a name, without case, accents, blanks and marks: what is compared. Letters
 /// outside Latin stay as they are (UTF-8).

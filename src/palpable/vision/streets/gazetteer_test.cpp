@@ -23,5 +23,20 @@ TEST(Gazetteer, CorrectsTheSpellingOfANameToTheMostSimilarOne) {
   EXPECT_EQ(nearest_name("", names, 0.7), std::nullopt);
 }
 
+TEST(Gazetteer, IsATextWithOneNameALine) {
+  const auto names =
+      parse_gazetteer("Mill Lane\r\n\nHigh Street\n" + std::string(kMaxNameBytes + 1, 'a') + "\nEnd");
+  ASSERT_TRUE(names);
+  EXPECT_EQ(*names, (std::vector<std::string>{"Mill Lane", "High Street", "End"}));
+  EXPECT_EQ(parse_gazetteer("\n\r\n").error().code, ErrorCode::invalid_input);
+}
+
+TEST(Gazetteer, OfTooManyNamesIsRefused) {
+  std::string text;
+  for (std::size_t k = 0; k < kMaxNames; ++k) text += "a\n";
+  EXPECT_EQ(parse_gazetteer(text)->size(), kMaxNames);
+  EXPECT_EQ(parse_gazetteer(text + "a").error().code, ErrorCode::invalid_input);
+}
+
 }  // namespace
 }  // namespace palpable::vision

@@ -1,0 +1,36 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// The address of a live source (the first line), and the names of a folder's files (the others).
+#include "palpable/session/touch/live_source.hpp"
+#include "palpable/sources/live/frame_folder.hpp"
+
+#include <cstdint>
+#include <cstdlib>
+#include <set>
+#include <string>
+#include <string_view>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace palpable;
+  std::string_view rest(reinterpret_cast<const char*>(data), size);
+  const std::string address(rest.substr(0, rest.find('\n')));
+  rest.remove_prefix(std::min(rest.size(), address.size() + 1));
+  static_cast<void>(session::is_live_address(address));
+  if (const auto parsed = session::parse_frames_address(address)) {
+    if (!(parsed->rate_hz >= 0.1 && parsed->rate_hz <= 240.0)) std::abort();
+  } else if (parsed.error().message.empty()) {
+    std::abort();
+  }
+  std::set<std::string> names;
+  while (!rest.empty()) {
+    const std::string_view name = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(rest.size(), name.size() + 1));
+    names.emplace(name);
+  }
+  const auto frames = sources::frames_among(names);
+  if (frames.size() > names.size()) std::abort();
+  for (const sources::FrameNames& frame : frames)
+    if (!names.contains(frame.depth) || (!frame.colour.empty() && !names.contains(frame.colour)))
+      std::abort();
+  return 0;
+}
