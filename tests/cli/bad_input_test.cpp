@@ -9,6 +9,7 @@
 #include "program.hpp"
 #include "test_pictures.hpp"
 #include <arpa/inet.h>
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <netinet/in.h>
 #include <sys/resource.h>
@@ -212,6 +213,27 @@ TEST_F(BadInput, CtrlCEndsACommandThatWaitsForAPipe) {
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_TRUE(is_one_sentence(outcome.err)) << outcome.err;
   EXPECT_FALSE(std::filesystem::exists(path("out.palp")));
+}
+
+TEST_F(BadInput, CtrlCEndsAProbeWhoseWriterStaysSilent) {
+  ASSERT_EQ(palpable({"make", path("left.png"), path("right.png"), "-o", path("scene.palp")}).exit_code, 0);
+  const std::string pipe = path("path.csv");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  // Opened for both directions, it waits for no reader. First nothing is written, then a part of a line.
+  const int writer = open(pipe.c_str(), O_RDWR | O_CLOEXEC);
+  ASSERT_GE(writer, 0);
+  for (const std::string text : {"", "t_s,x_m"}) {
+    ASSERT_EQ(write(writer, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+    Running running({"probe", path("scene.palp"), "--path", pipe, "-o", path("forces.csv")});
+    ASSERT_TRUE(running.catches(SIGINT, std::chrono::seconds(60)));
+    running.send(SIGINT);
+    // The program is silent until then and waits without end.
+    const Outcome outcome = running.wait(std::chrono::seconds(20));
+    EXPECT_EQ(outcome.exit_code, 130) << text;
+    EXPECT_TRUE(is_one_sentence(outcome.err)) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(path("forces.csv")));
+  }
+  close(writer);
 }
 
 TEST_F(BadInput, KillingTheProgramAtAnyTimeKeepsTheOldFile) {

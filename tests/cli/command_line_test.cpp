@@ -1,5 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include <regex>
+
 #include "program.hpp"
 #include <gmock/gmock.h>
 
@@ -32,6 +34,25 @@ TEST(CommandLine, EveryCommandExplainsItselfWithAnExample) {
     EXPECT_THAT(outcome.out, HasSubstr(std::string("  palpable ") + command)) << command;
     EXPECT_THAT(outcome.out, HasSubstr("--json")) << command;
   }
+}
+
+TEST(CommandLine, EveryDefaultIsInTheRangeThatTheHelpStates) {
+  const std::regex command(R"(\n  ([a-z][a-z-]*) )");
+  const std::regex number(R"((--[a-z-]+) NUMBER, (\S+) to (\S+) \(default (\S+)\))");
+  const std::string list = palpable({"help"}).out;
+  int numbers = 0;
+  for (std::sregex_iterator c(list.begin(), list.end(), command), none; c != none; ++c) {
+    const std::string help = palpable({"help", (*c)[1]}).out;
+    for (std::sregex_iterator n(help.begin(), help.end(), number); n != none; ++n, ++numbers) {
+      const double value = std::stod((*n)[4]);
+      EXPECT_TRUE(value >= std::stod((*n)[2]) && value <= std::stod((*n)[3])) << (*c)[1] << ": " << n->str();
+    }
+  }
+  EXPECT_GT(numbers, 5);
+}
+
+TEST(CommandLine, TouchNamesLiveFrames) {
+  EXPECT_THAT(palpable({"help", "touch"}).out, HasSubstr("frames:"));
 }
 
 TEST(CommandLine, HelpCommandEqualsHelpOption) {

@@ -192,6 +192,10 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   arguments.given = options.given();
 }
 
+std::optional<Note> note_on_cache(const MakeArguments& arguments) {
+  return arguments.no_cache ? std::nullopt : session::user_cache_limit().note;
+}
+
 std::optional<Note> note_on_lay(const MakeArguments& arguments, const session::MakeOptions& options,
                                 const models::Scene& made) {
   constexpr double kLow = 0.5;
@@ -363,7 +367,7 @@ Result<sculpt::ShapeSetOptions> shape_options(const MakeArguments& arguments,
 Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   session::MakeOptions options;
   options.made_by = kMadeBy;
-  if (!arguments.no_cache) options.cache = {session::user_cache_folder(), session::user_cache_limit_bytes()};
+  if (!arguments.no_cache) options.cache = {session::user_cache_folder(), session::user_cache_limit().bytes};
   options.as = make_as_from(arguments.as);
   auto input = input_options(arguments);
   if (!input) return input.error();

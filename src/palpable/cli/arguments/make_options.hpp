@@ -80,6 +80,9 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments);
 /// The options of fit-shapes: `shapes`, changed by --set. Errors: usage.
 Result<sculpt::ShapeSetOptions> shape_options(const MakeArguments& arguments, sculpt::ShapeSetOptions shapes);
 
+/// A wrong limit of the cache in the environment; nullopt if it is right, or with --no-cache.
+std::optional<Note> note_on_cache(const MakeArguments& arguments);
+
 /// How a solid that is wide and low, and is seen from the front, is seen from above; nullopt for others, and
 /// where --lay was given.
 std::optional<Note> note_on_lay(const MakeArguments& arguments, const session::MakeOptions& options,

@@ -110,6 +110,7 @@ Result<Answer> make(MakeCommandArguments arguments, Console& console) {
   if (!checked) return checked.error();
   auto options = make_options(arguments.make);
   if (!options) return options.error();
+  if (const auto wrong = note_on_cache(arguments.make)) console.note(*wrong);
   if (*published && arguments.make.as.empty()) options->as = made_for(**published);
   if (options->input.files.empty()) return Error{ErrorCode::usage, "make: INPUT is required", {}};
   if (arguments.make.detail == kCompareDetails) return compare(*options, arguments.output, console);

@@ -35,7 +35,10 @@ Result<File> open_pipe(const std::filesystem::path& path) {
   if (!file) return unreadable(path, errno);
   pollfd readable{descriptor, POLLIN, 0};
   // Reading no byte does not tell whether there is a writer, so the first byte is read and put back.
-  if (poll(&readable, 1, kWriterPatience_ms) == 0) {
+  const int ready = poll(&readable, 1, kWriterPatience_ms);
+  // A signal: reading would wait until the program is ended by force.
+  if (ready < 0) return unreadable(path, errno);
+  if (ready == 0) {
     const int first = std::fgetc(file.get());
     const bool has_writer = first != EOF || (std::ferror(file.get()) != 0 && errno == EAGAIN);
     if (!has_writer) return invalid_input("is a pipe that no program writes to", path.string());

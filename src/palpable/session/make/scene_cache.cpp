@@ -155,14 +155,21 @@ fs::path user_cache_folder() {
   return {};
 }
 
-std::uintmax_t user_cache_limit_bytes() {
-  const char* const value = std::getenv("PALPABLE_CACHE_MB");
+CacheLimit user_cache_limit() {
+  constexpr const char* kVariable = "PALPABLE_CACHE_MB";
+  const char* const value = std::getenv(kVariable);
   const std::string_view text = value != nullptr ? value : "";
+  CacheLimit limit;
+  if (text.empty()) return limit;
   std::uint32_t megabytes = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), megabytes);
-  if (text.empty() || error != std::errc() || end != text.data() + text.size())
-    return SceneCache{}.most_bytes;
-  return std::uintmax_t{megabytes} * 1'000'000U;
+  if (error == std::errc() && end == text.data() + text.size()) {
+    limit.bytes = std::uintmax_t{megabytes} * 1'000'000U;
+  } else {
+    limit.note = Note(fmt::format("{} is not a whole number of megabytes, so the cache takes at most {} MiB.",
+                                  kVariable, limit.bytes >> 20U));
+  }
+  return limit;
 }
 
 std::string cache_key(const Mesh& mesh, const recipes::FieldRecipe& recipe, const std::string& made_by) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/geometry/mesh.hpp"
+#include "palpable/core/note.hpp"
 #include "palpable/recipes/made_scene.hpp"
 #include "palpable/recipes/solid/field_recipe.hpp"
 
@@ -25,9 +26,16 @@ struct SceneCache {
 /// $XDG_CACHE_HOME/palpable/scenes, or ~/.cache/palpable/scenes; empty if neither is an absolute path.
 std::filesystem::path user_cache_folder();
 
-/// The limit of its size that $PALPABLE_CACHE_MB states, a whole number of megabytes (10^6 bytes; 0: nothing
-/// is stored or read); that of SceneCache if it is not set or no such number.
-std::uintmax_t user_cache_limit_bytes();
+/// A limit of the cache's size.
+struct CacheLimit {
+  std::uintmax_t bytes = SceneCache{}.most_bytes;
+  /// Says that the stated limit is none and which one is used.
+  std::optional<Note> note;
+};
+
+/// The limit that $PALPABLE_CACHE_MB states, a whole number of megabytes (10^6 bytes; 0: nothing is stored or
+/// read); that of SceneCache if it is not set or empty, and, with a note, if it is no such number.
+CacheLimit user_cache_limit();
 
 /// Everything that the field of a mesh depends on, as text: the hash of the mesh, the recipe, the version
 /// `made_by`, and the identifier of the running program, so that an entry is not used by another build.

@@ -172,15 +172,23 @@ TEST_F(SceneCacheTest, GivesATouchTheFineFieldAtOnce) {
 
 TEST_F(SceneCacheTest, TakesAsMuchAsTheUserAllows) {
   ASSERT_EQ(unsetenv("PALPABLE_CACHE_MB"), 0);
-  EXPECT_EQ(user_cache_limit_bytes(), SceneCache{}.most_bytes);
+  EXPECT_EQ(user_cache_limit().bytes, SceneCache{}.most_bytes);
   for (const auto& [text, bytes] : {std::pair{"100", 100'000'000U}, std::pair{"0", 0U}}) {
     ASSERT_EQ(setenv("PALPABLE_CACHE_MB", text, 1), 0);
-    EXPECT_EQ(user_cache_limit_bytes(), bytes);
+    EXPECT_EQ(user_cache_limit().bytes, bytes);
+    EXPECT_FALSE(user_cache_limit().note) << text;
   }
-  for (const char* const text : {"", "much", "-1", "100 MB", "99999999999999"}) {
+  for (const char* const text : {"much", "-1", "100 MB", "99999999999999"}) {
     ASSERT_EQ(setenv("PALPABLE_CACHE_MB", text, 1), 0);
-    EXPECT_EQ(user_cache_limit_bytes(), SceneCache{}.most_bytes) << text;
+    EXPECT_EQ(user_cache_limit().bytes, SceneCache{}.most_bytes) << text;
+    const auto note = user_cache_limit().note;
+    ASSERT_TRUE(note) << text;
+    EXPECT_NE(note->sentence.find("PALPABLE_CACHE_MB"), std::string::npos) << note->sentence;
+    EXPECT_NE(note->sentence.find("512 MiB"), std::string::npos) << note->sentence;
   }
+  ASSERT_EQ(setenv("PALPABLE_CACHE_MB", "", 1), 0);
+  EXPECT_EQ(user_cache_limit().bytes, SceneCache{}.most_bytes);
+  EXPECT_FALSE(user_cache_limit().note);
 }
 
 TEST_F(SceneCacheTest, LiesInTheFolderThatTheDesktopStandardNames) {

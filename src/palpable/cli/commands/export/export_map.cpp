@@ -126,7 +126,7 @@ std::filesystem::path key_path(const std::filesystem::path& output, std::size_t 
 
 formats::MapSheetOptions sheet_options(const TactileArguments& arguments) {
   formats::MapSheetOptions sheet;
-  if (arguments.width_mm > 0.0) sheet.width_m = arguments.width_mm / 1000.0;
+  if (arguments.width_mm) sheet.width_m = *arguments.width_mm / 1000.0;
   return sheet;
 }
 

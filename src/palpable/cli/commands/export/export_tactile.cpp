@@ -52,7 +52,7 @@ Result<void> write_outlines(const models::Contours& contours, const TactileArgum
   const double width_m = contours.boundaries.size_x_m(), height_m = contours.boundaries.size_y_m();
   if (output.extension() == ".svg") {
     formats::SwellPaperOptions options;
-    options.width_m = arguments.width_mm / 1000.0;
+    if (arguments.width_mm) options.width_m = *arguments.width_mm / 1000.0;
     return write_text(formats::encode_swell_paper(outlines_of(contours), width_m, height_m, options), output);
   }
   if (output.extension() == ".brf") {

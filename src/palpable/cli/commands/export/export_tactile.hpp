@@ -10,6 +10,7 @@
 #include "palpable/models/relief/relief.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,8 @@ namespace palpable::cli {
 /// Options of `export` for tactile drawings.
 struct TactileArguments {
   double interval_mm = 2.0;
-  /// Printed width of outlines and maps; 0 = true size of outlines, 180 mm of maps.
-  double width_mm = 0.0;
+  /// Printed width of outlines and maps; default: true size of outlines, 180 mm of maps.
+  std::optional<double> width_mm;
   int braille_columns = 40;
   int braille_rows = 25;
   /// A table of liblouis.

@@ -51,6 +51,7 @@ Result<Answer> touch(TouchArguments arguments, Console& console) {
     arguments.scene = *std::move(with_input);
   }
   if (const auto filled = fill_plan(arguments, *published, plan); !filled) return filled.error();
+  if (const auto wrong = note_on_cache(arguments.scene.make)) console.note(*wrong);
   const auto live = open_live(
       arguments, plan, [&console](const Note& note) { console.note(note); }, console.work());
   if (!live) return live.error();
@@ -92,6 +93,7 @@ void add_touch(Program& program) {
                   "  palpable touch left.png right.png\n"
                   "  palpable touch sample:map --route \"Mill Lane to Church Lane\"\n"
                   "  palpable touch room.palp --law rolling\n"
+                  "  palpable touch \"frames:folder?fps=30&loop=1\"    frames of a depth camera, live\n"
                   "  palpable touch left.png right.png --headless --seconds 10 --json",
                   [arguments](Console& console) { return touch(*arguments, console); });
   add_make_options(options, arguments->scene.make);
