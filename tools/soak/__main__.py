@@ -1,13 +1,15 @@
 # Copyright 2026 The Palpable authors
 # SPDX-License-Identifier: Apache-2.0
-"""Runs a long touch under load: python3 tools/soak PROGRAM -o FOLDER [--minutes M] [--pages N] [--messages-per-s R] [--seed S].
+"""Runs a long touch under load: python3 tools/soak PROGRAM -o FOLDER [--minutes M] [--pages N] [--messages-per-s R] [--seed S]
+[--patience S].
 
 Starts `palpable touch` with the simulated device, its page and a recording. N simulated users move probes, change laws and materials,
 save, disconnect and return; a hostile client sends damaged requests and messages, and stops the process for moments. Every five
 seconds, memory, descriptors, threads, ticks, force and energy are written to FOLDER/soak.csv; at the end they are drawn in
 FOLDER/soak.svg, the touch is ended by SIGINT, and `palpable check` recomputes the recording. Prints the figures as JSON. The exit code
 is 1 if memory or descriptors changed by more than 2 % between the first and the last fifth after the warm-up, if a client met a
-fault, or if the touch did not end by the signal. A real user sends at most 60 messages per second and probe: R / 60 is the speed-up."""
+fault, or if the touch did not end by the signal. A real user sends at most 60 messages per second and probe: R / 60 is the speed-up.
+--patience is the time that the touch has to begin."""
 import argparse
 import csv
 import json
@@ -35,14 +37,14 @@ PANELS = [{"resident memory, MiB": "resident_MiB", "of it private": "own_MiB"}, 
           {"messages from pages, per s": "messages_per_s"}]
 
 
-def start_touch(program, folder):
+def start_touch(program, folder, patience_s):
     scene = folder / "scene.palp"
     subprocess.run([program, "make", str(folder / "box.obj"), "-o", str(scene), "--resolution", "64", "--quiet"], check=True)
     shutil.copy(scene, folder / "touched.palp")
     log = open(folder / "touch.log", "wb")
     process = subprocess.Popen([program, "touch", str(folder / "touched.palp"), "--device", "sim:", "--no-browser", "--json", "--record",
                                 str(folder / "soak.rec")], stdout=subprocess.PIPE, stderr=log, stdin=subprocess.DEVNULL, text=True)
-    deadline = time.monotonic() + 60
+    deadline = time.monotonic() + patience_s
     while time.monotonic() < deadline and process.poll() is None:
         text = (folder / "touch.log").read_text(errors="replace")
         if "http://" in text and "\n" in text[text.index("http://"):]:
@@ -51,7 +53,9 @@ def start_touch(program, folder):
             return process, types.SimpleNamespace(host=host, port=int(port), process=process.pid,
                                                   cookie=let_in(host, int(port), address.split("#")[1]))
         time.sleep(0.1)
-    raise SystemExit(f"the touch did not begin; see {folder / 'touch.log'}")
+    process.terminate()
+    process.wait()
+    raise SystemExit(f"the touch did not begin within {patience_s:g} s; see {folder / 'touch.log'}")
 
 
 def write_box(path):
@@ -120,11 +124,12 @@ def main():
     arguments.add_argument("--pages", type=int, default=3)
     arguments.add_argument("--messages-per-s", type=float, default=400)
     arguments.add_argument("--seed", type=int, default=1)
+    arguments.add_argument("--patience", type=float, default=300)
     given = arguments.parse_args()
     folder = given.output
     folder.mkdir(parents=True, exist_ok=True)
     write_box(folder / "box.obj")
-    process, touch = start_touch(given.program, folder)
+    process, touch = start_touch(given.program, folder, given.patience)
     stop = threading.Event()
     people = [Person(touch, stop, given.seed + k, k + 1, given.messages_per_s) for k in range(given.pages)]
     neighbour = Neighbour(touch, stop, given.seed + 100)
