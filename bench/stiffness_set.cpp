@@ -4,7 +4,7 @@
 // get more energy back than they gave: palpable_stiffness_set [--devices N] [--seed N] [--seconds N].
 #include "palpable/core/numbers/quantile.hpp"
 #include "palpable/core/text/number_text.hpp"
-#include "palpable/haptics/safety/test_tapping_hand.hpp"
+#include "palpable/haptics/tick/test_tapping_hand.hpp"
 
 #include <algorithm>
 #include <cstring>

@@ -3,8 +3,8 @@
 #include "palpable/haptics/safety/stability.hpp"
 
 #include "palpable/haptics/safety/test_hands.hpp"
-#include "palpable/haptics/safety/test_tapping_hand.hpp"
 #include "palpable/haptics/servo/test_touch.hpp"
+#include "palpable/haptics/tick/test_tapping_hand.hpp"
 #include "palpable/haptics/tick/tick.hpp"
 
 #include <algorithm>

@@ -153,8 +153,8 @@ void limit_radius(const models::Scene& scene, PreparedScene& prepared) {
   // Values out of range are rejected later by the law.
   if (!(wanted_m > largest_m) || wanted_m > parameter->max) return;
   prepared.law.radius_m = largest_m;
-  prepared.notices.push_back(
-      fmt::format("The probe's radius was lowered: {}.", haptics::too_large_ball_words(wanted_m, scene, prepared.law.law)));
+  prepared.notices.push_back(fmt::format("The probe's radius was lowered: {}.",
+                                         haptics::too_large_ball_words(wanted_m, scene, prepared.law.law)));
 }
 
 /// The damping that was set for one law does not apply to another.
