@@ -8,6 +8,9 @@ namespace palpable::device {
 namespace {
 
 bool is_amount(double value) { return std::isfinite(value) && value > 0.0; }
+bool is_unknown_or_finite(double value) {
+  return std::isnan(value) || (std::isfinite(value) && value >= 0.0);
+}
 
 }  // namespace
 
@@ -22,6 +25,14 @@ Result<void> check(const Traits& traits) {
   if (traits.has_torque && !is_amount(traits.max_torque_Nm))
     return usage("the greatest torque of a device with torque must be above 0 Nm and finite");
   if (traits.delay_samples < 0) return usage("a device's delay must be at least 0 samples");
+  for (const double value :
+       {traits.mass_kg, traits.damping_Ns_per_m, traits.coulomb_friction_N, traits.position_resolution_m,
+        traits.inertia_kg_m2, traits.rotational_damping_Nm_s})
+    if (!is_unknown_or_finite(value))
+      return usage(
+          "a device's mass, damping, friction, resolution and inertia must be at least 0 or unknown");
+  if (!std::isnan(traits.rate_hz) && !is_amount(traits.rate_hz))
+    return usage("a device's rate must be above 0 Hz or unknown");
   return {};
 }
 

@@ -46,7 +46,8 @@ struct Traits {
 };
 
 /// Errors: usage for degrees of freedom other than 2 and 3, a workspace, force or torque that is not finite
-/// or not above 0 (torque: only with has_torque), and a negative delay.
+/// or not above 0 (torque: only with has_torque), a negative delay, and for another property that is infinite
+/// or negative.
 Result<void> check(const Traits& traits);
 
 enum class Status : std::uint8_t {

@@ -3,12 +3,14 @@
 #pragma once
 
 #include "palpable/core/frame.hpp"
+#include "palpable/core/result.hpp"
 #include "palpable/core/system/hand_off.hpp"
 
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace palpable::device {
@@ -30,6 +32,9 @@ struct OpenOptions {
   /// The strokes with which a simulated hand explores a scene, asked once when it is opened, with its traits.
   /// Empty, or if it returns none: the hand follows a curve over its whole workspace.
   std::function<SurfaceStrokes(const Traits&)> strokes;
+  /// Checks a recording's header before it is replayed (session/touch/recording_header.hpp). Empty: only the
+  /// device's traits are checked. Errors: invalid_input.
+  std::function<Result<void>(const std::string& header_json)> check_header;
   /// Needed by `pointer:` only.
   std::shared_ptr<PointerFeed> pointer;
 };

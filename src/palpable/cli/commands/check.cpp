@@ -110,6 +110,7 @@ Json report_json(const CheckReport& report, const CheckArguments& arguments) {
                         {"max_difference_N", report.max_difference_N}};
   json["force"] = {{"max_N", report.max_force_N}, {"max_step_N", report.max_step_N}};
   json["energy"] = {{"made_max_J", number_or_null(report.made_max_J)},
+                    {"since_zero_force_max_J", number_or_null(report.since_zero_force_max_J)},
                     {"observed_made_max_J", number_or_null(report.observed_made_max_J)},
                     {"observed_made_max_without_controller_J",
                      number_or_null(report.observed_made_max_without_controller_J)}};

@@ -37,8 +37,8 @@ struct Recording {
 };
 
 /// Reads a whole recording. If a file is truncated, the part before that place is returned with complete =
-/// false. Errors (invalid_input): not a recording, a newer version, a damaged one, more ticks than fit into
-/// memory.
+/// false. Errors (invalid_input): not a recording, a newer version, a damaged one, times that are not finite
+/// or do not increase, more ticks than fit into memory.
 Result<Recording> read_recording(const std::filesystem::path& file);
 /// The same from memory, except that of a damaged recording too the part before the damage is returned;
 /// `name` is the place of errors.
@@ -53,6 +53,8 @@ enum class RecordingEnd : std::uint8_t {
   cut,
   /// At a chunk with a wrong checksum or structure; what follows it is unknown.
   damaged,
+  /// The times of its ticks are not finite or do not increase (RecordingDecoder).
+  wrong_times,
   /// Further bytes follow the end mark.
   more_after_end
 };
@@ -71,7 +73,8 @@ class RecordingReader {
   const Recording* next();
   /// How the file ends; valid after next() returned null.
   RecordingEnd end() const;
-  /// Error (invalid_input) for a damaged file, with the size of its undamaged part; a truncated one is valid.
+  /// Error (invalid_input) for a damaged file, with the size of its undamaged part, and for one with wrong
+  /// times; a truncated one is valid.
   /// After next() returned null.
   Result<void> check_end() const;
   /// Recording::lost, after a complete end.

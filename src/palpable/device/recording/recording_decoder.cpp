@@ -5,6 +5,7 @@
 #include "palpable/core/files/byte_reader.hpp"
 #include "palpable/device/recording/recording_format.hpp"
 
+#include <cmath>
 #include <string>
 
 namespace palpable::device {
@@ -96,9 +97,27 @@ bool RecordingDecoder::take_ticks(const RecordingChunk& chunk, std::vector<Touch
   while (in.left() > 0) {
     ticks.push_back(tick(in));
     if (turned) add_turn(turns, ticks.back());
+    if (!is_in_time(ticks.back(), chunk.kind == format::kTicks)) return false;
     if (chunk.kind == format::kTicks) add_fade(ticks.back());
   }
   turns_.clear();
+  return true;
+}
+
+bool RecordingDecoder::is_in_time(const TouchSample& tick, bool of_hand) {
+  const char* wrong = nullptr;
+  if (!std::isfinite(tick.t_s) || !std::isfinite(tick.dt_s)) {
+    wrong = "times that are not finite";
+  } else if (tick.dt_s < 0.0) {
+    wrong = "a negative period";
+  } else if (of_hand && tick.t_s <= before_s_) {
+    wrong = "times that do not increase";
+  }
+  if (wrong != nullptr) {
+    wrong_times_ = std::string(wrong) + " at tick " + std::to_string(tick.tick);
+    return false;
+  }
+  if (of_hand) before_s_ = tick.t_s;
   return true;
 }
 

@@ -53,6 +53,10 @@ Error damaged_header(const std::string& name) {
   return invalid_input("is a recording with a damaged header", name);
 }
 
+Error with_wrong_times(const RecordingDecoder& decoder, const std::string& name) {
+  return invalid_input("is a recording with " + decoder.wrong_times(), name);
+}
+
 bool is_header(const RecordingChunk& chunk) {
   return chunk.kind == format::kHeader && chunk.payload.size() <= format::kMostText_bytes;
 }
@@ -70,6 +74,7 @@ Result<Recording> parse_recording(std::span<const std::byte> bytes, const std::s
   RecordingDecoder decoder;
   while (!recording.complete && in.left() > 0)
     if (next_chunk(in, chunk) != RecordingEnd::not_yet || !decoder.take(chunk, recording)) break;
+  if (!decoder.wrong_times().empty()) return with_wrong_times(decoder, name);
   return recording;
 }
 
@@ -152,7 +157,8 @@ const Recording* RecordingReader::next() {
   it.piece.scenes.clear();
   RecordingChunk chunk;
   it.end = it.next_chunk(chunk);
-  if (it.end == RecordingEnd::not_yet && !it.decoder.take(chunk, it.piece)) it.end = RecordingEnd::damaged;
+  if (it.end == RecordingEnd::not_yet && !it.decoder.take(chunk, it.piece))
+    it.end = it.decoder.wrong_times().empty() ? RecordingEnd::damaged : RecordingEnd::wrong_times;
   if (it.end == RecordingEnd::not_yet) it.valid_bytes = it.done;
   if (it.end == RecordingEnd::not_yet && it.piece.complete)
     it.end = it.done < it.size ? RecordingEnd::more_after_end : RecordingEnd::complete;
@@ -191,6 +197,7 @@ Result<Recording> read_recording(const std::filesystem::path& file) {
 RecordingEnd RecordingReader::end() const { return impl_->end; }
 
 Result<void> RecordingReader::check_end() const {
+  if (impl_->end == RecordingEnd::wrong_times) return with_wrong_times(impl_->decoder, impl_->name);
   const std::string where = "; its first " + std::to_string(impl_->valid_bytes) + " bytes are readable alone";
   if (impl_->end == RecordingEnd::damaged)
     return invalid_input("is a recording that is damaged after " + std::to_string(impl_->ticks) +

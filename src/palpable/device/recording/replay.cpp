@@ -7,6 +7,7 @@
 #include "palpable/device/url.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -91,12 +92,19 @@ Result<std::unique_ptr<Device>> open_replay(DeviceUrl& url, const OpenOptions& o
   if (!end) return end.error();
   auto reader = RecordingReader::open(url.path());
   if (!reader) return std::move(reader).error();
-  auto traits = recorded_traits((*reader)->header_json());
+  const std::string& header = (*reader)->header_json();
+  if (options.check_header)
+    if (auto valid = options.check_header(header); !valid)
+      return invalid_input(valid.error().message, url.path());
+  auto traits = recorded_traits(header);
+  if (traits)
+    if (auto valid = check(*traits); !valid) return invalid_input(valid.error().message, url.path());
   if (!traits) {
     traits.emplace();
     traits->rate_hz = options.rate_hz;
     traits->pushes_back = false;
   }
+  if (std::isnan(traits->rate_hz)) traits->rate_hz = options.rate_hz;
   traits->name = traits->name.empty() ? "replay" : "replay of " + traits->name;
   if (*end == RecordingEnd::cut) traits->name += " (the recording was interrupted)";
   return std::unique_ptr<Device>(std::make_unique<ReplayDevice>(*std::move(reader), *traits));

@@ -54,7 +54,7 @@ Reading recorded_reading(const TouchSample& tick) noexcept;
 
 /// Opens `replay:FILE`. The traits are those of the recorded device; an old recording without traits gives a
 /// device without motors. Reads the whole file once to check that it is not damaged. Errors: invalid_input
-/// (not a recording, damaged, no ticks), usage (no file named).
+/// (not a recording, damaged, wrong times, a wrong header, no ticks), usage (no file named).
 Result<std::unique_ptr<Device>> open_replay(DeviceUrl& url, const OpenOptions& options);
 
 }  // namespace palpable::device

@@ -73,6 +73,8 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     const Contact contact = eased_contact(this->materials(), is_new ? hand.position.v : proxy.place_m,
                                           before.touching, hand.dt_s, state.memory);
     follow(hand.position.v, {contact.static_friction, contact.dynamic_friction}, proxy);
+    if (proxy.phase == FieldProxy::Phase::touching && has_left(hand.position.v, proxy))
+      begin(hand.position.v, proxy);
     LawOutput output;
     output.has_proxy = true;
     output.proxy.v = proxy.place_m;
@@ -300,14 +302,43 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     proxy.bend_per_m = 0.0;
   }
 
-  /// Whether the hand left the solid beside the proxy, as from a thin crest: friction must not hold it there,
-  /// in the air. A hand on the far side of a thin wall is not beside the proxy.
-  bool is_beside(Vec3 hand_m, FieldProxy& proxy) const noexcept {
-    if (norm(hand_m - proxy.inside_at_m) < kSafe * proxy.inside_m) return false;
+  /// Whether the hand is known to be inside the solid, by an earlier evaluation.
+  static bool is_known_inside(Vec3 hand_m, const FieldProxy& proxy) noexcept {
+    return norm(hand_m - proxy.inside_at_m) < kSafe * proxy.inside_m;
+  }
+
+  /// The same as sample(), and remembers how far the hand is inside.
+  models::DistanceSample sample_at_hand(Vec3 hand_m, FieldProxy& proxy) const noexcept {
     const models::DistanceSample s = sample(hand_m);
     proxy.inside_at_m = hand_m;
     proxy.inside_m = std::max(0.0, -s.distance_m);
+    return s;
+  }
+
+  /// Whether the hand left the solid beside the proxy, as from a thin crest: friction must not hold it there,
+  /// in the air. A hand on the far side of a thin wall is not beside the proxy.
+  bool is_beside(Vec3 hand_m, FieldProxy& proxy) const noexcept {
+    if (is_known_inside(hand_m, proxy)) return false;
+    const models::DistanceSample s = sample_at_hand(hand_m, proxy);
     return s.distance_m > 0.0 && dot(s.gradient, proxy.normal) > kFarFace;
+  }
+
+  /// Whether the hand is in the air and nothing of the solid is between it and the proxy: a hand that was
+  /// deep inside and came out elsewhere, while the proxy, which slides by a bounded way in a tick, is still
+  /// on its way there. Sphere tracing, not closer than half a cell, where the surface cannot be hidden.
+  bool has_left(Vec3 hand_m, FieldProxy& proxy) const noexcept {
+    if (is_known_inside(hand_m, proxy)) return false;
+    double distance_m = sample_at_hand(hand_m, proxy).distance_m;
+    const double length_m = norm(proxy.place_m - hand_m);
+    const Vec3 towards = (1.0 / std::max(length_m, kShortest_m)) * (proxy.place_m - hand_m);
+    const double shortest_m = 0.5 * this->surface().cell_m();
+    double clear_m = 0.0;
+    for (int left = kMaxEvaluations; left > 0 && distance_m > 0.0; --left) {
+      clear_m += std::max(kSafe * certain_m(hand_m + clear_m * towards, distance_m), shortest_m);
+      if (clear_m >= length_m) return true;
+      distance_m = sample(hand_m + clear_m * towards).distance_m;
+    }
+    return false;
   }
 
   /// Slides the proxy along the surface towards the hand; false if the hand is on the free side.

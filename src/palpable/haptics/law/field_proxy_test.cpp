@@ -35,6 +35,25 @@ class Ball {
   std::size_t memory_bytes() const noexcept { return sizeof(*this); }
 };
 
+/// A box of 40 x 40 x 20 mm around the origin.
+class Box {
+ public:
+  models::FieldSample sample(Point<SceneFrame> p) const noexcept {
+    const Vec3 off{std::abs(p.v.x) - 0.02, std::abs(p.v.y) - 0.02, std::abs(p.v.z) - 0.01};
+    const Vec3 out{std::max(off.x, 0.0), std::max(off.y, 0.0), std::max(off.z, 0.0)};
+    const Vec3 sign{p.v.x < 0.0 ? -1.0 : 1.0, p.v.y < 0.0 ? -1.0 : 1.0, p.v.z < 0.0 ? -1.0 : 1.0};
+    const double away_m = norm(out);
+    if (away_m > 0.0)
+      return {away_m, {{sign.x * out.x / away_m, sign.y * out.y / away_m, sign.z * out.z / away_m}}};
+    const double most = std::max({off.x, off.y, off.z});
+    return {most,
+            {{off.x == most ? sign.x : 0.0, off.x < most && off.y == most ? sign.y : 0.0,
+              off.x < most && off.y < most ? sign.z : 0.0}}};
+  }
+  double cell_m() const noexcept { return 1e-3; }
+  std::size_t memory_bytes() const noexcept { return sizeof(*this); }
+};
+
 MaterialMap material(double friction, double damping = 0.0) {
   return MaterialMap({1000.0, damping, friction, friction});
 }
@@ -117,6 +136,35 @@ TEST(FieldProxyLaw, ReleasesAHandThatLeaves) {
   EXPECT_FALSE(output.contact);
   EXPECT_EQ(output.force_N.v, Vec3{});
   EXPECT_NEAR(output.proxy.v.z, 0.0215, 1e-9);
+}
+
+/// Moves a hand from `from` in steps until it is in the air again, and gives the force there.
+double force_N_in_the_air_after(Vec3 above, Vec3 from, Vec3 step, double friction) {
+  const FieldProxyLaw<Box> law(std::make_shared<const Box>(), material(friction), 0.0);
+  FieldProxyLaw<Box>::State state;
+  law.evaluate(hand_at(above), state);
+  for (int k = 1; k <= 20; ++k) law.evaluate(hand_at(above + (k / 20.0) * (from - above)), state);
+  Vec3 hand = from;
+  EXPECT_TRUE(law.evaluate(hand_at(hand), state).contact);
+  while (Box().sample({hand}).distance_m < 2e-4) {
+    hand += step;
+    law.evaluate(hand_at(hand), state);
+  }
+  // The way of this tick is in the air, and so is the straight way to where the proxy was.
+  return norm(law.evaluate(hand_at(hand + step), state).force_N);
+}
+
+TEST(FieldProxyLaw, LetsGoOfAHandThatSlipsDeepOverAnEdgeInTheTickInWhichItIsInTheAir) {
+  // 5 mm below the top it leaves through the side.
+  for (const double friction : {0.0, 0.3})
+    EXPECT_EQ(force_N_in_the_air_after({0.01, 0.0, 0.012}, {0.016, 0.0, 0.005}, {2e-4, 0.0, 0.0}, friction),
+              0.0)
+        << friction;
+  // It came in through the side and leaves through the top, far from the proxy, which slid to the edge. With
+  // friction the proxy stays at the side, behind the body, and holds the hand.
+  const Vec3 beside{0.022, 0.0, 0.0}, inside{-0.01, 0.0, 0.0}, out{-1e-4, 0.0, 2e-4};
+  EXPECT_EQ(force_N_in_the_air_after(beside, inside, out, 0.0), 0.0);
+  EXPECT_GT(force_N_in_the_air_after(beside, inside, out, 0.3), 1.0);
 }
 
 TEST(PenaltyLawOnFields, GeneratesNoEnergyOnAClosedPath) {

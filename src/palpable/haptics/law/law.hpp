@@ -35,6 +35,8 @@ struct LawParameters {
   std::optional<double> tool_length_m;
   /// 0: force along the exact gradient of the potential; 1: along the surface's normal (force shading).
   std::optional<double> force_shading;
+  /// For `rolling`: over how much the relief is smoothed before the ball rolls on it.
+  std::optional<double> rolling_smoothing_m;
   /// For `tracing`: 1 = bounded by a speed gate and an energy tank; 0 = eq. 8 as printed.
   std::optional<double> tracing_bounds;
   /// The neighbourhood m of eq. 7.

@@ -3,6 +3,7 @@
 #include "palpable/haptics/law/laws.hpp"
 
 #include "palpable/core/system/allocations.hpp"
+#include "palpable/haptics/law/rolling.hpp"
 #include "palpable/haptics/law/test_scenes.hpp"
 #include "palpable/haptics/servo/probe_path.hpp"
 
@@ -30,6 +31,46 @@ TEST(RollingLaw, DoesNoWorkOnClosedPathsWhereSobelDoes) {
   };
   EXPECT_LE(net_of(Law::rolling), 1e-6);
   EXPECT_GE(net_of(Law::sobel), 1e-3);
+}
+
+TEST(RollingLaw, FitsItsSurfaceAndForceToTheBounds) {
+  Raster<float> walls(120, 90, 0.005F);
+  for (int y = 0; y < walls.height(); ++y) walls(60, y) = 0.009F;
+  const models::Scene scene = scene_of(std::move(walls));
+  const auto load = [&](const RollingFit& fit, const RollingBounds& bounds) {
+    LawParameters p;
+    p.law = Law::rolling;
+    p.slope_force_N = fit.slope_force_N;
+    p.rolling_smoothing_m = fit.smoothing_m;
+    p.damping_Ns_per_m = 0.0;
+    const auto law = made(scene, p);
+    double most = 0.0, before_N = 0.0;
+    constexpr double kStep_m = 2e-5;
+    for (double x = -0.01; x < 0.01; x += kStep_m) {
+      TouchState state;
+      Hand hand;
+      hand.position.v.x = x;
+      const double force_N = law->evaluate(hand, state).force_N.v.x;
+      const double bend_N_per_m = x > -0.01 ? std::abs(force_N - before_N) / kStep_m : 0.0;
+      most = std::max(
+          {most, std::abs(force_N) / bounds.max_force_N, bend_N_per_m / bounds.max_stiffness_N_per_m});
+      before_N = force_N;
+    }
+    return most;
+  };
+  const RollingFit wanted{1.0, 0.0};
+  const RollingBounds wide{1e9, 1e9}, usual{300.0, 3.3}, narrow{5.0, 3.3};
+  EXPECT_EQ(fit_rolling(scene, wanted, wide).smoothing_m, 0.0);
+  EXPECT_EQ(fit_rolling(scene, wanted, wide).slope_force_N, 1.0);
+  ASSERT_GT(load(wanted, usual), 10.0);
+  const RollingFit smoothed = fit_rolling(scene, wanted, usual);
+  EXPECT_EQ(smoothed.slope_force_N, 1.0);
+  EXPECT_LE(load(smoothed, usual), 1.0 + 1e-3);
+  EXPECT_GE(load(smoothed, usual), 0.5) << "no smoother than necessary";
+  const RollingFit weaker = fit_rolling(scene, wanted, narrow);
+  EXPECT_LT(weaker.slope_force_N, 1.0);
+  EXPECT_LE(weaker.smoothing_m, kMostRollingSmoothing_m);
+  EXPECT_LE(load(weaker, narrow), 1.0 + 1e-3);
 }
 
 TEST(RollingLaw, IsTheWeightOfABallOnASlope) {

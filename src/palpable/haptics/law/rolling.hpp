@@ -5,6 +5,7 @@
 #include "palpable/haptics/law/law.hpp"
 #include "palpable/haptics/law/touchable.hpp"
 #include "palpable/models/relief/relief.hpp"
+#include "palpable/models/scene/scene.hpp"
 
 #include <memory>
 #include <utility>
@@ -12,6 +13,27 @@
 namespace palpable::haptics {
 
 extern const LawDescription kRollingLaw;
+
+/// A relief is smoothed by at most this much, the sigma of a Gaussian.
+inline constexpr double kMostRollingSmoothing_m = 0.003;
+
+/// What a loop and its device can render of a ball on slopes. The force of a bend of curvature c is a spring
+/// of slope_force_N * c along the surface: in a valley it holds the ball, on a ridge it pushes it away.
+struct RollingBounds {
+  double max_stiffness_N_per_m = 0.0;
+  double max_force_N = 0.0;
+};
+
+/// The force on a slope of 1, and how much the relief is smoothed.
+struct RollingFit {
+  double slope_force_N = 0.0;
+  double smoothing_m = 0.0;
+};
+
+/// The nearest to `wanted` that keeps the bounds on every slope and bend of the scene: the relief is smoothed
+/// as little as necessary; where kMostRollingSmoothing_m is not enough, the force is lowered. Bounds > 0.
+/// Long work: up to a second for 4 million pixels.
+RollingFit fit_rolling(const models::Scene& scene, const RollingFit& wanted, const RollingBounds& bounds);
 
 /// `rolling`: the weight of a ball on the slope under the hand, f = -k_g grad z - k_v v (Shi & Pai 1997, eq.
 /// 1). It uses the exact gradient, so without damping the force is the gradient of k_g z and does no work on

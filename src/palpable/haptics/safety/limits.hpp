@@ -22,6 +22,15 @@ Limited<Frame> cap_force(Vector<Frame> force_N, double max_N) noexcept {
   return size > max_N ? Limited<Frame>{(max_N / size) * force_N, true} : Limited<Frame>{force_N, false};
 }
 
+/// The force that may be written, whatever was computed: `force_N`, at most `max_N` long; zero if it is not
+/// finite or `max_N` is not above 0. Tick path.
+template <class Frame>
+Vector<Frame> bounded(Vector<Frame> force_N, double max_N) noexcept {
+  if (!is_finite(force_N) || !(max_N > 0.0)) return {};
+  // A component that is too large for its square gives a length that is not finite, and no force.
+  return cap_force(force_N, max_N).force_N;
+}
+
 /// Lets a force grow by at most `max_rise_N` (>= 0) from one tick to the next. A decrease is never delayed:
 /// the part of `before_N` that the new force does not contain is dropped at once. Only the part that is new
 /// is limited, also when the direction turns at constant magnitude. Tick path.
@@ -41,8 +50,10 @@ class Ramp {
   /// Times in seconds from 1 to 0 and from 0 to 1, both > 0. The factor begins at 0.
   Ramp(double down_s, double up_s) : down_s_(down_s), up_s_(up_s) {}
 
-  /// The factor after `dt_s`; it rises towards 1 while `wanted`, else it falls towards 0. Tick path.
+  /// The factor after `dt_s`; it rises towards 1 while `wanted`, else it falls towards 0. It stays where it
+  /// is in a step that is not above 0. Tick path.
   double step(bool wanted, double dt_s) noexcept {
+    if (!(dt_s > 0.0)) return value_;
     value_ = wanted ? std::min(1.0, value_ + dt_s / up_s_) : std::max(0.0, value_ - dt_s / down_s_);
     return value_;
   }

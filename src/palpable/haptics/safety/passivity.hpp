@@ -47,6 +47,9 @@ class PassivityObserver {
     /// Stored energy at the new position in the device frame (LawOutput::stored_J / scene_from_device.scale),
     /// without the part that a rise limit withholds. NaN: the law has no potential.
     double stored_J = 0.0;
+    /// What a change of the law's parameters on the same surface added to stored_J since the previous step:
+    /// the law did not generate it.
+    double changed_J = 0.0;
     /// The part of the held force whose energy a guide's limited reserve supplied (LawOutput::guide_N).
     Vector<DeviceFrame> guide_N;
     /// The damping that the law guarantees in contact, N·s/m; 0 out of contact.
@@ -97,7 +100,8 @@ class PassivityObserver {
  private:
   void count_work(const Step& step, double received_J) noexcept {
     if (step.scene_changes && std::isfinite(step.stored_J)) began_in_air_ = false;
-    if (began_in_air_) work_J_ += received_J - dot(step.guide_N, step.moved_m);
+    if (began_in_air_)
+      work_J_ += received_J - dot(step.guide_N, step.moved_m) - std::max(0.0, step.changed_J);
     if (!began_in_air_) work_J_ = 0.0;
   }
 
@@ -116,7 +120,8 @@ class PassivityObserver {
         along > 0.0 && step.dt_s > 0.0 ? (received_J - step.rotation_J) / (along * step.dt_s) : 0.0;
     reserve_J_ += step.damping_Ns_per_m * speed * speed * step.dt_s -
                   reserve_J_ * std::min(1.0, step.dt_s / kReserve_s);
-    const double made_J = received_J - dot(step.guide_N, step.moved_m) + step.stored_J - stored_J_;
+    const double made_J =
+        received_J - dot(step.guide_N, step.moved_m) + step.stored_J - stored_J_ - step.changed_J;
     balance_J_ = std::max(balance_J_ + (step.shortened ? std::min(made_J, 0.0) : made_J), -reserve_J_);
     stored_J_ = step.stored_J;
   }

@@ -56,6 +56,18 @@ SafeContact safe_contact(const device::Traits& device, double rate_hz, double sc
   return safe;
 }
 
+SafeSlopes safe_slopes(const device::Traits& device, double rate_hz, double scale, double damping_Ns_per_m,
+                       double hand_damping_Ns_per_m) {
+  // Measured (docs/history/2026-11-24-physics.md): with 0.5, none of 300 hands received more than 0.1 uJ;
+  // with 1, two received 1.2 uJ.
+  constexpr double kShare = 0.5;
+  // At a stiffness that asks for no further damping.
+  constexpr double kSoft_N_per_m = 1e-3;
+  const auto safe =
+      safe_contact(device, rate_hz, scale, kSoft_N_per_m, damping_Ns_per_m, hand_damping_Ns_per_m);
+  return {kShare * safe.max_stiffness_N_per_m, device.max_force_N, safe.damping_Ns_per_m};
+}
+
 std::string reason(StiffnessBound bound) {
   switch (bound) {
     case StiffnessBound::held_spring:

@@ -51,6 +51,21 @@ inline constexpr double kLeastHandDamping_Ns_per_m = 1.5;
 SafeContact safe_contact(const device::Traits& device, double rate_hz, double scale, double stiffness_N_per_m,
                          double damping_Ns_per_m, double hand_damping_Ns_per_m = kLeastHandDamping_Ns_per_m);
 
+/// What loop and device can render of a weight on slopes (`rolling`), in scene quantities. A bend of the
+/// surface acts as a spring along it: in a valley it holds the hand, on a ridge it pushes it away.
+struct SafeSlopes {
+  double max_stiffness_N_per_m = 0.0;
+  /// A capped force is no longer the slope's.
+  double max_force_N = 0.0;
+  /// At most the desired damping, and at most what device and hand allow.
+  double damping_Ns_per_m = 0.0;
+};
+
+/// Half of what a wall's stiffness may be at this damping (> 0): the force is that of the place where the
+/// hand is predicted to be, which is less certain than where it is. Arguments as in safe_contact().
+SafeSlopes safe_slopes(const device::Traits& device, double rate_hz, double scale, double damping_Ns_per_m,
+                       double hand_damping_Ns_per_m = kLeastHandDamping_Ns_per_m);
+
 /// Why the stiffness was lowered, as a clause for the user: "a stiffer wall would let the hand feel the steps
 /// of the device's sensor". Empty for `none`.
 std::string reason(StiffnessBound bound);

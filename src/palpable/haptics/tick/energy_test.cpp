@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // The energy that the laws generate with different hands, at the stiffness limit and far above it. The limit
 // on growing forces is active, the passivity controller is off.
+#include "palpable/haptics/law/rolling.hpp"
 #include "palpable/haptics/law/test_scenes.hpp"
 #include "palpable/haptics/safety/stability.hpp"
 #include "palpable/haptics/safety/test_hands.hpp"
+#include "palpable/haptics/tick/counted_hand.hpp"
 #include "palpable/haptics/tick/tick.hpp"
+#include "palpable/models/relief/relief_shaping.hpp"
 
 #include <algorithm>
+#include <random>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -74,6 +79,109 @@ TEST(EnergyOfRolling, IsNotGeneratedAtBendsForAnyDelay) {
   }
   // An earlier version used the slope directly below the hand and generated 560 uJ at a delay of two ticks.
   EXPECT_LE(most_J, 2e-6);
+}
+
+/// White noise, walls of one pixel, or upright steps, with slopes up to `steepest`.
+models::Scene rough(int kind, unsigned seed, double steepest) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> share(0.0F, 1.0F);
+  Raster<float> z(200, 160, 0.005F);
+  if (kind == 0)
+    for (float& height : z.values()) height += 0.001F * share(random);
+  for (int n = 0; kind > 0 && n < 10; ++n) {
+    const int left = static_cast<int>(random() % 190U), top = static_cast<int>(random() % 150U);
+    const int width = kind == 1 ? 1 : 10, height = kind == 1 ? 160 : 10;
+    const float up = 0.001F + 0.004F * share(random);
+    for (int y = kind == 1 ? 0 : top; y < std::min(160, (kind == 1 ? 0 : top) + height); ++y)
+      for (int x = left; x < std::min(200, left + width); ++x) z(x, y) += up;
+  }
+  models::limit_slope(z, kPixel_m, steepest);
+  return scene_of(std::move(z));
+}
+
+TEST(EnergyOfAProxy, IsHardlyGeneratedOnNoise) {
+  // The spring to a proxy in a pit does not point along the surface's normal. With a damper along the normal,
+  // 9 of 45 hands without friction received more than 1 uJ, up to 52 uJ.
+  Hands hands(17);
+  double most_J = 0.0;
+  for (int round = 0; round < 12; ++round) {
+    device::HandOptions options = hands.next();
+    options.arm_damping_Ns_per_m = hands.uniform(1.5, 3.0);
+    options.script.kind = device::HandScriptOptions::Kind::random;
+    options.script.workspace_m = {0.036, 0.028, 0.02};
+    options.script.speed_m_per_s = hands.uniform(0.05, 0.4);
+    options.script.seed = static_cast<std::uint64_t>(round) + 1;
+    CountedHand hand(options);
+    const auto safe = safe_contact(hand.traits(), options.rate_hz, 1.0, 1e5, 0.5);
+    LawParameters parameters = frictionless();
+    parameters.stiffness_N_per_m = safe.stiffness_N_per_m;
+    parameters.damping_Ns_per_m = safe.damping_Ns_per_m;
+    HapticScene program;
+    program.touchable = made(rough(0, static_cast<unsigned>(round) + 1, 3.0), parameters);
+    TickOptions observed;
+    observed.passivity = Passivity::observe;
+    Ring<TouchEvent> events(1024);
+    TickPipeline tick(hand, program, observed, events);
+    for (int n = 0; n < 4000; ++n) {
+      if (!tick.step(0.001 * n, 0.001).has(flag::kContact)) hand.in_free_air();
+      while (events.take()) {
+      }
+    }
+    EXPECT_GT(tick.counts().contact_ticks, 300U) << "round " << round;
+    most_J = std::max(most_J, hand.most_J());
+  }
+  EXPECT_LE(most_J, 1e-6);
+}
+
+struct Rolled {
+  double made_J = 0.0;
+  double without_controller_J = 0.0;
+};
+
+/// A hand on a rough relief, with what fit_rolling() makes of it or as it is.
+Rolled rolled(const models::Scene& scene, const device::HandOptions& options, bool fits,
+              Passivity passivity) {
+  device::SimulatedHand hand(options);
+  const auto safe = safe_slopes(hand.traits(), options.rate_hz, 1.0, 0.5);
+  RollingFit fit{1.0, 0.0};
+  if (fits) fit = fit_rolling(scene, fit, {safe.max_stiffness_N_per_m, safe.max_force_N});
+  LawParameters parameters;
+  parameters.law = Law::rolling;
+  parameters.slope_force_N = fit.slope_force_N;
+  parameters.rolling_smoothing_m = fit.smoothing_m;
+  parameters.damping_Ns_per_m = safe.damping_Ns_per_m;
+  HapticScene program;
+  program.touchable = made(scene, parameters);
+  TickOptions limits;
+  limits.passivity = passivity;
+  Ring<TouchEvent> events(1024);
+  TickPipeline tick(hand, program, limits, events);
+  for (int n = 0; n < 4000; ++n) {
+    tick.step(0.001 * n, 0.001);
+    while (events.take()) {
+    }
+  }
+  return {tick.counts().made_max_J, tick.counts().made_max_without_controller_J};
+}
+
+TEST(EnergyOfRolling, IsNotGeneratedOnNoiseWallsAndStepsThatAreFittedToTheDevice) {
+  Hands hands(31);
+  double most_unfitted_J = 0.0;
+  for (int round = 0; round < 9; ++round) {
+    device::HandOptions hand = hands.next();
+    hand.max_force_N = 3.3;
+    hand.script.kind = device::HandScriptOptions::Kind::random;
+    hand.script.workspace_m = {0.036, 0.028, 0.02};
+    hand.script.speed_m_per_s = hands.uniform(0.05, 0.4);
+    hand.script.seed = static_cast<std::uint64_t>(round) + 1;
+    const models::Scene scene =
+        rough(round / 3, static_cast<unsigned>(round) + 1, round % 2 == 0 ? 3.0 : 100.0);
+    EXPECT_LE(rolled(scene, hand, true, Passivity::observe).without_controller_J, 1e-6) << "round " << round;
+    EXPECT_LE(rolled(scene, hand, true, Passivity::control).made_J, 1e-6) << "round " << round;
+    most_unfitted_J =
+        std::max(most_unfitted_J, rolled(scene, hand, false, Passivity::observe).without_controller_J);
+  }
+  EXPECT_GT(most_unfitted_J, 1e-4) << "without the fit there is something to see";
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, EnergyOf, testing::Values(Law::proxy, Law::penalty),

@@ -128,9 +128,13 @@ struct TickCounts {
   /// Ticks without a valid reading or force.
   std::uint64_t fault_ticks = 0;
   /// Greatest energy generated beyond the virtual damper's reserve (passivity.hpp) and received by the hand:
-  /// as it was, and as it would have been without the controller. J.
+  /// as it was, and as it would have been without the controller; at least what a recording shows
+  /// (ShownWork). J.
   double made_max_J = 0.0;
   double made_max_without_controller_J = 0.0;
+  /// The most work on the hand since the written force was last zero (ShownWork), J: with what the hand
+  /// itself delivered in the same contact before a stall, so not all of it was generated.
+  double since_zero_force_max_J = 0.0;
   /// Greatest energy that the rise limit withheld from a spring, J. The wall is weaker by that until the hand
   /// leaves it.
   double withheld_max_J = 0.0;

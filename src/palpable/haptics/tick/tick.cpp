@@ -19,6 +19,24 @@ bool is_same(const Transform<SceneFrame, DeviceFrame>& a, const Transform<SceneF
 
 double known_or(double value, double otherwise) { return std::isfinite(value) ? value : otherwise; }
 
+/// 0 if one of the two is not a force.
+double max_force_N_of(const TickOptions& options, const device::Traits& traits) {
+  const bool valid = options.max_force_N > 0.0 && traits.max_force_N > 0.0;
+  return valid ? std::min(options.max_force_N, traits.max_force_N) : 0.0;
+}
+
+/// Whether what a law returned can be computed with: forces and energies are finite (a law without a
+/// potential states none), and far below values whose squares are not.
+bool is_usable(const LawOutput& output) {
+  constexpr double kMost = 1e6;
+  const auto within = [](Vec3 v) {
+    return std::abs(v.x) <= kMost && std::abs(v.y) <= kMost && std::abs(v.z) <= kMost;
+  };
+  return within(output.force_N.v) && within(output.torque_Nm.v) && within(output.spring_N.v) &&
+         within(output.spring_torque_Nm.v) && within(output.guide_N.v) &&
+         !(std::abs(output.stored_J) > kMost);
+}
+
 }  // namespace
 
 TickPipeline::TickPipeline(device::Device& device, const HapticScene& scene, const TickOptions& options,
@@ -26,26 +44,30 @@ TickPipeline::TickPipeline(device::Device& device, const HapticScene& scene, con
     : device_(device),
       events_(events),
       options_(options),
-      max_force_N_(std::min(options.max_force_N, device.traits().max_force_N)),
+      max_force_N_(max_force_N_of(options, device.traits())),
       planar_(device.traits().degrees_of_freedom < 3),
       readings_(device.traits(), options),
-      velocity_(known_or(device.traits().position_resolution_m, 0.0)),
+      motion_(device.traits(), options),
       fine_(known_or(device.traits().position_resolution_m, 0.0)),
-      gain_(device.traits().delay_samples),
       has_torque_(device.traits().has_torque),
       ramp_(options.ramp_down_s, options.ramp_up_s),
-      delay_(static_cast<std::size_t>(std::clamp(device.traits().delay_samples, 0, kMaxDelay))) {
+      delay_(static_cast<std::size_t>(std::clamp(device.traits().delay_samples, 0, kMaxDelay))),
+      shown_(device.traits(), options) {
   now_.begin(scene);
   sample_.probe = probe;
 }
 
-TickPipeline::When TickPipeline::when_of(const device::Reading& reading, double t_s, double dt_s) noexcept {
+TickTime TickPipeline::when_of(const device::Reading& reading, double t_s, double dt_s) noexcept {
   const bool was_cut = std::exchange(force_was_cut_, false);
-  if (!reading.recorded) return {t_s, dt_s, was_cut || (dt_s > options_.stall_s && counts_.ticks > 0)};
-  // The recorded state applies, not that of this loop.
-  const device::RecordedTime& then = *reading.recorded;
-  paused_ = (then.flags & flag::kPaused) != 0;
-  return {then.t_s, then.dt_s, (then.flags & flag::kStalled) != 0};
+  TickTime when{t_s, dt_s, was_cut || (dt_s > options_.stall_s && counts_.ticks > 0)};
+  if (reading.recorded) {
+    // The recorded state applies, not that of this loop.
+    const device::RecordedTime& then = *reading.recorded;
+    paused_ = (then.flags & flag::kPaused) != 0;
+    when = {then.t_s, then.dt_s, (then.flags & flag::kStalled) != 0};
+  }
+  // The first tick may be at 0.
+  return usable_time(when, counts_.ticks > 0 ? sample_.t_s : -kShortestStep_s);
 }
 
 const TouchSample& TickPipeline::step(double clock_t_s, double clock_dt_s) noexcept {
@@ -68,6 +90,7 @@ const TouchSample& TickPipeline::step(double clock_t_s, double clock_dt_s) noexc
   if (fading() && faded_ >= 1.0) end_fade();
   observe(dt_s);
   if (!is_glitch) make_force(dt_s);
+  bound(dt_s);
   send();
   if (has_torque_) device_.write_torque(written_Nm_);
   device_.write(written_N_);
@@ -75,6 +98,7 @@ const TouchSample& TickPipeline::step(double clock_t_s, double clock_dt_s) noexc
   sample_.t_s = t_s;
   sample_.dt_s = dt_s;
   describe(reading);
+  count_shown_work();
   if (good && !valid) emit(TouchEvent::Kind::not_finite, 0);
   if (!is_glitch)
     report_status(valid, static_cast<std::uint32_t>(good ? device::Status::ok : reading.status));
@@ -92,6 +116,8 @@ ReadingUse TickPipeline::accept(const device::Reading& reading, double dt_s) noe
     // However the hand got there, the force rises from zero.
     drop_force();
     begin_touch();
+  } else if (judged.is_good() && ramp_.value() <= 0.0 && !healthy_) {
+    begin_touch();
   }
   if (judged.is_good()) take(reading, judged);
   return judged.use;
@@ -99,11 +125,9 @@ ReadingUse TickPipeline::accept(const device::Reading& reading, double dt_s) noe
 
 void TickPipeline::take(const device::Reading& reading, const JudgedReading& judged) noexcept {
   position_ = reading.position;
-  velocity_m_per_s_ = velocity_.update(position_, judged.passed_s);
-  gains_m_per_s_ =
-      gain_.update(velocity_m_per_s_, velocity_.age_s(), acts_after_s(judged.passed_s), judged.passed_s);
+  motion_.update(position_, judged.passed_s);
   const Point<DeviceFrame> before = fine_.place();
-  const Point<DeviceFrame> now = fine_.update(position_, velocity_m_per_s_, judged.passed_s);
+  const Point<DeviceFrame> now = fine_.update(position_, motion_.velocity_m_per_s(), judged.passed_s);
   if (!judged.first) moved_ = now - before;
   if (!has_torque_) return;
   if (judged.first) rotation_.begin();
@@ -116,7 +140,7 @@ void TickPipeline::drop_force() noexcept {
   rise_.drop();
   uncontrolled_rise_.drop();
   dropped_ = held();
-  dropped_velocity_m_per_s_ = velocity_m_per_s_;
+  dropped_velocity_m_per_s_ = motion_.velocity_m_per_s();
   written_N_ = {};
   uncontrolled_N_ = {};
   guide_N_ = {};
@@ -124,28 +148,22 @@ void TickPipeline::drop_force() noexcept {
   uncontrolled_Nm_ = {};
   sent_.fill({});
   transient_.stop();
-  velocity_.begin();
-  gain_.begin();
-  gains_m_per_s_ = {};
+  motion_.begin();
   shortened_ = true;
   scene_changes_ = false;
 }
 
-double TickPipeline::acts_after_s(double dt_s) const noexcept {
-  return (static_cast<double>(delay_) + 0.5) * std::min(dt_s, options_.max_rise_time_s);
-}
-
 bool TickPipeline::evaluate_law(Side& side, double dt_s) noexcept {
   const auto& scene_from_device = side.scene->scene_from_device;
-  Hand hand{scene_from_device * position_, scene_from_device * velocity_m_per_s_, dt_s};
-  hand.acts_after_s = acts_after_s(dt_s);
-  hand.gains_m_per_s = scene_from_device * gains_m_per_s_;
+  Hand hand{scene_from_device * position_, scene_from_device * motion_.velocity_m_per_s(), dt_s};
+  hand.acts_after_s = motion_.acts_after_s(dt_s);
+  hand.gains_m_per_s = scene_from_device * motion_.gains_m_per_s();
   if (has_torque_) {
     hand.rotation = rotation_in_scene(scene_from_device, rotation_.rotation());
     hand.angular_velocity_rad_per_s = rotate_force(scene_from_device, rotation_.velocity_rad_per_s());
   }
   const LawOutput output = side.scene->touchable->evaluate(hand, side.state);
-  if (!is_finite(output.force_N) || !is_finite(output.torque_Nm)) return false;
+  if (!is_usable(output)) return false;
   side.output = output;
   return true;
 }
@@ -165,7 +183,6 @@ Vector<DeviceFrame> TickPipeline::device_torque_Nm(const Side& side,
 }
 
 bool TickPipeline::evaluate_laws(double dt_s) noexcept {
-  if (ramp_.value() <= 0.0 && !healthy_) begin_touch();
   if (counts_.ticks == 0) flags_ |= flag::kNewTouch;
   const bool finite = evaluate_law(now_, dt_s) && (!fading() || evaluate_law(coming_, dt_s));
   if (!finite) {
@@ -189,10 +206,7 @@ void TickPipeline::begin_touch() noexcept {
   coming_.state = {};
   rise_.reset();
   uncontrolled_rise_.reset();
-  velocity_.begin();
-  velocity_m_per_s_ = {};
-  gain_.begin();
-  gains_m_per_s_ = {};
+  motion_.begin();
   rotation_.begin();
   flags_ |= flag::kNewTouch;
 }
@@ -244,7 +258,7 @@ Vector<DeviceFrame> TickPipeline::with_transient(Vector<DeviceFrame> force_N, do
     return force_N;
   }
   if (strikes) {
-    transient_.strike(now_.scene->transient, force_N, velocity_m_per_s_,
+    transient_.strike(now_.scene->transient, force_N, motion_.velocity_m_per_s(),
                       {options_.max_transient_of_force * max_force_N_, options_.max_force_rate_N_per_s,
                        options_.impact_speed_m_per_s});
     counts_.transients += transient_.is_playing() ? 1 : 0;
@@ -291,6 +305,26 @@ void TickPipeline::make_torque(double risen_s) noexcept {
   if (risen.limited) flags_ |= flag::kRiseLimited;
 }
 
+/// The last word: no step before it is trusted. A force that is not finite is none. The rounding of the steps
+/// before is not corrected, so that their result stays the same to the last bit.
+void TickPipeline::bound(double dt_s) noexcept {
+  constexpr double kRounding = 1.0 + 1e-9;
+  if (!is_finite(written_N_) || !is_finite(written_Nm_)) {
+    flags_ |= flag::kNotFinite;
+    drop_force();
+    return;
+  }
+  const double risen_s = std::min(dt_s, options_.max_rise_time_s);
+  const Sent& before = sent_[newest_];
+  const auto within = [&](Vector<DeviceFrame> wanted, Vector<DeviceFrame> last, double most,
+                          double rate_per_s) {
+    return bounded(cap_rise(wanted, last, kRounding * rate_per_s * risen_s).force_N, kRounding * most);
+  };
+  written_N_ = within(written_N_, before.written_N, max_force_N_, options_.max_force_rate_N_per_s);
+  written_Nm_ = within(written_Nm_, before.written_Nm, device_.traits().max_torque_Nm,
+                       options_.max_torque_rate_Nm_per_s);
+}
+
 void TickPipeline::send() noexcept {
   newest_ = (newest_ + 1) % sent_.size();
   sent_[newest_] = {written_N_,       uncontrolled_N_, written_Nm_,
@@ -302,7 +336,7 @@ void TickPipeline::describe(const device::Reading& reading) noexcept {
   sample_.tick = counts_.ticks;
   sample_.device_position = reading.position;
   sample_.position = scene_from_device * position_;
-  sample_.velocity_m_per_s = scene_from_device * velocity_m_per_s_;
+  sample_.velocity_m_per_s = scene_from_device * motion_.velocity_m_per_s();
   sample_.proxy = now_.output.proxy;
   sample_.raw_force_N = now_.output.force_N;
   sample_.written_force_N = rotate_force(scene_from_device, written_N_);
@@ -353,8 +387,10 @@ void TickPipeline::count() noexcept {
   counts_.passivity_ticks += sample_.has(flag::kPassivityActed) ? 1 : 0;
   counts_.contact_ticks += sample_.has(flag::kContact) ? 1 : 0;
   counts_.fault_ticks += healthy_ ? 0 : 1;
-  counts_.made_max_J = observer_.made_max_J();
-  counts_.made_max_without_controller_J = without_controller_.made_max_J();
+  // No account reports less than a recording of this touch shows.
+  counts_.made_max_J = std::max(observer_.made_max_J(), shown_.made_max_J());
+  counts_.made_max_without_controller_J = std::max(without_controller_.made_max_J(), shown_.made_max_J());
+  counts_.since_zero_force_max_J = shown_.since_zero_max_J();
   if (std::isnan(counts_.first_force_t_s) && written >= kFelt_N) counts_.first_force_t_s = sample_.t_s;
   ++counts_.ticks;
 }

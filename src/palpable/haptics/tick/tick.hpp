@@ -7,10 +7,13 @@
 #include "palpable/haptics/safety/limits.hpp"
 #include "palpable/haptics/safety/passivity.hpp"
 #include "palpable/haptics/safety/rise_limit.hpp"
+#include "palpable/haptics/tick/hand_motion.hpp"
 #include "palpable/haptics/tick/reading_filter.hpp"
 #include "palpable/haptics/tick/rotation.hpp"
 #include "palpable/haptics/tick/servo_types.hpp"
+#include "palpable/haptics/tick/shown_work.hpp"
 #include "palpable/haptics/tick/tick_options.hpp"
+#include "palpable/haptics/tick/tick_time.hpp"
 #include "palpable/haptics/tick/transient_player.hpp"
 #include "palpable/haptics/tick/velocity.hpp"
 
@@ -22,9 +25,9 @@ namespace palpable::haptics {
 
 /// One tick of touch, without thread or clock. Its steps: read the device; reject readings that are not
 /// finite or plausible; evaluate the law; reject a force that is not finite; observe the energy of the force
-/// that was held until now; cap the force; ramp it; limit its rise; apply the passivity controller; write.
-/// The servo loop calls it in real time, tests as fast as possible; the same readings give the same results.
-/// One thread; step() never allocates, locks, throws or prints.
+/// that was held until now; cap the force; ramp it; limit its rise; apply the passivity controller; bound
+/// what came out, whatever it is; write. The servo loop calls it in real time, tests as fast as possible; the
+/// same readings give the same results. One thread; step() never allocates, locks, throws or prints.
 class TickPipeline {
  public:
   /// `device` and `events` must outlive this object; `scene` (with its touchable) must live until
@@ -32,8 +35,8 @@ class TickPipeline {
   TickPipeline(device::Device& device, const HapticScene& scene, const TickOptions& options,
                Ring<TouchEvent>& events, std::uint8_t probe = 0);
 
-  /// `t_s` is the time since the first step, `dt_s` > 0 that since the previous one. Readings of a recording
-  /// bring their own times.
+  /// `t_s` is the time since the first step, `dt_s` that since the previous one (usable_time()). Readings of
+  /// a recording bring their own times.
   const TouchSample& step(double t_s, double dt_s) noexcept;
 
   bool fading() const noexcept { return coming_.scene != nullptr; }
@@ -63,18 +66,10 @@ class TickPipeline {
     TouchState state;
     LawOutput output;
   };
-  /// Time of this tick, and whether another thread cut the force before it.
-  struct When {
-    double t_s = 0.0;
-    double dt_s = 0.001;
-    bool stalled = false;
-  };
-  When when_of(const device::Reading& reading, double t_s, double dt_s) noexcept;
+  TickTime when_of(const device::Reading& reading, double t_s, double dt_s) noexcept;
   ReadingUse accept(const device::Reading& reading, double dt_s) noexcept;
   void take(const device::Reading& reading, const JudgedReading& judged) noexcept;
   void drop_force() noexcept;
-  /// Hand::acts_after_s.
-  double acts_after_s(double dt_s) const noexcept;
   bool evaluate_law(Side& side, double dt_s) noexcept;
   Vector<DeviceFrame> device_force_N(const Side& side, Vector<SceneFrame> force_N) const noexcept;
   Vector<DeviceFrame> device_torque_Nm(const Side& side, Vector<SceneFrame> torque_Nm) const noexcept;
@@ -92,10 +87,13 @@ class TickPipeline {
   Potential potential(double faded) const noexcept;
   /// What of it the hand gave.
   double given_J(const RiseLimit& rise) const noexcept;
+  /// What a change of parameters on the same surface added to it in this tick.
+  double changed_J(const RiseLimit& rise) const noexcept;
   void account_spring(double dt_s, bool wanted) noexcept;
   void account_stall(RiseLimit::Input in, double dt_s) noexcept;
   void make_torque(double risen_s) noexcept;
   void control_energy(double dt_s) noexcept;
+  void bound(double dt_s) noexcept;
   void send() noexcept;
   bool evaluate_laws(double dt_s) noexcept;
   void fade(double dt_s) noexcept;
@@ -113,6 +111,7 @@ class TickPipeline {
   void make_force(double dt_s) noexcept;
   void begin_touch() noexcept;
   void describe(const device::Reading& reading) noexcept;
+  void count_shown_work() noexcept;
   void report_changes(const TouchSample& before) noexcept;
   void report_status(bool healthy, std::uint32_t status) noexcept;
   void emit(TouchEvent::Kind kind, std::uint32_t value) noexcept;
@@ -134,11 +133,8 @@ class TickPipeline {
   const HapticScene* retired_ = nullptr;
 
   ReadingFilter readings_;
-  VelocityEstimator velocity_;
+  HandMotion motion_;
   FinePosition fine_;
-  Vector<DeviceFrame> velocity_m_per_s_;
-  VelocityGain gain_;
-  Vector<DeviceFrame> gains_m_per_s_;
   Point<DeviceFrame> position_;
   /// Since the previous tick, m.
   Vector<DeviceFrame> moved_;
@@ -156,10 +152,12 @@ class TickPipeline {
   RiseLimit rise_;
   RiseLimit uncontrolled_rise_;
   /// What the springs held before the current change of scene; the work on the hand during it; and the most
-  /// energy that it has brought so far.
+  /// energy that it has brought so far. On the same surface: the sum of what it changed.
   double stored_before_change_J_ = 0.0;
   double change_work_J_ = 0.0;
   double change_brought_J_ = 0.0;
+  /// What the current change of scene added to the stored energy in this tick.
+  double changed_J_ = 0.0;
   /// What the law stores, as of the last account.
   double stored_J_ = 0.0;
   /// And its spring's force.
@@ -202,6 +200,7 @@ class TickPipeline {
   std::uint32_t flags_ = 0;
   PassivityObserver observer_;
   PassivityObserver without_controller_;
+  ShownWork shown_;
   TouchSample sample_;
   TickCounts counts_;
 };

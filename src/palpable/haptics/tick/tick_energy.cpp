@@ -4,6 +4,7 @@
 #include "palpable/haptics/tick/tick.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace palpable::haptics {
@@ -24,8 +25,8 @@ TickPipeline::Potential TickPipeline::potential(double faded) const noexcept {
                      {}};
   };
   Potential p = of(now_);
-  if (fading() && has_spring()) {
-    // A blend of two springs' forces is the force of their energies' blend.
+  if (fading() && now_.energy == coming_.energy) {
+    // A blend of two forces with potentials is the force of their energies' blend.
     const Potential next = of(coming_);
     p.spring_N += faded * (next.spring_N - p.spring_N);
     p.stored_J += faded * (next.stored_J - p.stored_J);
@@ -59,7 +60,7 @@ void TickPipeline::account_spring(double dt_s, bool wanted) noexcept {
   in.gain_rise = risen_s / options_.ramp_up_s;
   in.spring_N = p.spring_N;
   in.stored_J = is_accounted() ? p.stored_J : std::numeric_limits<double>::quiet_NaN();
-  if (fading()) in.changed_J = p.stored_J - potential(faded_before_).stored_J;
+  in.changed_J = changed_J_ = fading() ? p.stored_J - potential(faded_before_).stored_J : 0.0;
   in.delay_ticks = static_cast<double>(delay_);
   const double spring_N = norm(p.spring_N);
   if (spring_N > 0.0) in.moved_out_m = dot(p.spring_N, moved_) / spring_N;
@@ -105,14 +106,21 @@ double TickPipeline::given_J(const RiseLimit& rise) const noexcept {
 }
 
 void TickPipeline::count_scene_change() noexcept {
-  // What a change brings: the work during it, and what the springs store more than before it.
-  if ((flags_ & flag::kFading) == 0 || same_surface_) return;
+  if ((flags_ & flag::kFading) == 0) return;
+  // What a change brings. On the same surface that is what its parameters add to the spring; otherwise the
+  // work during it, and what the springs store more than before it.
   const double given = given_J(rise_);
-  change_work_J_ += received_.written_J;
-  const double brought_J = change_work_J_ + (std::isfinite(given) ? given - stored_before_change_J_ : 0.0);
-  const double most_J = std::max(change_brought_J_, brought_J);
+  change_work_J_ += same_surface_ ? changed_J(rise_) : received_.written_J;
+  const double more_J = same_surface_ || !std::isfinite(given) ? 0.0 : given - stored_before_change_J_;
+  const double most_J = std::max(change_brought_J_, change_work_J_ + more_J);
   counts_.scene_change_J += most_J - change_brought_J_;
   change_brought_J_ = most_J;
+}
+
+double TickPipeline::changed_J(const RiseLimit& rise) const noexcept {
+  // A spring that is held back begins where the hand is: a change adds nothing to it.
+  const bool adds = same_surface_ && std::isfinite(changed_J_) && !(is_accounted() && rise.is_weaker());
+  return adds ? changed_J_ : 0.0;
 }
 
 void TickPipeline::observe(double dt_s) noexcept {
@@ -144,18 +152,34 @@ void TickPipeline::observe(double dt_s) noexcept {
     return;
   }
   step.stored_J = given_J(rise_);
+  step.changed_J = changed_J(rise_);
   observer_.update(step);
   step.stored_J = given_J(uncontrolled_rise_);
+  step.changed_J = changed_J(uncontrolled_rise_);
   step.weakened = false;
   step.held_force_N = held().uncontrolled_N;
   step.rotation_J = stalled ? received_.uncontrolled_J : dot(held().uncontrolled_Nm, rotated_);
   without_controller_.update(step);
 }
 
+void TickPipeline::count_shown_work() noexcept {
+  ShownWork::Tick shown;
+  shown.position = sample_.device_position;
+  shown.is_valid = sample_.status == device::Status::ok && !sample_.has(flag::kImplausible);
+  shown.velocity_m_per_s = motion_.velocity_m_per_s();
+  shown.dt_s = sample_.dt_s;
+  shown.written_N = written_N_;
+  shown.guide_N = guide_N_;
+  shown.flags = sample_.flags;
+  shown.is_contact_law =
+      !has_torque_ && (now_.energy == EnergyModel::spring || now_.energy == EnergyModel::none);
+  shown_.take(shown);
+}
+
 void TickPipeline::control_energy(double dt_s) noexcept {
   if (options_.passivity != Passivity::control || now_.energy == EnergyModel::self_limited) return;
   const double gives_W =
-      dot(written_N_, velocity_m_per_s_) + dot(written_Nm_, rotation_.velocity_rad_per_s());
+      dot(written_N_, motion_.velocity_m_per_s()) + dot(written_Nm_, rotation_.velocity_rad_per_s());
   const double factor = passivity_factor(gives_W, observer_.made_J(), dt_s);
   if (factor >= 1.0) return;
   flags_ |= flag::kPassivityActed;

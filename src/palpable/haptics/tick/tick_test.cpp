@@ -354,5 +354,27 @@ TEST(Tick, NeverAllocates) {
   EXPECT_EQ(scope.count(), 0U);
 }
 
+TEST(Tick, EnergyOfAStiffnessThatGrowsUnderAPressingHandIsTheChangesNotTheLaws) {
+  TickOptions options;
+  options.passivity = Passivity::observe;
+  Loop loop(plane(100.0), options);
+  loop.device.reading.position.v = {0.0, 0.0, 0.0005};
+  loop.run(10);
+  for (int k = 1; k <= 20; ++k) {
+    loop.device.reading.position.v.z = 0.0005 - 1.25e-4 * k;
+    loop.run(1);
+  }
+  // 2 mm deep: 0.2 mJ at 100 N/m, 1.4 mJ at 700 N/m.
+  HapticScene stiffer{plane(700.0), {}, 2};
+  loop.tick->change(stiffer);
+  loop.run(300);
+  EXPECT_NEAR(loop.tick->counts().scene_change_J, 1.2e-3, 2e-5);
+  for (int k = 1; k <= 40; ++k) {
+    loop.device.reading.position.v.z = -0.002 + 1e-4 * k;
+    loop.run(1);
+  }
+  EXPECT_LE(loop.tick->counts().made_max_J, 1e-4) << "what a held spring of 700 N/m without a damper makes";
+}
+
 }  // namespace
 }  // namespace palpable::haptics

@@ -71,6 +71,33 @@ Raster<float> between_slopes(const Raster<float>& heights, double step) {
   return mean;
 }
 
+/// The mean over 2 radius + 1 values of a line, whose ends continue.
+void average_line(std::vector<double>& line, std::vector<double>& sums, int radius) {
+  const auto n = static_cast<int>(line.size());
+  const auto at = [&](int k) { return line[static_cast<std::size_t>(std::clamp(k, 0, n - 1))]; };
+  double sum = 0.0;
+  for (int k = -radius; k <= radius; ++k) sum += at(k);
+  for (int k = 0; k < n; ++k) {
+    sums[static_cast<std::size_t>(k)] = sum / (2 * radius + 1);
+    sum += at(k + radius + 1) - at(k - radius);
+  }
+  line.swap(sums);
+}
+
+/// Applies `change` to every line of a raster along one axis.
+template <class Change>
+void change_lines(Raster<float>& z, bool rows, Change&& change) {
+  const int lines = rows ? z.height() : z.width();
+  const int length = rows ? z.width() : z.height();
+  std::vector<double> line(static_cast<std::size_t>(length));
+  for (int k = 0; k < lines; ++k) {
+    for (int i = 0; i < length; ++i) line[static_cast<std::size_t>(i)] = double{rows ? z(i, k) : z(k, i)};
+    change(line);
+    for (int i = 0; i < length; ++i)
+      (rows ? z(i, k) : z(k, i)) = static_cast<float>(line[static_cast<std::size_t>(i)]);
+  }
+}
+
 }  // namespace
 
 void limit_slope(Raster<float>& height_m, double pixel_m, double steepest_slope) {
@@ -95,6 +122,36 @@ void limit_slope(Raster<float>& height_m, double pixel_m, double steepest_slope)
 void cut_to_slope(Raster<float>& height_m, double pixel_m, double steepest_slope) {
   PALPABLE_CHECK(pixel_m > 0.0 && steepest_slope > 0.0);
   lower_to_slope(height_m, steepest_slope * pixel_m / kBetweenDirections);
+}
+
+void smooth_heights(Raster<float>& height_m, int radius_px) {
+  PALPABLE_CHECK(radius_px >= 0);
+  if (radius_px == 0) return;
+  constexpr int kMeans = 3;
+  std::vector<double> sums;
+  for (const bool rows : {true, false})
+    change_lines(height_m, rows, [&](std::vector<double>& line) {
+      sums.resize(line.size());
+      for (int k = 0; k < kMeans; ++k) average_line(line, sums, radius_px);
+    });
+}
+
+double greatest_bend_per_m(const Raster<float>& height_m, double pixel_m) {
+  const int w = height_m.width(), h = height_m.height();
+  const auto at = [&](int x, int y) {
+    return double{height_m(std::clamp(x, 0, w - 1), std::clamp(y, 0, h - 1))};
+  };
+  double greatest = 0.0;
+  for (int y = 0; y < h; ++y)
+    for (int x = 0; x < w; ++x) {
+      const double z = at(x, y);
+      const double along_x = at(x - 1, y) - 2.0 * z + at(x + 1, y);
+      const double along_y = at(x, y - 1) - 2.0 * z + at(x, y + 1);
+      const double mixed = 0.25 * (at(x + 1, y + 1) - at(x - 1, y + 1) - at(x + 1, y - 1) + at(x - 1, y - 1));
+      const double mean = 0.5 * (along_x + along_y);
+      greatest = std::max(greatest, std::abs(mean) + std::hypot(0.5 * (along_x - along_y), mixed));
+    }
+  return greatest / (pixel_m * pixel_m);
 }
 
 }  // namespace palpable::models

@@ -16,4 +16,13 @@ void limit_slope(Raster<float>& height_m, double pixel_m, double steepest_slope)
 /// step becomes a ramp that begins at its foot, so low ground beside a high object remains level.
 void cut_to_slope(Raster<float>& height_m, double pixel_m, double steepest_slope);
 
+/// Smooths heights: three means over squares of 2 radius_px + 1 pixels, one after the other, which is close
+/// to a Gaussian of sqrt(radius_px (radius_px + 1)) pixels. Beyond the border its heights continue. radius_px
+/// >= 0.
+void smooth_heights(Raster<float>& height_m, int radius_px);
+
+/// The greatest curvature of a grid of heights, 1/m: the largest eigenvalue of the second differences by
+/// size.
+double greatest_bend_per_m(const Raster<float>& height_m, double pixel_m);
+
 }  // namespace palpable::models

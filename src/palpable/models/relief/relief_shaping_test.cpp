@@ -88,5 +88,61 @@ TEST(CutToSlope, KeepsTheFootOfAStepLevel) {
   EXPECT_LE(greatest_slope(discs, kPixel_m), 3.0);
 }
 
+TEST(SmoothHeights, SpreadsAPixelAsAGaussianWouldAndKeepsItsVolume) {
+  constexpr int kMiddle = 50, kRadius = 3;
+  Raster<float> z(101, 101);
+  z(kMiddle, kMiddle) = 1.0F;
+  smooth_heights(z, kRadius);
+  double sum = 0.0, variance = 0.0;
+  for (int y = 0; y < 101; ++y)
+    for (int x = 0; x < 101; ++x) {
+      sum += double{z(x, y)};
+      variance += (x - kMiddle) * (x - kMiddle) * double{z(x, y)};
+    }
+  EXPECT_NEAR(sum, 1.0, 1e-5);
+  EXPECT_NEAR(variance, kRadius * (kRadius + 1.0), 1e-3);
+  EXPECT_NEAR(z(kMiddle + 3 * kRadius + 1, kMiddle), 0.0, 1e-12);
+}
+
+TEST(SmoothHeights, LeavesLevelGroundAndARadiusOfZeroAlone) {
+  Raster<float> level(30, 20, 0.004F);
+  smooth_heights(level, 5);
+  for (const float z : level.values()) EXPECT_NEAR(z, 0.004, 1e-9);
+  Raster<float> rough = discs_and_noise(3);
+  const Raster<float> before = rough;
+  smooth_heights(rough, 0);
+  EXPECT_EQ(rough, before);
+}
+
+TEST(GreatestBend, IsThatOfABowlAndOfTheSplineOverRoughHeights) {
+  Raster<float> bowl(60, 60);
+  for (int y = 0; y < 60; ++y)
+    for (int x = 0; x < 60; ++x) {
+      const double right_m = kPixel_m * (x - 30), down_m = kPixel_m * (y - 30);
+      bowl(x, y) = static_cast<float>(0.5 * 40.0 * right_m * right_m - 0.5 * 25.0 * right_m * down_m);
+    }
+  // Its border continues level, which is a kink; so only the inner half of the bowl counts.
+  const double diagonal = std::hypot(20.0, 12.5);
+  Raster<float> inner(30, 30);
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < 30; ++x) inner(x, y) = bowl(x + 15, y + 15);
+  EXPECT_GE(greatest_bend_per_m(inner, kPixel_m), 0.99 * (20.0 + diagonal));
+  for (unsigned seed = 1; seed < 4; ++seed) {
+    const Raster<float> rough = discs_and_noise(seed);
+    const double bend = greatest_bend_per_m(rough, kPixel_m);
+    const auto relief = *Relief::from_samples(rough, kPixel_m);
+    double most = 0.0;
+    for (int j = 0; j < 4 * rough.height(); ++j)
+      for (int i = 0; i < 4 * rough.width(); ++i) {
+        const auto s = relief.curved_sample(-0.5 * relief.size_x_m() + 0.25 * i * kPixel_m,
+                                            -0.5 * relief.size_y_m() + 0.25 * j * kPixel_m);
+        most = std::max(most, std::abs(0.5 * (s.dzdxx_per_m + s.dzdyy_per_m)) +
+                                  std::hypot(0.5 * (s.dzdxx_per_m - s.dzdyy_per_m), s.dzdxy_per_m));
+      }
+    EXPECT_LE(most, bend);
+    EXPECT_GE(most, 0.2 * bend);
+  }
+}
+
 }  // namespace
 }  // namespace palpable::models

@@ -198,6 +198,7 @@ CheckReport Check::finish(const device::RecordingReader& reader) {
   report_.periods = forces_.periods();
   report_.missed = forces_.missed();
   report_.made_max_J = forces_.made_max_J();
+  report_.since_zero_force_max_J = forces_.since_zero_max_J();
   if (report_.recomputed > 0) {
     const auto counts = touch_.counts();
     report_.observed_made_max_J = counts.made_max_J;
@@ -225,15 +226,9 @@ Result<CheckReport> check_recording(const std::filesystem::path& file, const Che
     if (auto taken = check.take(*piece); !taken) return std::move(taken).error();
     work.report((*reader)->fraction(), "Checking");
   }
+  // Nothing can be computed with such times.
+  if ((*reader)->end() == device::RecordingEnd::wrong_times) return (*reader)->check_end().error();
   return check.finish(**reader);
-}
-
-Result<RecordedSession> read_recorded_session(const std::filesystem::path& file) {
-  const auto reader = device::RecordingReader::open(file);
-  if (!reader) return reader.error();
-  auto session = parse_header((*reader)->header_json());
-  if (!session) return invalid_input(session.error().message, file.string());
-  return session;
 }
 
 }  // namespace palpable::session

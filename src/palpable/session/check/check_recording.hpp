@@ -53,6 +53,8 @@ struct CheckReport {
   /// Energy generated in contacts: computed from the recorded forces alone (RecordedForces::made_max_J), and
   /// by the recomputed passivity observer with and without the controller (NaN if not recomputed).
   double made_max_J = 0.0;
+  /// The plain sum of forces times movements, an upper bound (haptics::ShownWork::since_zero_max_J).
+  double since_zero_force_max_J = 0.0;
   double observed_made_max_J = std::numeric_limits<double>::quiet_NaN();
   double observed_made_max_without_controller_J = std::numeric_limits<double>::quiet_NaN();
   std::vector<Finding> findings;
@@ -64,11 +66,9 @@ struct CheckReport {
 };
 
 /// Checks a recording of any size in bounded memory: recomputes what it can and lists problems. Long work:
-/// reports progress, polls cancel. Errors: as RecordingReader::open() and parse_header(); interrupted.
+/// reports progress, polls cancel. Errors: as RecordingReader::open() and parse_header(); times that are not
+/// finite or do not increase; interrupted.
 Result<CheckReport> check_recording(const std::filesystem::path& file, const CheckOptions& options,
                                     const Work& work);
-
-/// Reads the session data of a recording. Errors: as check_recording().
-Result<RecordedSession> read_recorded_session(const std::filesystem::path& file);
 
 }  // namespace palpable::session

@@ -26,11 +26,6 @@ double max_allowed_N(const RecordedSession& session) {
   return std::min(device_N, session.tick.max_force_N);
 }
 
-double resolution_m(const RecordedSession& session) {
-  if (!session.traits || !std::isfinite(session.traits->position_resolution_m)) return 0.0;
-  return session.traits->position_resolution_m;
-}
-
 }  // namespace
 
 RecordedForces::RecordedForces(const RecordedSession& session, Findings& findings)
@@ -38,9 +33,7 @@ RecordedForces::RecordedForces(const RecordedSession& session, Findings& finding
       findings_(findings),
       max_allowed_N_(max_allowed_N(session)),
       has_own_times_(session.device_url.starts_with("replay:")),
-      fine_(resolution_m(session)),
-      delay_(static_cast<std::size_t>(
-          std::clamp(session.traits ? session.traits->delay_samples : 0, 0, static_cast<int>(kSent) - 1))) {}
+      work_(session.traits.value_or(device::Traits{}), session.tick) {}
 
 void RecordedForces::take(const device::TouchSample& tick, const RecordedTouch* touch) {
   check_time(tick);
@@ -51,10 +44,7 @@ void RecordedForces::take(const device::TouchSample& tick, const RecordedTouch* 
       touch != nullptr ? touch->scene_from_device : Transform<SceneFrame, DeviceFrame>{};
   const Vector<DeviceFrame> force_N = rotate_force(place.inverse(), tick.written_force_N);
   check_force(tick, force_N);
-  newest_ = (newest_ + 1) % kSent;
-  // After a stall or a pause the hand may get back what it gave before, though there was no force between.
-  sent_[newest_] = {force_N, tick.has(flag::kPassivityActed | flag::kStalled | flag::kRamping)};
-  if (touch != nullptr) check_work(tick, *touch);
+  check_work(tick, touch, force_N);
 }
 
 bool RecordedForces::agree(double between_ticks_s, double period_s) const {
@@ -67,12 +57,12 @@ bool RecordedForces::agree(double between_ticks_s, double period_s) const {
 void RecordedForces::check_time(const device::TouchSample& tick) {
   if (ticks_ > 0 && tick.tick < next_tick_) {
     findings_.add(FindingKind::damage, tick, 0.0, "its ticks are not in their order");
-    knows_before_ = knows_place_ = false;
+    knows_before_ = false;
+    work_.forget_place();
   } else if (ticks_ > 0 && tick.tick > next_tick_) {
     findings_.add(FindingKind::lost_ticks, tick, static_cast<double>(tick.tick - next_tick_));
-    knows_before_ = knows_place_ = false;
-  } else if (ticks_ > 0 && tick.t_s <= before_s_) {
-    findings_.add(FindingKind::damage, tick, 0.0, "its time does not rise");
+    knows_before_ = false;
+    work_.forget_place();
   } else if (ticks_ > 0 && !agree(tick.t_s - before_s_, tick.dt_s)) {
     findings_.add(FindingKind::damage, tick, 0.0, "the times of its ticks contradict their periods");
   }
@@ -110,37 +100,22 @@ void RecordedForces::check_force(const device::TouchSample& tick, Vector<DeviceF
   knows_before_ = true;
 }
 
-void RecordedForces::check_work(const device::TouchSample& tick, const RecordedTouch& touch) {
-  const haptics::LawDescription& law = haptics::description_of(touch.law.law);
-  since_place_s_ += tick.dt_s;
-  haptics::PassivityObserver::Step step;
-  const bool good =
-      tick.status == device::Status::ok && !tick.has(flag::kImplausible) && is_finite(tick.device_position);
-  if (good) {
-    const auto velocity = touch.scene_from_device.inverse() * tick.velocity_m_per_s;
-    const Point<DeviceFrame> before = fine_.place();
-    const Point<DeviceFrame> now = fine_.update(tick.device_position, velocity, since_place_s_);
-    if (knows_place_) step.moved_m = now - before;
-    knows_place_ = true;
-    since_place_s_ = 0.0;
-  }
-  // A change of scene or a new touch starts a new balance, as in the servo's own observer. A new touch starts
-  // without force, so a hand cannot receive energy that it did not deliver.
-  using Beginning = haptics::PassivityObserver::Beginning;
-  // Neither for other laws nor with a guide, whose reserve gives energy, does the work alone prove anything.
-  if (!law.is_contact || touch.guide || tick.has(flag::kNewTouch | flag::kFading)) {
-    observer_.begin(0.0, tick.has(flag::kNewTouch) ? Beginning::from_no_force : Beginning::in_contact);
-    return;
-  }
-  counts_work_ = true;
-  const Sent& held = sent_[(newest_ + 2 * kSent - 1 - delay_) % kSent];
-  step.held_force_N = held.force_N;
-  step.weakened = held.weakened;
-  step.dt_s = tick.dt_s;
-  step.stored_J = std::numeric_limits<double>::quiet_NaN();
-  step.contact = tick.has(flag::kContact);
-  observer_.update(step);
-  if (observer_.made_J() > kEnergyMade_J) findings_.add(FindingKind::energy_made, tick, observer_.made_J());
+void RecordedForces::check_work(const device::TouchSample& tick, const RecordedTouch* touch,
+                                Vector<DeviceFrame> force_N) {
+  haptics::ShownWork::Tick shown;
+  shown.position = tick.device_position;
+  shown.is_valid = tick.status == device::Status::ok && !tick.has(flag::kImplausible);
+  shown.dt_s = tick.dt_s;
+  shown.written_N = is_finite(force_N) ? force_N : Vector<DeviceFrame>{};
+  shown.flags = tick.flags;
+  // Neither for other laws, nor with a guide, whose reserve gives energy, nor beside the work of a torque
+  // does that of the force prove anything.
+  shown.is_contact_law = touch != nullptr && haptics::description_of(touch->law.law).is_contact &&
+                         !touch->guide && !(session_.traits && session_.traits->has_torque);
+  if (touch != nullptr) shown.velocity_m_per_s = touch->scene_from_device.inverse() * tick.velocity_m_per_s;
+  work_.take(shown);
+  if (shown.is_contact_law && work_.made_J() > kEnergyMade_J)
+    findings_.add(FindingKind::energy_made, tick, work_.made_J());
 }
 
 bool is_in_free_air(const haptics::HapticScene& scene, const device::TouchSample& before,

@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/haptics/safety/passivity.hpp"
 #include "palpable/haptics/servo/latency_recorder.hpp"
-#include "palpable/haptics/tick/velocity.hpp"
+#include "palpable/haptics/tick/shown_work.hpp"
 #include "palpable/session/check/findings.hpp"
 #include "palpable/session/check/recorded_scenes.hpp"
 #include "palpable/session/touch/recording_header.hpp"
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -33,9 +30,9 @@ class RecordedForces {
   double duration_s() const { return duration_s_; }
   /// Greatest work on the hand in a contact that began in free air, J. NaN if no contact law was used
   /// without a guide: for others the work alone proves nothing.
-  double made_max_J() const {
-    return counts_work_ ? observer_.made_max_J() : std::numeric_limits<double>::quiet_NaN();
-  }
+  double made_max_J() const { return known(work_.made_max_J()); }
+  /// haptics::ShownWork::since_zero_max_J(), J. NaN as above.
+  double since_zero_max_J() const { return known(work_.since_zero_max_J()); }
   haptics::LatencySummary periods() const { return periods_.summary(); }
 
  private:
@@ -43,7 +40,10 @@ class RecordedForces {
   /// Whether the time between two consecutive ticks equals the period that the later one states.
   bool agree(double between_ticks_s, double period_s) const;
   void check_force(const device::TouchSample& tick, Vector<DeviceFrame> force_N);
-  void check_work(const device::TouchSample& tick, const RecordedTouch& touch);
+  void check_work(const device::TouchSample& tick, const RecordedTouch* touch, Vector<DeviceFrame> force_N);
+  double known(double value) const {
+    return work_.counts() ? value : std::numeric_limits<double>::quiet_NaN();
+  }
 
   const RecordedSession& session_;
   Findings& findings_;
@@ -61,19 +61,7 @@ class RecordedForces {
   Vector<DeviceFrame> before_N_;
   bool knows_before_ = false;
   haptics::LatencyRecorder periods_;
-  haptics::PassivityObserver observer_;
-  bool counts_work_ = false;
-  haptics::FinePosition fine_;
-  bool knows_place_ = false;
-  double since_place_s_ = 0.0;
-  static constexpr std::size_t kSent = 16;
-  struct Sent {
-    Vector<DeviceFrame> force_N;
-    bool weakened = false;
-  };
-  std::array<Sent, kSent> sent_{};
-  std::size_t newest_ = 0;
-  std::size_t delay_;
+  haptics::ShownWork work_;
 };
 
 /// Smallest energy that counts as generated. Less is within the uncertainty of the hand's position due to the

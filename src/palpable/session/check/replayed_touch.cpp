@@ -91,42 +91,34 @@ const device::TouchSample* ReplayedTouch::step(const device::TouchSample& record
   return sample;
 }
 
-Vector<DeviceFrame> ReplayedGain::step(const device::TouchSample& recorded) {
-  if (!session_.repeats()) return {};
-  const device::Traits& traits = *session_.traits;
-  const double step_m = std::isfinite(traits.position_resolution_m) ? traits.position_resolution_m : 0.0;
-  if (!estimate_)
-    estimate_.emplace(haptics::VelocityEstimator(step_m), haptics::VelocityGain(traits.delay_samples));
-  // As TickPipeline::take() and begin_touch().
-  const auto begin = [&] {
-    estimate_->velocity.begin();
-    estimate_->gain.begin();
-    gains_m_per_s_ = {};
-  };
-  passed_s_ += recorded.dt_s;
-  if (recorded.has(flag::kStalled)) begin();
-  if (recorded.status == device::Status::ok && !recorded.has(flag::kImplausible)) {
-    const auto velocity = estimate_->velocity.update(recorded.device_position, passed_s_);
-    const double acts_after_s =
-        (std::max(0, traits.delay_samples) + 0.5) * std::min(passed_s_, session_.tick.max_rise_time_s);
-    gains_m_per_s_ = estimate_->gain.update(velocity, estimate_->velocity.age_s(), acts_after_s, passed_s_);
-    passed_s_ = 0.0;
-  }
-  if (recorded.has(flag::kNewTouch)) begin();
-  return gains_m_per_s_;
+ReplayedHand::ReplayedHand(const RecordedSession& session) {
+  if (session.repeats()) motion_.emplace(*session.traits, session.tick);
 }
 
-haptics::Hand recorded_hand(const device::TouchSample& recorded, const haptics::HapticScene& scene,
-                            Vector<DeviceFrame> gains_m_per_s) {
-  haptics::Hand hand{recorded.position, recorded.velocity_m_per_s, recorded.dt_s};
-  hand.gains_m_per_s = scene.scene_from_device * gains_m_per_s;
-  hand.rotation = haptics::rotation_in_scene(scene.scene_from_device, recorded.device_rotation);
-  hand.angular_velocity_rad_per_s = recorded.angular_velocity_rad_per_s;
+void ReplayedHand::step(const device::TouchSample& recorded) {
+  recorded_ = recorded;
+  if (!motion_) return;
+  passed_s_ += recorded.dt_s;
+  // As TickPipeline: after both, earlier readings say nothing.
+  if (recorded.has(flag::kStalled | flag::kNewTouch)) motion_->begin();
+  if (recorded.status != device::Status::ok || recorded.has(flag::kImplausible)) return;
+  motion_->update(recorded.device_position, passed_s_);
+  passed_s_ = 0.0;
+}
+
+haptics::Hand ReplayedHand::in(const haptics::HapticScene& scene) const {
+  haptics::Hand hand{recorded_.position, recorded_.velocity_m_per_s, recorded_.dt_s};
+  if (motion_) {
+    hand.acts_after_s = motion_->acts_after_s(recorded_.dt_s);
+    hand.gains_m_per_s = scene.scene_from_device * motion_->gains_m_per_s();
+  }
+  hand.rotation = haptics::rotation_in_scene(scene.scene_from_device, recorded_.device_rotation);
+  hand.angular_velocity_rad_per_s = recorded_.angular_velocity_rad_per_s;
   return hand;
 }
 
 std::optional<haptics::LawOutput> ReplayedLaw::step(const device::TouchSample& recorded) {
-  const Vector<DeviceFrame> gains_m_per_s = gain_.step(recorded);
+  hand_.step(recorded);
   const bool follows = recorded.tick == next_tick_ && recorded.scene_id == scene_id_;
   next_tick_ = recorded.tick + 1;
   scene_id_ = recorded.scene_id;
@@ -143,8 +135,7 @@ std::optional<haptics::LawOutput> ReplayedLaw::step(const device::TouchSample& r
   const haptics::HapticScene* scene = scenes_.scene(recorded.scene_id);
   if (scene == nullptr) return std::nullopt;
   const haptics::ServoArithmetic arithmetic;
-  const haptics::LawOutput output =
-      scene->touchable->evaluate(recorded_hand(recorded, *scene, gains_m_per_s), state_);
+  const haptics::LawOutput output = scene->touchable->evaluate(hand_.in(*scene), state_);
   known_ = known_ || is_new || !output.contact;
   return output;
 }

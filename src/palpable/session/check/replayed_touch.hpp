@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/system/hand_off.hpp"
+#include "palpable/haptics/tick/hand_motion.hpp"
 #include "palpable/haptics/tick/tick.hpp"
 #include "palpable/session/check/recorded_scenes.hpp"
 #include "palpable/session/touch/recording_header.hpp"
@@ -44,24 +45,22 @@ class ReplayedTouch {
   bool lost_ = false;
 };
 
-/// The change of the hand's velocity that the servo expected in each tick (haptics::VelocityGain), which is
-/// not recorded: recomputed from the recorded positions. One thread.
-class ReplayedGain {
+/// The hand as the servo gave it to the law, tick by tick: recorded positions and velocities, and what is not
+/// recorded (its expected motion until the force acts), which is recomputed by the class that the servo uses.
+/// One thread.
+class ReplayedHand {
  public:
-  /// Zero if the session is an older program's, whose laws did not use it.
-  explicit ReplayedGain(const RecordedSession& session) : session_(session) {}
+  explicit ReplayedHand(const RecordedSession& session);
 
-  /// At the next recorded tick, in the device frame, m/s.
-  Vector<DeviceFrame> step(const device::TouchSample& recorded);
+  /// The next recorded tick.
+  void step(const device::TouchSample& recorded);
+  /// The law's input at that tick.
+  haptics::Hand in(const haptics::HapticScene& scene) const;
 
  private:
-  struct Estimate {
-    haptics::VelocityEstimator velocity;
-    haptics::VelocityGain gain;
-  };
-  const RecordedSession& session_;
-  std::optional<Estimate> estimate_;
-  Vector<DeviceFrame> gains_m_per_s_;
+  /// None if the session is an older program's, whose laws did not look ahead.
+  std::optional<haptics::HandMotion> motion_;
+  device::TouchSample recorded_;
   double passed_s_ = 0.0;
 };
 
@@ -71,7 +70,7 @@ class ReplayedGain {
 /// changes of scene. One thread.
 class ReplayedLaw {
  public:
-  ReplayedLaw(const RecordedSession& session, RecordedScenes& scenes) : gain_(session), scenes_(scenes) {}
+  ReplayedLaw(const RecordedSession& session, RecordedScenes& scenes) : hand_(session), scenes_(scenes) {}
 
   /// The law's output at the next recorded tick; nullopt if it cannot be determined.
   std::optional<haptics::LawOutput> step(const device::TouchSample& recorded);
@@ -80,7 +79,7 @@ class ReplayedLaw {
   bool is_assumed() const { return assumed_; }
 
  private:
-  ReplayedGain gain_;
+  ReplayedHand hand_;
   RecordedScenes& scenes_;
   haptics::TouchState state_;
   bool known_ = false;
@@ -88,9 +87,5 @@ class ReplayedLaw {
   std::uint32_t scene_id_ = 0;
   std::uint64_t next_tick_ = 0;
 };
-
-/// The input of the law at a recorded tick; `gains_m_per_s` as ReplayedGain gives them.
-haptics::Hand recorded_hand(const device::TouchSample& recorded, const haptics::HapticScene& scene,
-                            Vector<DeviceFrame> gains_m_per_s);
 
 }  // namespace palpable::session

@@ -7,6 +7,7 @@
 #include "palpable/core/text/number_table.hpp"
 #include "palpable/device/recording/recording.hpp"
 #include "palpable/formats/packing/npz.hpp"
+#include "palpable/session/touch/recording_header.hpp"
 
 #include <algorithm>
 #include <string>
@@ -176,6 +177,7 @@ Result<ExportedRecording> export_npz(const std::filesystem::path& file, const st
 
 Result<ExportedRecording> export_recording(const std::filesystem::path& recording,
                                            const std::filesystem::path& output, const Work& work) {
+  if (const auto session = read_recorded_session(recording); !session) return session.error();
   if (output.extension() == ".csv") return export_csv(recording, output, work);
   if (output.extension() == ".npz") return export_npz(recording, output);
   return Error{ErrorCode::usage, "a recording is exported as .csv or .npz", output.string()};

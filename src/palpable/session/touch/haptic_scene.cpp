@@ -4,6 +4,7 @@
 
 #include "palpable/describe/numbers.hpp"
 #include "palpable/haptics/effect/texture.hpp"
+#include "palpable/haptics/law/rolling.hpp"
 #include "palpable/haptics/law/tool.hpp"
 #include "palpable/haptics/safety/stability.hpp"
 #include "palpable/haptics/tick/transient_player.hpp"
@@ -144,6 +145,44 @@ void limit_slope_force(const device::Traits& device, PreparedScene& prepared) {
       wanted_N, device.max_force_N));
 }
 
+/// Smooths what a ball rolls on, and limits its force, to what loop and device can render at every place. A
+/// slope beyond the device's force, or a bend beyond the stiffness limit, would generate energy.
+void fit_to_bends(const models::Scene& scene, const device::Traits& device, double rate_hz, double scale,
+                  double hand_damping_Ns_per_m, PreparedScene& prepared) {
+  auto& law = prepared.law;
+  const auto& description = haptics::description_of(law.law);
+  const auto* smoothing = haptics::find_parameter(description, &haptics::LawParameters::rolling_smoothing_m);
+  const auto* force = haptics::find_parameter(description, &haptics::LawParameters::slope_force_N);
+  const auto* damper = haptics::find_parameter(description, &haptics::LawParameters::damping_Ns_per_m);
+  if (smoothing == nullptr || force == nullptr || damper == nullptr || !device.pushes_back) return;
+  const haptics::RollingFit wanted{law.slope_force_N.value_or(force->preset.value_or(0.0)),
+                                   law.rolling_smoothing_m.value_or(smoothing->preset.value_or(0.0))};
+  const double least_damping = damper->preset.value_or(0.0);
+  const double damping = std::max(least_damping, law.damping_Ns_per_m.value_or(least_damping));
+  // Values out of range are rejected later by the law.
+  const auto is_within = [](const haptics::LawParameter& of, double value) {
+    return value >= of.min && value <= of.max;
+  };
+  if (!is_within(*force, wanted.slope_force_N) || !is_within(*smoothing, wanted.smoothing_m) ||
+      !is_within(*damper, law.damping_Ns_per_m.value_or(damping)))
+    return;
+  const auto safe = haptics::safe_slopes(device, rate_hz, scale, damping, hand_damping_Ns_per_m);
+  law.damping_Ns_per_m = safe.damping_Ns_per_m;
+  const auto fit = haptics::fit_rolling(scene, wanted, {safe.max_stiffness_N_per_m, safe.max_force_N});
+  law.slope_force_N = fit.slope_force_N;
+  law.rolling_smoothing_m = fit.smoothing_m;
+  if (fit.smoothing_m > wanted.smoothing_m)
+    prepared.notices.push_back(
+        fmt::format("The ball rolls on a surface that is smoothed by {}: this loop and device cannot render "
+                    "sharper bends.",
+                    describe::length(fit.smoothing_m)));
+  if (fit.slope_force_N < wanted.slope_force_N)
+    prepared.notices.push_back(
+        fmt::format("The force {:.2g} N on a slope of 1 was lowered to {:.2g} N: this loop and device cannot "
+                    "render more on this surface.",
+                    wanted.slope_force_N, fit.slope_force_N));
+}
+
 /// Limits the ball to what a field has room for, rather than refusing a scene because of the last one's ball.
 void limit_radius(const models::Scene& scene, PreparedScene& prepared) {
   const double largest_m = haptics::largest_radius_m(scene, prepared.law.law);
@@ -239,9 +278,12 @@ Result<PreparedScene> prepare_scene(const models::Scene& scene, const TouchSetti
   }
   auto scaled = with_kept_height(scene, settings.height_factor, kept);
   if (!scaled) return std::move(scaled).error();
-  if (settings.limits == Limits::of_device) limit_slope_force(device, prepared);
-  if (settings.limits == Limits::of_device)
-    make_safe(*scaled, device, rate_hz, scene_from_device.scale, settings.hand_damping_Ns_per_m, prepared);
+  if (settings.limits == Limits::of_device) {
+    const double scale = scene_from_device.scale;
+    limit_slope_force(device, prepared);
+    fit_to_bends(*scaled, device, rate_hz, scale, settings.hand_damping_Ns_per_m, prepared);
+    make_safe(*scaled, device, rate_hz, scale, settings.hand_damping_Ns_per_m, prepared);
+  }
   limit_radius(*scaled, prepared);
   make_carried(*scaled, device, rate_hz, scene_from_device.scale, prepared);
   prepared.materials = scaled->materials;

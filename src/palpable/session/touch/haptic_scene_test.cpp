@@ -126,18 +126,40 @@ TEST_F(PreparingAScene, LowersNoStiffnessWhereTheLimitsAreOff) {
   EXPECT_TRUE(unlimited.notices.empty());
 }
 
-TEST_F(PreparingAScene, LimitsTheForceOfTheRollingBallToWhatTheDeviceGives) {
+TEST_F(PreparingAScene, FitsTheForceOfTheRollingBallToDeviceAndSurface) {
   KeptSurfaces kept;
   TouchSettings settings;
   settings.law.law = haptics::Law::rolling;
-  EXPECT_TRUE(prepare(settings, kept).notices.empty()) << "the default is within it";
+  settings.law.slope_force_N = 0.1;
+  const auto gentle = prepare(settings, kept);
+  EXPECT_TRUE(gentle.notices.empty()) << gentle.notices.front();
+  EXPECT_EQ(gentle.law.slope_force_N, 0.1);
+  EXPECT_EQ(gentle.law.rolling_smoothing_m, 0.0);
   settings.law.slope_force_N = 50.0;
   const auto limited = prepare(settings, kept);
-  EXPECT_EQ(limited.law.slope_force_N, traits_.max_force_N);
-  ASSERT_EQ(limited.notices.size(), 1U);
+  EXPECT_LE(*limited.law.slope_force_N, traits_.max_force_N);
+  ASSERT_FALSE(limited.notices.empty());
   EXPECT_NE(limited.notices.front().find("greatest that the device gives"), std::string::npos);
   settings.limits = Limits::off;
   EXPECT_EQ(prepare(settings, kept).law.slope_force_N, 50.0);
+}
+
+TEST_F(PreparingAScene, SmoothsWhatABallRollsOnWhereItsBendsAreTooSharpAndSaysSo) {
+  KeptSurfaces kept;
+  TouchSettings settings;
+  settings.law.law = haptics::Law::rolling;
+  models::Scene spiky = scene_;
+  Raster<float> heights = models::relief_of(scene_)->samples_m();
+  for (int y = 2; y < heights.height(); y += 7)
+    for (int x = 3; x < heights.width(); x += 7) heights(x, y) += 0.0005F;
+  spiky.model = std::make_shared<const models::Relief>(
+      *models::Relief::from_samples(std::move(heights), models::relief_of(scene_)->pixel_m()));
+  const auto prepared =
+      prepare_scene(spiky, settings, traits_, kRate_hz, haptics::fit_workspace(spiky, traits_), kept);
+  ASSERT_TRUE(prepared) << prepared.error().sentence();
+  EXPECT_GT(prepared->law.rolling_smoothing_m, 0.0);
+  ASSERT_FALSE(prepared->notices.empty());
+  EXPECT_NE(prepared->notices.front().find("smoothed by"), std::string::npos);
 }
 
 TEST_F(PreparingAScene, AllowsStifferWallsInAHandThatDampsMore) {

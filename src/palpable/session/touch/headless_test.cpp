@@ -113,11 +113,11 @@ TEST(Recorder, StoresForcesThatTheLawReproducesToTheLastBit) {
   haptics::TouchState state;
   RecordedSession session;
   session.traits = traits;
-  ReplayedGain gain(session);
+  ReplayedHand replayed(session);
   int in_contact = 0;
   for (const auto& recorded : recording->ticks) {
-    const haptics::Hand hand = recorded_hand(recorded, prepared->scene, gain.step(recorded));
-    const auto output = prepared->scene.touchable->evaluate(hand, state);
+    replayed.step(recorded);
+    const auto output = prepared->scene.touchable->evaluate(replayed.in(prepared->scene), state);
     ASSERT_EQ(output.force_N, recorded.raw_force_N) << "tick " << recorded.tick;
     in_contact += output.contact ? 1 : 0;
   }

@@ -3,12 +3,14 @@
 #include "palpable/session/touch/recording_header.hpp"
 
 #include "palpable/core/text/json_integer.hpp"
+#include "palpable/device/recording/recording.hpp"
 #include "palpable/device/recording/traits_json.hpp"
 #include "palpable/haptics/safety/passivity.hpp"
 #include "palpable/haptics/tick/velocity.hpp"
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -88,8 +90,17 @@ RecordedSession session_from_json(const HeaderJson& json, const std::string& tex
   session.device_url = json.at("device_url").get<std::string>();
   session.tick = tick_from_json(json.at("tick"));
   session.traits = device::recorded_traits(text);
+  if (json.contains("traits") && !session.traits) throw std::invalid_argument("the device's traits");
   session.has_our_estimator = json.at("estimator") == estimator_json();
   return session;
+}
+
+Result<void> check_values(const RecordedSession& session) {
+  constexpr double kMostRate_Hz = 100'000.0;
+  if (!(session.rate_hz > 0.0 && session.rate_hz <= kMostRate_Hz))
+    return invalid_input("a loop rate of " + std::to_string(session.rate_hz) + " Hz");
+  if (auto valid = haptics::check(session.tick); !valid) return valid;
+  return session.traits ? device::check(*session.traits) : Result<void>{};
 }
 
 }  // namespace
@@ -114,14 +125,22 @@ Result<RecordedSession> parse_header(const std::string& json) {
     RecordedSession session = session_from_json(HeaderJson::parse(json), json);
     if (session.format > kFormat)
       return invalid_input("is a recording of a newer format than this program reads");
-    constexpr double kMostRate_Hz = 100'000.0;
-    if (!(session.rate_hz > 0.0 && session.rate_hz <= kMostRate_Hz))
-      return invalid_input("is a recording whose header states a loop rate of " +
-                           std::to_string(session.rate_hz) + " Hz");
+    if (auto valid = check_values(session); !valid)
+      return invalid_input("is a recording whose header states what cannot be: " + valid.error().message);
     return session;
   } catch (const HeaderJson::exception&) {
     return invalid_input("is a recording whose header cannot be read");
+  } catch (const std::invalid_argument& what) {
+    return invalid_input(std::string("is a recording whose header cannot be read: ") + what.what());
   }
+}
+
+Result<RecordedSession> read_recorded_session(const std::filesystem::path& file) {
+  const auto reader = device::RecordingReader::open(file);
+  if (!reader) return reader.error();
+  auto session = parse_header((*reader)->header_json());
+  if (!session) return invalid_input(session.error().message, file.string());
+  return session;
 }
 
 }  // namespace palpable::session

@@ -7,6 +7,7 @@
 #include "palpable/haptics/tick/tick.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,7 +38,11 @@ struct RecordedSession {
 
 /// The header as one JSON object (docs/recording.md); numbers are restored to the last bit.
 std::string header_json(const RecordedSession& session);
-/// Reads a header. Errors (invalid_input), without a place: another kind of object, or a later format.
+/// Reads a header. Errors (invalid_input), without a place: another kind of object, a later format, or values
+/// that no touch has (rate, the device's traits, the tick's options). Whoever reads a recording asks it:
+/// `check`, `export` and `replay:` (device::OpenOptions::check_header).
 Result<RecordedSession> parse_header(const std::string& json);
+/// The same of a file. Errors: also those of device::RecordingReader::open().
+Result<RecordedSession> read_recorded_session(const std::filesystem::path& file);
 
 }  // namespace palpable::session

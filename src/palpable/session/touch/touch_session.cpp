@@ -140,6 +140,10 @@ Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const m
   device_options.strokes = [&scene](const device::Traits& traits) {
     return strokes_along_solid(*scene, haptics::fit_workspace(*scene, traits));
   };
+  device_options.check_header = [](const std::string& header) -> Result<void> {
+    const auto session = parse_header(header);
+    return session ? Result<void>{} : Result<void>(session.error());
+  };
   device_options.pointer = impl->pointers.front();
   auto device = device::open_device(device_url, device_options);
   if (!device) return std::move(device).error();

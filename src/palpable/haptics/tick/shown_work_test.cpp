@@ -1,0 +1,83 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/haptics/tick/shown_work.hpp"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace palpable::haptics {
+namespace {
+
+ShownWork::Tick at(double z_m, double force_N, std::uint32_t flags = flag::kContact) {
+  ShownWork::Tick tick;
+  tick.position.v.z = z_m;
+  tick.written_N.v.z = force_N;
+  tick.flags = flags;
+  return tick;
+}
+
+device::Traits without_delay() {
+  device::Traits traits;
+  traits.position_resolution_m = 0.0;
+  return traits;
+}
+
+/// A press of 1 mm against 1 N, which takes 1 mJ from the hand, and a way out against `out_N`.
+ShownWork pressed(double out_N, double last_dt_s, std::uint32_t last_flags) {
+  ShownWork work(without_delay(), {});
+  work.take(at(0.001, 0.0, 0));
+  work.take(at(0.0, 1.0));
+  work.take(at(-0.001, out_N));
+  ShownWork::Tick out = at(0.001, 0.0, last_flags);
+  out.dt_s = last_dt_s;
+  work.take(out);
+  return work;
+}
+
+TEST(ShownWork, IsWhatTheHandReceivedBeyondWhatItGave) {
+  EXPECT_NEAR(pressed(2.0, 0.001, 0).made_max_J(), 3e-3, 1e-12);
+  EXPECT_EQ(pressed(0.5, 0.001, 0).made_max_J(), 0.0);
+  EXPECT_NEAR(pressed(2.0, 0.001, 0).since_zero_max_J(), 3e-3, 1e-12);
+}
+
+TEST(ShownWork, CountsAMovementInAStallUntilTheWatchdogEndsTheForce) {
+  // 2 N over 5 of 50 ms of 2 mm are less than the hand gave.
+  EXPECT_EQ(pressed(2.0, 0.05, flag::kStalled).made_max_J(), 0.0);
+  EXPECT_NEAR(pressed(20.0, 0.05, flag::kStalled).made_max_J(), 3e-3, 1e-12);
+  EXPECT_NEAR(pressed(2.0, 0.05, flag::kStalled).since_zero_max_J(), 3e-3, 1e-12) << "the plain sum";
+}
+
+TEST(ShownWork, KnowsNothingOfLawsThatAreNoContactAndOfReadingsThatAreNone) {
+  ShownWork work(without_delay(), {});
+  ShownWork::Tick tick = at(0.001, 1.0);
+  tick.is_contact_law = false;
+  for (int n = 0; n < 10; ++n) {
+    tick.position.v.z += 0.001;
+    work.take(tick);
+  }
+  EXPECT_FALSE(work.counts());
+  EXPECT_EQ(work.made_max_J(), 0.0);
+  ShownWork lost(without_delay(), {});
+  lost.take(at(0.001, 0.0, 0));
+  lost.take(at(0.0, 1.0));
+  lost.take(at(std::numeric_limits<double>::quiet_NaN(), 1.0));
+  lost.take(at(-0.001, 0.0));
+  EXPECT_EQ(lost.made_max_J(), 0.0);
+}
+
+TEST(ShownWork, ChargesAForceThatActsLateToTheMovementThatItMoves) {
+  device::Traits late = without_delay();
+  late.delay_samples = 1;
+  ShownWork work(late, {});
+  work.take(at(0.0, 0.0, 0));
+  work.take(at(-0.001, 3.0));
+  // The motors still hold nothing.
+  work.take(at(0.002, 0.0));
+  EXPECT_EQ(work.made_max_J(), 0.0);
+  work.take(at(0.003, 0.0));
+  EXPECT_NEAR(work.made_max_J(), 3e-3, 1e-12);
+}
+
+}  // namespace
+}  // namespace palpable::haptics
