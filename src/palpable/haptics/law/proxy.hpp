@@ -53,8 +53,7 @@ class ProxyLaw : public ContactLaw<Surface> {
     const Vec3 stretched = proxy.place_m - hand.position.v;
     const models::CurvedSample& s = proxy.surface;
     const Outward up{{-s.dzdx, -s.dzdy, 1.0}, 1.0 / (1.0 + (s.dzdx * s.dzdx + s.dzdy * s.dzdy))};
-    output.force_N.v = proxy_force(hand, contact, proxy.place_m, before,
-                                   beyond_friction(up, stretched, contact.static_friction));
+    output.force_N.v = proxy_force(hand, contact, proxy.place_m, before, up);
     output.stored_J = 0.5 * contact.stiffness_N_per_m * squared_norm(stretched);
     output.spring_N.v = contact.stiffness_N_per_m * stretched;
     if (textures_.any()) {

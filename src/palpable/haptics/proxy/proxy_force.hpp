@@ -102,22 +102,6 @@ inline Vec3 turning_damper(const Hand& hand, const Contact& contact, Vec3 place_
   return (-share * push_N / speed) * along;
 }
 
-/// The direction in which the spring acts beyond what friction explains. On a smooth surface that is the
-/// normal: the proxy is the nearest point, or friction holds it back within its cone. In a pit of a rough
-/// surface, or while the proxy slides by a bounded way in a tick, it is not, and a damper along the normal
-/// would leave most of the spring undamped. Continuous in the spring's direction. Tick path.
-inline Outward beyond_friction(const Outward& normal, Vec3 spring_m, double friction) noexcept {
-  const double out_m = dot(spring_m, normal.v);
-  if (out_m <= 0.0) return normal;
-  const Vec3 across = (out_m * normal.per_length2) * normal.v;
-  const Vec3 along = spring_m - across;
-  const double along2 = squared_norm(along);
-  const double held2 = friction * friction * squared_norm(across);
-  if (along2 <= held2) return normal;
-  const Vec3 way = across + (1.0 - std::sqrt(held2 / along2)) * along;
-  return {way, 1.0 / squared_norm(way)};
-}
-
 /// The force of spring and dampers between the hand and a proxy at `place_m` on the surface. Tick path.
 inline Vec3 proxy_force(const Hand& hand, const Contact& contact, Vec3 place_m, const ProxyBefore& before,
                         const Outward& out) noexcept {

@@ -202,8 +202,8 @@ TEST_P(StallIn, ContactGivesNothingBackThatTheHandDidNotGive) {
     if (GetParam().force_shows_energy) {
       EXPECT_LE(worst.beyond_held_J, 1e-6) << "hand " << k;
     }
-    // The account forgets friction of long ago, and counts what a hand could have received in a stall, or would
-    // have if it had moved evenly.
+    // The account forgets friction of long ago, and counts what a hand could have received in a stall, or
+    // would have if it had moved evenly.
     EXPECT_LE(worst.said_J, 4e-5) << "hand " << k;
     EXPECT_LT(worst.beyond_rise_N, 1e-9) << "hand " << k;
     in_contact += worst.in_contact;
