@@ -1,7 +1,7 @@
 # The table of allowed dependencies between modules, and between the rooms (folders) of large modules. docs/architecture.md
 # explains it. palpable_module() refuses a link that is not in the table; the test tests/layers runs cmake/CheckLayers.cmake,
 # which refuses an #include that is not in the table, and a permission that no file uses.
-set(PALPABLE_MODULES core models formats sources vision sculpt recipes measure draw device haptics voice describe session page study cli)
+set(PALPABLE_MODULES core models formats sources vision sculpt recipes measure draw device haptics voice describe session page onefile study cli)
 
 set(PALPABLE_MAY_USE_core "")
 set(PALPABLE_MAY_USE_models core)
@@ -18,8 +18,9 @@ set(PALPABLE_MAY_USE_voice core)
 set(PALPABLE_MAY_USE_describe core models)
 set(PALPABLE_MAY_USE_session core models formats sources vision sculpt recipes measure device haptics describe)
 set(PALPABLE_MAY_USE_page core models formats device haptics describe session)
+set(PALPABLE_MAY_USE_onefile core models formats device haptics describe session page)
 set(PALPABLE_MAY_USE_study core models vision sculpt device haptics)
-set(PALPABLE_MAY_USE_cli core models formats sources vision sculpt recipes measure draw device haptics voice describe session page study)
+set(PALPABLE_MAY_USE_cli core models formats sources vision sculpt recipes measure draw device haptics voice describe session page onefile study)
 
 # Rooms, bottom-up. Files directly in a module's folder are its interface: every room may use them, and they use no room.
 # Tests in a room may use every room of their module.
@@ -95,6 +96,8 @@ set(PALPABLE_ROOMS_session make touch check)
 set(PALPABLE_MAY_USE_describe core models)
 set(PALPABLE_MAY_USE_session/touch make)
 set(PALPABLE_MAY_USE_session/check touch)
+
+set(PALPABLE_ROOMS_onefile wasm)
 
 set(PALPABLE_ROOMS_study simulated)
 

@@ -16,7 +16,7 @@ const softwareGl = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 const noGl = ['--disable-gpu', '--disable-3d-apis'];
 
 /** The tested program: the one named by PALPABLE, else that of the development build. */
-const program = resolve(process.env.PALPABLE ?? join(dirname(fileURLToPath(import.meta.url)), '..', '..', 'build', 'dev', 'bin', 'palpable'));
+export const program = resolve(process.env.PALPABLE ?? join(dirname(fileURLToPath(import.meta.url)), '..', '..', 'build', 'dev', 'bin', 'palpable'));
 // One method only, so that the scene is not replaced by a better one during a test.
 const programArguments = (process.env.PALPABLE_ARGUMENTS ?? 'touch --method scanline').split(' ').filter((word) => word !== '');
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/page/host_changes.hpp"
 #include "palpable/page/protocol.hpp"
 #include "palpable/page/rate_limit.hpp"
 #include "palpable/page/server.hpp"
@@ -27,13 +28,6 @@ namespace palpable::page {
 inline std::chrono::milliseconds milliseconds_of(double seconds) {
   return std::chrono::milliseconds(static_cast<std::int64_t>(seconds * 1000.0));
 }
-
-/// An encoded frame, shared by all clients that receive it.
-struct Frame {
-  std::string bytes;
-  bool binary = false;
-};
-using SharedFrame = std::shared_ptr<const Frame>;
 
 /// The connection to one page over a WebSocket. It keeps itself alive while an operation is pending.
 /// Everything runs on the server's thread.

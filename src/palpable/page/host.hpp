@@ -14,6 +14,9 @@
 
 namespace palpable::page {
 
+/// Columns and rows of a picture that a page is sent, at most.
+inline constexpr int kLongestPictureSide = 1024;
+
 /// The page's view of a scene. Immutable.
 struct PageScene {
   /// Its field `scene` is the scene's number in the session: a new number means a new scene.

@@ -3,6 +3,7 @@
 #include "palpable/page/page_scene.hpp"
 
 #include "palpable/describe/scene_words.hpp"
+#include "palpable/page/page_materials.hpp"
 #include "palpable/page/surface_cells.hpp"
 
 #include <algorithm>
@@ -33,10 +34,6 @@ Raster<float> sampled(const models::Relief& relief) {
 
 }  // namespace
 
-std::optional<std::string> own_name(const models::Material& material) {
-  return material.name == models::Material{}.name ? std::nullopt : std::optional(material.name);
-}
-
 std::shared_ptr<const PageScene> page_scene(const models::Scene& scene, std::uint32_t number,
                                             const std::string& name) {
   auto page = std::make_shared<PageScene>();
@@ -62,10 +59,6 @@ std::shared_ptr<const PageScene> page_scene(const models::Scene& scene, std::uin
   }
   for (const auto& material : scene.materials) about.labels.push_back(own_name(material));
   return page;
-}
-
-double surface_height_m(const models::Scene& scene, double x_m, double y_m) {
-  return models::relief_of(scene)->sample(x_m, y_m).z_m;
 }
 
 }  // namespace palpable::page

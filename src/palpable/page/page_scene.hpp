@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 
 namespace palpable::page {
@@ -16,11 +15,5 @@ namespace palpable::page {
 /// without a height at each place show a level surface at their base.
 std::shared_ptr<const PageScene> page_scene(const models::Scene& scene, std::uint32_t number,
                                             const std::string& name);
-
-/// Height of the surface at a place at a height factor of 1; 0 for models without heights.
-double surface_height_m(const models::Scene& scene, double x_m, double y_m);
-
-/// The name that a user gave the material; nullopt if none did.
-std::optional<std::string> own_name(const models::Material& material);
 
 }  // namespace palpable::page

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/pages.hpp"
 
+#include "palpable/page/page_state.hpp"
+
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -13,24 +14,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-// Enough for the page's mesh and sound; the state carries the exact height.
-constexpr int kLongestHeightSide = 320;
-constexpr int kLongestPictureSide = 1024;
 constexpr auto kRestPeriod = std::chrono::seconds(1);
-
-template <class Message>
-SharedFrame text_frame(const Message& message) {
-  return std::make_shared<const Frame>(Frame{protocol::write_message(message), false});
-}
-
-// Whether two states are equal for a user: within a micrometre and two millinewtons.
-bool nearly_equal(const protocol::ProbeState& a, const protocol::ProbeState& b) {
-  const auto near = [](double p, double q, double limit) { return std::abs(p - q) < limit; };
-  return a.probe == b.probe && a.page == b.page && a.contact == b.contact && a.label == b.label &&
-         near(a.x_m, b.x_m, 1e-6) && near(a.y_m, b.y_m, 1e-6) && near(a.z_m, b.z_m, 1e-6) &&
-         near(a.surface_m, b.surface_m, 1e-6) && near(a.fx_N, b.fx_N, 2e-3) && near(a.fy_N, b.fy_N, 2e-3) &&
-         near(a.fz_N, b.fz_N, 2e-3);
-}
 
 }  // namespace
 
@@ -42,7 +26,7 @@ std::string Pages::full_sentence() const {
 void Pages::add_client(boost::beast::tcp_stream stream, const Client::Upgrade& upgrade) {
   Client::Events events;
   events.opened = [this](Client& client) {
-    send_everything(client);
+    for (const auto& frame : changes_.everything(client.page)) client.send(frame);
     note_activity();
   };
   events.message = [this](Client& client, const protocol::FromPage& message) {
@@ -61,22 +45,10 @@ void Pages::add_client(boost::beast::tcp_stream stream, const Client::Upgrade& u
 }
 
 void Pages::update() {
-  while (const auto notice = host_.next_notice()) broadcast(text_frame(*notice));
+  for (const auto& frame : changes_.notices()) broadcast(frame);
   if (clients_.empty()) return;
   host_.update();
-  if (const auto scene = host_.scene(); scene != shown_) {
-    show(scene);
-    broadcast(text_frame(host_.laws()));
-    for (const auto& frame : scene_frames_) broadcast(frame);
-  }
-  if (const auto settings = host_.settings(); settings != sent_settings_) {
-    sent_settings_ = settings;
-    broadcast(text_frame(settings));
-  }
-  if (auto materials = host_.materials(); materials != sent_materials_) {
-    sent_materials_ = std::move(materials);
-    broadcast(text_frame(sent_materials_));
-  }
+  for (const auto& frame : changes_.changes()) broadcast(frame);
   send_state();
 }
 
@@ -119,36 +91,6 @@ void Pages::release_probes(const Client& client) {
     if (client.moved.test(probe)) host_.lift({static_cast<std::int64_t>(probe)});
   for (auto& mover : movers_)
     if (mover == client.page) mover.reset();
-}
-
-void Pages::send_everything(Client& client) {
-  auto hello = host_.hello();
-  hello.page = client.page;
-  client.send(text_frame(hello));
-  client.send(text_frame(host_.laws()));
-  if (const auto scene = host_.scene(); scene != shown_) show(scene);
-  for (const auto& frame : scene_frames_) client.send(frame);
-  sent_settings_ = host_.settings();
-  client.send(text_frame(sent_settings_));
-  sent_materials_ = host_.materials();
-  client.send(text_frame(sent_materials_));
-}
-
-void Pages::show(const std::shared_ptr<const PageScene>& scene) {
-  shown_ = scene;
-  const auto number = static_cast<std::uint32_t>(scene->about.scene);
-  const auto binary = [](std::string bytes) {
-    return std::make_shared<const Frame>(Frame{std::move(bytes), true});
-  };
-  scene_frames_ = {
-      text_frame(scene->about),
-      binary(protocol::write_heights(number, protocol::thinned(scene->height_m, kLongestHeightSide)))};
-  const auto push = [&](protocol::RasterKind kind, const Raster<Rgb8>& picture) {
-    scene_frames_.push_back(
-        binary(protocol::write_picture(kind, number, protocol::thinned(picture, kLongestPictureSide))));
-  };
-  if (scene->about.has_picture) push(protocol::RasterKind::picture, scene->picture);
-  if (scene->about.cells) push(protocol::RasterKind::cells, scene->cells);
 }
 
 // Iterates over a copy, since a disconnected client is removed from the list.

@@ -4,6 +4,7 @@
 
 #include "palpable/page/client.hpp"
 #include "palpable/page/host.hpp"
+#include "palpable/page/host_changes.hpp"
 #include "palpable/page/protocol.hpp"
 #include "palpable/page/server.hpp"
 
@@ -26,7 +27,7 @@ class Pages {
  public:
   /// `host` and `options` outlive this. `on_activity` is called when a page is opened or has sent something.
   Pages(PageHost& host, const ServeOptions& options, std::function<void()> on_activity)
-      : host_(host), options_(options), on_activity_(std::move(on_activity)) {}
+      : host_(host), options_(options), on_activity_(std::move(on_activity)), changes_(host) {}
   Pages(const Pages&) = delete;
   Pages& operator=(const Pages&) = delete;
 
@@ -44,8 +45,6 @@ class Pages {
   void note_activity();
   void send_state();
   void release_probes(const Client& client);
-  void send_everything(Client& client);
-  void show(const std::shared_ptr<const PageScene>& scene);
   template <class Do>
   void for_each_client(Do act);
   void broadcast(const SharedFrame& frame);
@@ -66,10 +65,7 @@ class Pages {
   /// Weak: a client lives as long as operations on its socket are pending, and never longer than the I/O
   /// context.
   std::vector<std::weak_ptr<Client>> clients_;
-  std::shared_ptr<const PageScene> shown_;
-  std::vector<SharedFrame> scene_frames_;
-  protocol::Settings sent_settings_;
-  protocol::Materials sent_materials_;
+  HostChanges changes_;
   std::vector<protocol::ProbeState> sent_probes_;
   std::chrono::steady_clock::time_point sent_state_at_;
   std::chrono::steady_clock::time_point active_at_;

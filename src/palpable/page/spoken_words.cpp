@@ -28,42 +28,38 @@ std::string sentence(std::string words) { return describe::capitalised(std::move
 
 }  // namespace
 
-std::string SpokenWords::answer(const protocol::Ask& ask) {
-  const auto scene = session_.scene();
-  const double height_factor = session_.settings().height_factor;
+std::string SpokenWords::answer(const protocol::Ask& ask, const models::Scene& scene, double height_factor,
+                                double force_N) {
   const describe::Place place{ask.x_m, ask.y_m};
   const auto probe = static_cast<std::size_t>(ask.probe);
-  if (ask.what == "opening") return describe::opening_words(*scene);
+  if (ask.what == "opening") return describe::opening_words(scene);
   if (ask.what == "scene")
-    return describe::scene_part(*scene, height_factor, place, static_cast<std::size_t>(ask.part));
+    return describe::scene_part(scene, height_factor, place, static_cast<std::size_t>(ask.part));
   if (ask.what == "press") return sentence(describe::press_words(ask.press_m));
   if (ask.what == "position" || ask.what == "step") {
-    commentaries_.at(probe).heard(*scene, place, now_s());
-    return ask.what == "position" ? describe::position_words(*scene, height_factor, place)
-                                  : sentence(describe::step_words(*scene, height_factor, place));
+    commentaries_.at(probe).heard(scene, place, now_s());
+    return ask.what == "position" ? describe::position_words(scene, height_factor, place)
+                                  : sentence(describe::step_words(scene, height_factor, place));
   }
-  if (ask.what == "probe")
-    return describe::felt_words(*scene, height_factor, place,
-                                norm(session_.latest(probe).written_force_N.v)) +
-           ".";
+  if (ask.what == "probe") return describe::felt_words(scene, height_factor, place, force_N) + ".";
   return {};
 }
 
-std::optional<std::string> SpokenWords::remark(const protocol::State& state) {
-  const auto scene = session_.scene();
-  const double height_factor = session_.settings().height_factor, now = now_s();
-  if (scene->model != model_) {
-    model_ = scene->model;
-    commentaries_.fill(describe::Commentary(describe::commentary_options(*scene)));
+std::optional<std::string> SpokenWords::remark(const protocol::State& state, const models::Scene& scene,
+                                               double height_factor) {
+  const double now = now_s();
+  if (scene.model != model_) {
+    model_ = scene.model;
+    commentaries_.fill(describe::Commentary(describe::commentary_options(scene)));
     // The first places of the probes are not announced.
     for (const auto& probe : state.probes)
-      commentaries_.at(static_cast<std::size_t>(probe.probe)).heard(*scene, place_of(probe), now);
+      commentaries_.at(static_cast<std::size_t>(probe.probe)).heard(scene, place_of(probe), now);
   }
   std::optional<std::string> remark;
   for (const auto& probe : state.probes) {
     if (!is_near_surface(probe)) continue;
     auto words = commentaries_.at(static_cast<std::size_t>(probe.probe))
-                     .at(*scene, height_factor, place_of(probe), now);
+                     .at(scene, height_factor, place_of(probe), now);
     if (!words || remark) continue;
     remark = state.probes.size() > 1 ? fmt::format("Probe {}: {}", probe.probe + 1, *words) : *words;
   }

@@ -3,11 +3,10 @@
 #pragma once
 
 #include "palpable/describe/commentary.hpp"
-#include "palpable/page/protocol.hpp"
-#include "palpable/session/touch/touch_session.hpp"
+#include "palpable/models/scene/scene.hpp"
+#include "palpable/page/protocol.gen.hpp"
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -17,16 +16,15 @@ namespace palpable::page {
 /// meet. One thread.
 class SpokenWords {
  public:
-  /// `session` must outlive it.
-  explicit SpokenWords(const session::TouchSession& session) : session_(session) {}
-
-  /// The answer to a question; empty for an unknown question.
-  std::string answer(const protocol::Ask& ask);
+  /// The answer to a question about the scene as it is touched; empty for an unknown question. `force_N`: the
+  /// force on the probe of the question.
+  std::string answer(const protocol::Ask& ask, const models::Scene& scene, double height_factor,
+                     double force_N);
   /// What a probe has just met; usually nothing. Call it with every state.
-  std::optional<std::string> remark(const protocol::State& state);
+  std::optional<std::string> remark(const protocol::State& state, const models::Scene& scene,
+                                    double height_factor);
 
  private:
-  const session::TouchSession& session_;
   /// The model that the commentaries are about.
   models::Model model_;
   std::array<describe::Commentary, protocol::kMostProbes> commentaries_;

@@ -6,6 +6,7 @@
 #include "palpable/haptics/law/laws.hpp"
 #include "palpable/page/page_laws.hpp"
 #include "palpable/page/page_scene.hpp"
+#include "palpable/page/page_state.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,66 +20,10 @@ constexpr auto kRatePeriod = std::chrono::seconds(1);
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 static_assert(protocol::kMostProbes == haptics::kMaxLiveProbes);
 
-protocol::ProbeState state_of(const haptics::TouchSample& sample, double surface_m) {
-  const Vec3 force = sample.written_force_N.v;
-  protocol::ProbeState state;
-  state.probe = sample.probe;
-  state.x_m = sample.position.v.x;
-  state.y_m = sample.position.v.y;
-  state.z_m = sample.position.v.z;
-  state.surface_m = surface_m;
-  state.fx_N = force.x;
-  state.fy_N = force.y;
-  state.fz_N = force.z;
-  state.contact = sample.has(haptics::flag::kContact);
-  state.label = sample.label;
-  return state;
-}
-
-protocol::Material page_material(const models::Material& m) {
-  protocol::Material material;
-  material.stiffness_N_per_m = m.stiffness_N_per_m;
-  material.damping_Ns_per_m = m.damping_Ns_per_m;
-  material.friction = m.static_friction;
-  material.stickiness = m.static_friction > 0.0 ? 1.0 - m.dynamic_friction / m.static_friction : 0.0;
-  material.texture = {std::string(models::name_of(m.texture.kind)), m.texture.pitch_m, m.texture.height_m,
-                      std::remainder(m.texture.angle_rad * kDegrees, 360.0)};
-  return material;
-}
-
-/// The values of `newer`, else those of `older`.
-protocol::MaterialEdit merged(const protocol::MaterialEdit& older, protocol::MaterialEdit newer) {
-  if (!newer.stiffness_N_per_m) newer.stiffness_N_per_m = older.stiffness_N_per_m;
-  if (!newer.damping_Ns_per_m) newer.damping_Ns_per_m = older.damping_Ns_per_m;
-  if (!newer.friction) newer.friction = older.friction;
-  if (!newer.stickiness) newer.stickiness = older.stickiness;
-  if (!newer.texture) newer.texture = older.texture;
-  return newer;
-}
-
-Result<void> apply(const protocol::MaterialEdit& edit, models::Material& m) {
-  if (edit.texture) {
-    const auto kind = models::texture_kind_from(edit.texture->kind);
-    if (!kind) return Error{ErrorCode::usage, "there is no such texture", edit.texture->kind};
-    if (*kind == models::TouchTexture::Kind::picture && m.texture.tile.empty())
-      return Error{ErrorCode::usage, "this material has no texture from a picture", m.name};
-    // A picture's tile is kept, so that the user may select it again.
-    m.texture = {*kind, edit.texture->pitch_m, edit.texture->height_m, edit.texture->angle_deg / kDegrees,
-                 std::move(m.texture.tile)};
-  }
-  const double stickiness = edit.stickiness.value_or(page_material(m).stickiness);
-  m.stiffness_N_per_m = edit.stiffness_N_per_m.value_or(m.stiffness_N_per_m);
-  m.damping_Ns_per_m = edit.damping_Ns_per_m.value_or(m.damping_Ns_per_m);
-  if (!edit.friction && !edit.stickiness) return {};
-  m.static_friction = edit.friction.value_or(m.static_friction);
-  m.dynamic_friction = m.static_friction * (1.0 - stickiness);
-  return {};
-}
-
 }  // namespace
 
 TouchHost::TouchHost(session::TouchSession& session, Options options)
-    : session_(session), words_(session), options_(std::move(options)), worker_([this] { work(); }) {
+    : session_(session), options_(std::move(options)), worker_([this] { work(); }) {
   for (auto& sentence : session_.notices()) say("info", std::move(sentence));
 }
 
@@ -89,6 +34,12 @@ TouchHost::~TouchHost() {
   }
   wake_.notify_one();
   worker_.join();
+}
+
+std::string TouchHost::answer(const protocol::Ask& ask) {
+  const auto probe = static_cast<std::size_t>(ask.probe);
+  const double force_N = probe < session_.probes() ? norm(session_.latest(probe).written_force_N.v) : 0.0;
+  return words_.answer(ask, *session_.scene(), session_.settings().height_factor, force_N);
 }
 
 protocol::Hello TouchHost::hello() const {
@@ -140,21 +91,18 @@ protocol::State TouchHost::state() {
   const auto sample = session_.latest();
   const auto scene = session_.scene();
   const double height_factor = session_.settings().height_factor;
-  const auto add = [&](protocol::State& state, const haptics::TouchSample& probe) {
-    const Vec3 place = probe.position.v;
-    state.probes.push_back(state_of(probe, height_factor * surface_height_m(*scene, place.x, place.y)));
-  };
   protocol::State state;
   state.t_s = sample.t_s;
-  add(state, sample);
+  state.probes.push_back(probe_state(sample, *scene, height_factor));
   for (std::size_t probe = 1; probe < session_.probes(); ++probe)
-    if (const auto further = session_.latest(probe); haptics::is_present(further)) add(state, further);
+    if (const auto further = session_.latest(probe); haptics::is_present(further))
+      state.probes.push_back(probe_state(further, *scene, height_factor));
   if (const auto now = std::chrono::steady_clock::now(); now - rate_time_ > kRatePeriod) {
     rate_time_ = now;
     rate_hz_ = session_.statistics().servo.rate_hz;
   }
   state.rate_hz = rate_hz_;
-  if (auto remark = words_.remark(state)) say("motion", *std::move(remark));
+  if (auto remark = words_.remark(state, *scene, height_factor)) say("motion", *std::move(remark));
   return state;
 }
 
@@ -180,24 +128,18 @@ void TouchHost::lift(const protocol::Lift& probe) {
 
 void TouchHost::place(const protocol::Pointer& pointer) {
   if (pointer.probe == 0 && !pointer_moves()) return;
-  const auto touch = session_.settings();
-  // The probe is the centre of the touching ball: at rest it is one radius above the surface.
-  const double surface_m =
-      touch.height_factor * surface_height_m(*session_.scene(), pointer.x_m, pointer.y_m);
-  const Vec3 middle{pointer.x_m, pointer.y_m, surface_m + session_.radius_in_use_m() - pointer.press_m};
-  session_.move_pointer({middle}, static_cast<std::size_t>(pointer.probe));
+  session_.move_pointer(pointer_place(pointer, *session_.scene(), session_.settings().height_factor,
+                                      session_.radius_in_use_m()),
+                        static_cast<std::size_t>(pointer.probe));
 }
 
 protocol::Materials TouchHost::materials() {
-  static_assert(protocol::kPictureForms == models::kPictureForms,
-                "the page computes a picture's side from its pitch");
   protocol::Materials all;
   {
     const std::lock_guard lock(mutex_);
     all.answers = answered_;
   }
-  for (const auto& material : session_.scene()->materials)
-    all.materials.push_back({own_name(material), page_material(material)});
+  all.materials = page_materials(*session_.scene());
   return all;
 }
 
@@ -218,8 +160,7 @@ void TouchHost::change(const protocol::Change& change) {
 
 void TouchHost::edit(const protocol::Edit& edit) {
   put([&](Tasks& tasks) {
-    auto& waiting = tasks.edits[edit.label];
-    waiting = merged(waiting, edit.material);
+    add_edit(tasks.edits, edit);
     tasks.serial = edit.serial;
   });
 }
@@ -342,22 +283,11 @@ Result<void> TouchHost::attempt(const protocol::Change& change) {
   return session_.change_settings(touch);
 }
 
-/// From then on the edited value applies: the value set for all materials is removed.
-Result<void> TouchHost::attempt(const std::map<std::int64_t, protocol::MaterialEdit>& edits) {
-  auto materials = session_.scene()->materials;
+Result<void> TouchHost::attempt(const MaterialEdits& edits) {
   auto touch = session_.settings();
-  for (const auto& [label, edit] : edits) {
-    if (label < 0 || static_cast<std::size_t>(label) >= materials.size())
-      return Error{ErrorCode::usage, "there is no such material", std::to_string(label)};
-    if (auto done = apply(edit, materials[static_cast<std::size_t>(label)]); !done) return done;
-    if (edit.stiffness_N_per_m) touch.law.stiffness_N_per_m.reset();
-    if (edit.damping_Ns_per_m) touch.law.damping_Ns_per_m.reset();
-    if (edit.friction || edit.stickiness) {
-      touch.law.static_friction.reset();
-      touch.law.dynamic_friction.reset();
-    }
-  }
-  if (auto done = session_.change_materials(std::move(materials), touch); !done) return done;
+  auto materials = edited_materials(session_.scene()->materials, edits, touch.law);
+  if (!materials) return materials.error();
+  if (auto done = session_.change_materials(*std::move(materials), touch); !done) return done;
   edited_ = true;
   return {};
 }

@@ -4,6 +4,7 @@
 
 #include "palpable/core/result.hpp"
 #include "palpable/page/host.hpp"
+#include "palpable/page/page_materials.hpp"
 #include "palpable/page/spoken_words.hpp"
 #include "palpable/session/touch/touch_session.hpp"
 
@@ -14,7 +15,6 @@
 #include <deque>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -60,7 +60,7 @@ class TouchHost final : public PageHost {
   void pause(bool paused) override;
   void recentre() override;
   void move_explorer(const protocol::MoveExplorer& pose) override;
-  std::string answer(const protocol::Ask& ask) override { return words_.answer(ask); }
+  std::string answer(const protocol::Ask& ask) override;
   std::optional<protocol::Notice> next_notice() override;
 
   /// Adds a notice for the user; levels as in protocol.json. Any thread.
@@ -70,7 +70,7 @@ class TouchHost final : public PageHost {
   /// The waiting tasks, taken all at once. Of several edits of one value, the last one counts.
   struct Tasks {
     std::optional<protocol::Change> change;
-    std::map<std::int64_t, protocol::MaterialEdit> edits;
+    MaterialEdits edits;
     std::shared_ptr<const models::Scene> better;
     bool recentre = false;
     bool save = false;
@@ -83,7 +83,7 @@ class TouchHost final : public PageHost {
   void carry_out(const Tasks& tasks);
   void put(const std::function<void(Tasks&)>& task);
   Result<void> attempt(const protocol::Change& change);
-  Result<void> attempt(const std::map<std::int64_t, protocol::MaterialEdit>& edits);
+  Result<void> attempt(const MaterialEdits& edits);
   Result<void> swap_in(const models::Scene& better);
   Result<void> write_scene();
   Result<void> set_explorer_pose(const session::ExplorerPose& pose);

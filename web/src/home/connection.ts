@@ -17,6 +17,13 @@ export interface Receiver {
   closed(loss: Loss): void;
 }
 
+/** What the page talks to. */
+export interface Program {
+  /** Connects, and passes what the program sends to its receiver. */
+  run(): Promise<void>;
+  send(message: FromPage): void;
+}
+
 /** Exchanges the token for a cookie; null, or the reason of a refusal. */
 async function enter(): Promise<Loss | null> {
   const token = location.hash.slice(1);
@@ -39,7 +46,7 @@ const newAddress = () => new Promise<void>((resolve) => window.addEventListener(
 const firstDelay = 500;
 const longestDelay = 5000;
 
-export class Connection {
+export class Connection implements Program {
   private socket: WebSocket | null = null;
 
   constructor(private readonly receiver: Receiver) {}

@@ -5,9 +5,16 @@ import { element } from '../dom';
 import type { Change, Edit, Law, Materials, Settings as ProgramSettings } from '../generated/protocol';
 import { Controls } from '../settings/controls';
 import { MaterialPanel } from '../settings/material_panel';
-import { preferencesCookie, readPreferences } from '../settings/preferences';
+import type { Preferences } from '../settings/preferences';
 import type { Settings } from '../settings/settings';
 import { SettingsStore } from '../settings/settings_store';
+
+/** The user's preferences beyond this visit. */
+export interface KeptPreferences {
+  read(): Preferences;
+  /** Called after the first change, with all preferences. */
+  keep(preferences: Preferences): void;
+}
 
 export interface SettingsPage {
   send(message: Change | Edit): void;
@@ -23,8 +30,11 @@ export class TouchSettings {
   private readonly store: SettingsStore;
   private readonly materials: MaterialPanel;
 
-  constructor(private readonly page: SettingsPage) {
-    const initial: Settings = { touch: { law: '', set: {}, heightFactor: 1 }, page: readPreferences(document.cookie), materials: [] };
+  constructor(
+    private readonly preferences: KeptPreferences,
+    private readonly page: SettingsPage,
+  ) {
+    const initial: Settings = { touch: { law: '', set: {}, heightFactor: 1 }, page: preferences.read(), materials: [] };
     this.store = new SettingsStore(initial, (change) => page.send(change));
     this.controls = new Controls(initial, (settings, what) => this.change(settings, what));
     this.materials = new MaterialPanel(initial, (settings, what) => this.change(settings, what));
@@ -88,7 +98,7 @@ export class TouchSettings {
     this.materials.show(settings, this.controls.law());
     element<HTMLButtonElement>('undo').disabled = !this.store.canUndo;
     element<HTMLButtonElement>('redo').disabled = !this.store.canRedo;
-    if (this.store.wasUsed) document.cookie = preferencesCookie(settings.page);
+    if (this.store.wasUsed) this.preferences.keep(settings.page);
     this.page.follow(settings);
   }
 }

@@ -4,6 +4,7 @@
 
 #include "palpable/cli/suggest.hpp"
 #include "palpable/describe/numbers.hpp"
+#include "palpable/haptics/law/law_options.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,8 +19,6 @@ namespace {
 using haptics::LawDescription;
 using haptics::LawParameter;
 
-/// The command line takes lengths in mm.
-double typed_per_si(const LawParameter& parameter) { return parameter.unit == "m" ? 1000.0 : 1.0; }
 std::string typed_unit(const LawParameter& parameter) {
   return parameter.unit == "m" ? "mm" : std::string(parameter.unit);
 }
@@ -37,7 +36,7 @@ struct LawOption {
 };
 
 void add_use(LawOption& option, const LawDescription& law, const LawParameter& parameter) {
-  const double scale = typed_per_si(parameter);
+  const double scale = haptics::typed_per_si(parameter);
   option.range.least = std::min(option.range.least, scale * parameter.min);
   option.range.most = std::max(option.range.most, scale * parameter.max);
   std::string meaning(parameter.title);
@@ -59,7 +58,7 @@ std::vector<LawOption> options_of_all_laws() {
       auto found = std::find_if(options.begin(), options.end(),
                                 [&](const LawOption& o) { return o.name == parameter.option; });
       if (found == options.end()) {
-        const double scale = typed_per_si(parameter);
+        const double scale = haptics::typed_per_si(parameter);
         options.push_back(
             {std::string(parameter.option), {scale * parameter.min, scale * parameter.max}, {}});
         found = options.end() - 1;
@@ -72,17 +71,9 @@ std::vector<LawOption> options_of_all_laws() {
 /// A number that the law does not have is kept for the law that is used if the scene does not support this
 /// one.
 void set_number(haptics::LawParameters& parameters, const LawDescription& law, const LawNumber& number) {
-  const auto set_in = [&](const LawDescription& description) {
-    for (const LawParameter& parameter : description.parameters)
-      if (number.option == parameter.option) {
-        parameters.*parameter.value = *number.value / typed_per_si(parameter);
-        return true;
-      }
-    return false;
-  };
-  if (set_in(law)) return;
+  if (haptics::set_by_option(parameters, law, number.option, *number.value)) return;
   for (const LawDescription* other : haptics::all_laws())
-    if (set_in(*other)) return;
+    if (haptics::set_by_option(parameters, *other, number.option, *number.value)) return;
 }
 
 std::string help_of(const LawOption& option) {
@@ -160,7 +151,7 @@ Result<haptics::LawParameters> law_parameters(const LawArguments& arguments, hap
   const LawDescription& description = haptics::description_of(parameters.law);
   for (const LawNumber& number : arguments.numbers)
     if (number.value) set_number(parameters, description, number);
-  if (description.is_contact && !find_parameter(description, &haptics::LawParameters::radius_m))
+  if (haptics::touches_with_a_point(description))
     for (const LawNumber& number : arguments.numbers)
       if (number.option == "radius" && number.value.value_or(0.0) > 0.0)
         return Error{ErrorCode::usage,

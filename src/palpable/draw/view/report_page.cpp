@@ -2,66 +2,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/draw/view/report_page.hpp"
 
-#include <cstdint>
+#include "palpable/core/text/base64.hpp"
+#include "palpable/core/text/html_escape.hpp"
+
 #include <string_view>
 
 namespace palpable::draw {
 namespace {
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
-std::string base64(const std::vector<std::byte>& bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  out.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = (group << 8U) | (i + k < bytes.size() ? std::to_integer<std::uint32_t>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      out += k <= bytes.size() - i ? kDigits[(group >> (18U - 6U * static_cast<unsigned>(k))) & 63U] : '=';
-  }
-  return out;
-}
-
 std::string element(std::string_view name, std::string_view text) {
-  return "<" + std::string(name) + ">" + escaped(text) + "</" + std::string(name) + ">\n";
+  return "<" + std::string(name) + ">" + html_escaped(text) + "</" + std::string(name) + ">\n";
 }
 
 std::string html_of(const ReportPicture& picture) {
   return "<figure>\n<img src=\"data:image/png;base64," + base64(picture.png) + "\" alt=\"" +
-         escaped(picture.alternative) + "\">\n" + element("figcaption", picture.caption) + "</figure>\n";
+         html_escaped(picture.alternative) + "\">\n" + element("figcaption", picture.caption) + "</figure>\n";
 }
 
 std::string html_of(const ReportTable& table) {
   std::string out = "<table>\n" + element("caption", table.caption) + "<thead><tr>";
-  for (const std::string& name : table.header) out += "<th scope=\"col\">" + escaped(name) + "</th>";
+  for (const std::string& name : table.header) out += "<th scope=\"col\">" + html_escaped(name) + "</th>";
   out += "</tr></thead>\n<tbody>\n";
   for (const auto& row : table.rows) {
     out += "<tr>";
     for (std::size_t i = 0; i < row.size(); ++i)
-      out += i == 0 ? "<th scope=\"row\">" + escaped(row[i]) + "</th>" : "<td>" + escaped(row[i]) + "</td>";
+      out += i == 0 ? "<th scope=\"row\">" + html_escaped(row[i]) + "</th>"
+                    : "<td>" + html_escaped(row[i]) + "</td>";
     out += "</tr>\n";
   }
   return out + "</tbody>\n</table>\n";

@@ -12,7 +12,7 @@
 #include "palpable/formats/scene/map_codec.hpp"
 #include "palpable/formats/scene/material_codec.hpp"
 #include "palpable/formats/scene/model_codec.hpp"
-#include "palpable/models/material/material_check.hpp"
+#include "palpable/formats/scene/scene_limits.hpp"
 
 #include <algorithm>
 #include <array>
@@ -34,7 +34,6 @@ constexpr const char* kDescription = "scene.json";
 constexpr const char* kTexture = "texture.png";
 constexpr const char* kLabels = "labels.png";
 constexpr const char* kMap = "map.json";
-constexpr std::size_t kMaxMaterials = 256;
 constexpr std::size_t kMaxDescriptionBytes = std::size_t{16} << 20U;
 
 struct Reader {
@@ -73,14 +72,6 @@ SceneFromInput transform_from(const json& j) {
   return {j.at("rotation").get<std::array<double, 9>>(),
           {move[0], move[1], move[2]},
           j.at("scale").get<double>()};
-}
-
-bool is_valid(const SceneFromInput& t) {
-  // Far beyond any input, and far from where a product of them overflows.
-  constexpr double kMost = 1e12;
-  const auto within = [](double v) { return std::abs(v) <= kMost; };
-  return std::all_of(t.rotation.begin(), t.rotation.end(), within) && within(t.translation_m.x) &&
-         within(t.translation_m.y) && within(t.translation_m.z) && t.scale > 0.0 && within(t.scale);
 }
 
 Result<Raster<Rgb8>> texture_from(const Bytes& member) {
@@ -210,29 +201,6 @@ Result<SceneFile> scene_from(const json& description, ZipMembers members) {
 }
 
 }  // namespace
-
-Result<void> check_scene(const models::Scene& scene) {
-  if (scene.materials.empty() || scene.materials.size() > kMaxMaterials)
-    return invalid_input("a scene has between 1 and 256 materials");
-  if (!std::all_of(scene.materials.begin(), scene.materials.end(), [](const auto& m) { return is_valid(m); }))
-    return invalid_input(
-        "a material's stiffness, damping or friction is negative, too large or not a number, or its texture "
-        "out of range");
-  if (!is_valid(scene.scene_from_input))
-    return invalid_input("the scene's place in its input is not a number, or too large");
-  if (scene.title.size() > models::kMaxTitleBytes || scene.title.find('\n') != std::string::npos)
-    return invalid_input("a scene's title is one line of at most 200 bytes");
-  if (scene.description.size() > models::kMaxDescriptionBytes)
-    return invalid_input("a scene's description has at most 4000 bytes");
-  if (scene.warnings.size() > models::kMaxWarnings ||
-      std::any_of(scene.warnings.begin(), scene.warnings.end(),
-                  [](const std::string& words) { return words.size() > models::kMaxWarningBytes; }))
-    return invalid_input("a scene has at most 16 warnings of at most 1000 bytes");
-  const bool labelled = std::all_of(scene.labels.values().begin(), scene.labels.values().end(),
-                                    [&](std::uint8_t label) { return label < scene.materials.size(); });
-  if (!labelled) return invalid_input("the map of materials names one that the scene does not have");
-  return {};
-}
 
 Result<Bytes> encode_scene(const models::Scene& scene, const ZipMembers& others) {
   if (auto valid = check_scene(scene); !valid) return std::move(valid).error();

@@ -8,6 +8,7 @@
 #include "palpable/haptics/law/tool.hpp"
 #include "palpable/haptics/safety/stability.hpp"
 #include "palpable/haptics/tick/transient_player.hpp"
+#include "palpable/models/material/material_check.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +35,17 @@ Result<models::Scene> with_height_factor(const models::Scene& scene, double heig
   models::Scene result = scene;
   result.model = std::make_shared<const models::Relief>(std::move(*changed));
   return result;
+}
+
+Result<models::Scene> with_materials(const models::Scene& scene, std::vector<models::Material> materials) {
+  if (materials.size() != scene.materials.size())
+    return Error{ErrorCode::usage, "there must be one material for each that the scene has", {}};
+  for (const auto& material : materials)
+    if (!models::is_valid(material) || material.stiffness_N_per_m <= 0.0)
+      return Error{ErrorCode::usage, "a value of the material is out of its range", material.name};
+  models::Scene changed = scene;
+  changed.materials = std::move(materials);
+  return changed;
 }
 
 namespace {

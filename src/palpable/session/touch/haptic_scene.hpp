@@ -31,6 +31,10 @@ struct PreparedScene {
 /// 1 for a scene that is not a relief.
 Result<models::Scene> with_height_factor(const models::Scene& scene, double height_factor);
 
+/// The scene with other materials. Errors (usage): another number of materials than the scene has, or a value
+/// out of its range.
+Result<models::Scene> with_materials(const models::Scene& scene, std::vector<models::Material> materials);
+
 /// Results of expensive preparation of a scene, reused for all changes during one touch. Empty at first.
 struct KeptSurfaces {
   std::shared_ptr<const models::Relief> of;

@@ -6,7 +6,6 @@
 #include "palpable/device/pointer/pointer.hpp"
 #include "palpable/haptics/servo/pacing.hpp"
 #include "palpable/haptics/servo/start_touch.hpp"
-#include "palpable/models/material/material_check.hpp"
 #include "palpable/session/touch/haptic_scene.hpp"
 #include "palpable/session/touch/recorded_touch.hpp"
 #include "palpable/session/touch/recorder.hpp"
@@ -193,14 +192,9 @@ Result<void> TouchSession::change_settings(const TouchSettings& settings) {
 Result<void> TouchSession::change_materials(std::vector<models::Material> materials,
                                             const TouchSettings& settings) {
   const std::lock_guard changing(impl_->changing);
-  models::Scene changed = *scene();
-  if (materials.size() != changed.materials.size())
-    return Error{ErrorCode::usage, "there must be one material for each that the scene has", {}};
-  for (const auto& material : materials)
-    if (!models::is_valid(material) || material.stiffness_N_per_m <= 0.0)
-      return Error{ErrorCode::usage, "a value of the material is out of its range", material.name};
-  changed.materials = std::move(materials);
-  return impl_->change(std::make_shared<const models::Scene>(std::move(changed)), settings,
+  auto changed = with_materials(*scene(), std::move(materials));
+  if (!changed) return changed.error();
+  return impl_->change(std::make_shared<const models::Scene>(*std::move(changed)), settings,
                        impl_->scene_from_device);
 }
 

@@ -3,6 +3,7 @@
 #include "palpable/cli/arguments/scene_argument.hpp"
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/commands/export/export_map.hpp"
+#include "palpable/cli/commands/export/export_page.hpp"
 #include "palpable/cli/commands/export/export_tactile.hpp"
 #include "palpable/core/files/atomic_file.hpp"
 #include "palpable/core/files/byte_reader.hpp"
@@ -317,6 +318,8 @@ Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
   const auto file = read_scene_argument(arguments.scene);
   if (!file) return file.error();
   const models::Scene& scene = file->scene;
+  if (std::filesystem::path(arguments.output).extension() == ".html")
+    return export_page(scene, arguments.output);
   if (is_map_drawing(scene, arguments.output))
     return export_map(scene, arguments.tactile, arguments.output, console);
   return std::visit([&](const auto& model) { return export_model(*model, scene, arguments, work); },
@@ -335,12 +338,14 @@ void add_export(Program& program) {
       "  palpable export cat.palp -o cat.brf      outlines of contours in braille dots; also .svg, .stl\n"
       "  palpable export town.palp -o town.txt    a map in words; .svg and .brf with keys in braille\n"
       "  palpable export aloe.palp -o heights.png\n"
+      "  palpable export aloe.palp -o aloe.html   one page for a phone, that touches the scene by itself\n"
       "  palpable export house.palp -o house.vdb --grid 512    for Blender",
       [arguments](Console& console) { return run_export(*arguments, console); });
   options.argument("SCENE", arguments->scene, "A .palp scene, or a recording of a touch");
-  options.required_output("-o,--output", arguments->output,
-                          {".stl", ".glb", ".ply", ".vdb", ".svg", ".brf", ".txt", ".png", ".npz", ".csv"},
-                          "File to write; its suffix selects the format");
+  options.required_output(
+      "-o,--output", arguments->output,
+      {".stl", ".glb", ".ply", ".vdb", ".svg", ".brf", ".txt", ".png", ".npz", ".csv", ".html"},
+      "File to write; its suffix selects the format");
   options.integer("--grid", arguments->grid, {2, 1024},
                   "Field: samples along its longest side in an .npz or .vdb");
   options.choice("--band", arguments->band, {"narrow", "full"},

@@ -1,0 +1,53 @@
+# Builds the page that `palpable export SCENE -o x.html` fills: the page's TypeScript, and the touch as WebAssembly by
+# emscripten. Without emscripten it is left out, and `export` says so.
+#   palpable_one_file_page(PAGE source-variable)
+# All build folders share the WebAssembly part (build/wasm), as they share the page's packages.
+function(palpable_one_file_page)
+  cmake_parse_arguments(O "" "PAGE" "" ${ARGN})
+  set(web ${PROJECT_SOURCE_DIR}/web)
+  set(module ${PROJECT_SOURCE_DIR}/src/palpable/onefile)
+  set(wasm ${PROJECT_SOURCE_DIR}/build/wasm)
+  set(page ${CMAKE_BINARY_DIR}/web/onefile.html)
+  find_program(PALPABLE_EMXX em++)
+  find_file(PALPABLE_EMSCRIPTEN_TOOLCHAIN Emscripten.cmake PATHS /usr/share/emscripten $ENV{EMSDK}/upstream/emscripten
+            PATH_SUFFIXES cmake/Modules/Platform)
+  if(PALPABLE_EMXX AND PALPABLE_EMSCRIPTEN_TOOLCHAIN)
+    # The inner build knows which of these its sources include.
+    file(GLOB_RECURSE sources ${PROJECT_SOURCE_DIR}/src/palpable/*.hpp ${module}/wasm/*)
+    foreach(used core models formats device haptics describe session page onefile)
+      file(GLOB_RECURSE more ${PROJECT_SOURCE_DIR}/src/palpable/${used}/*.cpp)
+      list(APPEND sources ${more})
+    endforeach()
+    list(FILTER sources EXCLUDE REGEX "_test\\.cpp$|/test_")
+    add_custom_command(
+      OUTPUT ${wasm}/touch.wasm
+      COMMAND ${PALPABLE_NODE} ${web}/scripts/protocol.mjs --cpp ${wasm}/generated/palpable/page/protocol.gen.hpp
+      # Debian's emscripten looks for its own modules where Debian's node has them.
+      COMMAND ${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs flock ${wasm}/lock sh -c
+              "'${CMAKE_COMMAND}' -S '${module}/wasm' -B '${wasm}' -G '${CMAKE_GENERATOR}' -DCMAKE_BUILD_TYPE=Release \
+              -DCMAKE_TOOLCHAIN_FILE='${PALPABLE_EMSCRIPTEN_TOOLCHAIN}' -DGENERATED='${wasm}/generated' > '${wasm}/configure.log' \
+              && '${CMAKE_COMMAND}' --build '${wasm}' -- --quiet && touch '${wasm}/touch.wasm'"
+      DEPENDS ${sources} ${web}/protocol.json ${web}/scripts/protocol.mjs
+      COMMENT "Compiling the touch to WebAssembly (emscripten)"
+      VERBATIM)
+    file(GLOB_RECURSE scripts ${web}/src/*)
+    list(FILTER scripts EXCLUDE REGEX "/generated|\\.test\\.ts$")
+    add_custom_command(
+      OUTPUT ${page}
+      COMMAND ${PALPABLE_NPM} run --silent build:onefile -- --outDir ${CMAKE_BINARY_DIR}/web/onefile --emptyOutDir --logLevel warn
+      COMMAND ${PALPABLE_NODE} ${web}/scripts/one_file.mjs ${CMAKE_BINARY_DIR}/web/onefile ${wasm}/touch.wasm ${page}
+      DEPENDS ${wasm}/touch.wasm ${web}/node_modules/.palpable-lock ${scripts} ${web}/index.html ${web}/protocol.json
+              ${web}/scripts/one_file.mjs ${web}/vite.onefile.config.ts ${web}/public/favicon.svg
+      WORKING_DIRECTORY ${web}
+      COMMENT "Building the one-file page"
+      VERBATIM)
+  else()
+    message(STATUS "There is no emscripten: `palpable export SCENE -o x.html` is left out (Debian: apt install emscripten)")
+    file(CONFIGURE OUTPUT ${page} CONTENT "")
+  endif()
+  set(source ${CMAKE_BINARY_DIR}/web/page_template.gen.cpp)
+  configure_file(${module}/page_template.cpp.in ${source} @ONLY)
+  # The assembler reads the page: the compiler does not see the dependency.
+  set_source_files_properties(${source} PROPERTIES OBJECT_DEPENDS ${page} SKIP_UNITY_BUILD_INCLUSION ON)
+  set(${O_PAGE} ${source} PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,27 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/frame.hpp"
+#include "palpable/device/touch_sample.hpp"
+#include "palpable/models/scene/scene.hpp"
+#include "palpable/page/protocol.gen.hpp"
+
+namespace palpable::page {
+
+/// Height of the surface at a place at a height factor of 1; 0 for models without heights.
+double surface_height_m(const models::Scene& scene, double x_m, double y_m);
+
+/// A probe in its newest tick, as the page shows it.
+protocol::ProbeState probe_state(const device::TouchSample& sample, const models::Scene& scene,
+                                 double height_factor);
+
+/// Whether two states are equal for a user: within a micrometre and two millinewtons.
+bool nearly_equal(const protocol::ProbeState& a, const protocol::ProbeState& b);
+
+/// Where a page's pointer holds the probe: the centre of the touching ball, which at rest is one radius above
+/// the surface.
+Point<SceneFrame> pointer_place(const protocol::Pointer& pointer, const models::Scene& scene,
+                                double height_factor, double radius_m);
+
+}  // namespace palpable::page

@@ -1,0 +1,57 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// A page that is a file of its own (`palpable export SCENE -o x.html`).
+import { element } from '../dom';
+import { TouchPage } from '../home/touch_page';
+import { defaults } from '../settings/preferences';
+import { isComplete, picture, unpacked } from './embedded';
+import { LocalProgram } from './local_program';
+import { TouchModule, type Row } from './touch_module';
+
+declare global {
+  interface Window {
+    /** For other programs: the forces that `palpable probe` gives for these rows. */
+    palpable?: { probe(rows: readonly Row[], options?: object): Promise<number[][]> };
+  }
+}
+
+const damaged = 'This file is damaged: its scene cannot be read. Get it again from where it came from.';
+const tooOld = 'This browser is too old for this page: it needs WebAssembly and DecompressionStream.';
+
+async function openTouch(): Promise<TouchModule> {
+  if (typeof WebAssembly === 'undefined' || typeof DecompressionStream === 'undefined') throw new Error(tooOld);
+  const [wasm, scene, pixels] = await Promise.all([unpacked('data-touch'), unpacked('data-scene'), picture()]).catch(() => {
+    throw new Error(damaged);
+  });
+  const touch = await TouchModule.load(wasm);
+  touch.open(scene, pixels);
+  return touch;
+}
+
+/** What this browser lacks, each once. */
+function lacks(): string[] {
+  const sentences: string[] = [];
+  if (typeof AudioContext === 'undefined') sentences.push('This browser plays no sound: height and edges are told by words only.');
+  const isPhone = matchMedia('(pointer: coarse)').matches;
+  if (isPhone && typeof navigator.vibrate !== 'function') sentences.push('This device does not vibrate for pages: sound tells contact and edges.');
+  return sentences;
+}
+
+function start(): void {
+  const opened = openTouch();
+  window.palpable = { probe: async (rows, options = {}) => (await opened).probe(rows, options) };
+  // There is no other file to save to, and nothing is kept in a browser that belongs to somebody else's address.
+  element('save').hidden = true;
+  element('stored-data').textContent = 'Nothing is stored, and no data leaves this page: it asks no address for anything.';
+  new TouchPage(
+    (receiver) => {
+      const program = new LocalProgram(receiver, opened);
+      void opened.then(() => lacks().forEach((sentence) => program.tell(sentence))).catch(() => undefined);
+      return program;
+    },
+    // From above: quick on every phone. In 3D is a setting.
+    { read: () => ({ ...defaults, view: 'flat' }), keep: () => undefined },
+  ).start();
+}
+
+if (isComplete()) start();
