@@ -41,12 +41,9 @@ Result<SceneArguments> with_words(SceneArguments arguments, const std::filesyste
   }
 }
 
-/// The folder of samples that holds a file: beside the installed program, then where it was built.
 std::optional<std::filesystem::path> folder_with(const char* file) {
   std::error_code ignored;
-  const auto beside =
-      std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / "../share/palpable/samples";
-  for (const std::filesystem::path& folder : {beside, std::filesystem::path(PALPABLE_SAMPLES)})
+  for (const std::filesystem::path& folder : sample_folders())
     if (std::filesystem::exists(folder / file, ignored)) return folder;
   return std::nullopt;
 }
@@ -56,6 +53,16 @@ Error not_installed() {
 }
 
 }  // namespace
+
+std::vector<std::filesystem::path> sample_folders() {
+  std::error_code ignored;
+  // Beside the installed program, then where it was built.
+  const auto beside =
+      std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / "../share/palpable/samples";
+  std::vector<std::filesystem::path> folders{beside, PALPABLE_SAMPLES};
+  std::erase_if(folders, [&](const auto& folder) { return !std::filesystem::is_directory(folder, ignored); });
+  return folders;
+}
 
 Result<void> resolve_sample(MakeArguments& make, TitleArguments& title) {
   if (make.inputs.size() != 1 || make.inputs.front() != kMapSample) return {};

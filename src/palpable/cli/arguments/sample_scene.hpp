@@ -6,6 +6,9 @@
 #include "palpable/cli/arguments/material_options.hpp"
 #include "palpable/cli/arguments/title_options.hpp"
 
+#include <filesystem>
+#include <vector>
+
 namespace palpable::cli {
 
 /// All command-line arguments for making a scene.
@@ -26,5 +29,8 @@ inline constexpr const char* kMapSample = "sample:map";
 /// Replaces kMapSample as the only input by the sample's file; its window, title and description are used
 /// unless others are given. Other inputs stay. Errors: failed, if the sample is not found.
 Result<void> resolve_sample(MakeArguments& make, TitleArguments& title);
+
+/// The folders in which samples are searched, if they exist.
+std::vector<std::filesystem::path> sample_folders();
 
 }  // namespace palpable::cli
