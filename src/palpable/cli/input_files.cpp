@@ -37,6 +37,15 @@ std::vector<std::string> names_in(const std::string& word) {
 
 }  // namespace
 
+std::vector<fs::path> sample_folders() {
+  std::error_code ignored;
+  // Beside the installed program, then where it was built.
+  const auto beside = fs::read_symlink("/proc/self/exe", ignored).parent_path() / "../share/palpable/samples";
+  std::vector<fs::path> folders{beside, PALPABLE_SAMPLES};
+  std::erase_if(folders, [&](const auto& folder) { return !fs::is_directory(folder, ignored); });
+  return folders;
+}
+
 InputFiles::InputFiles(const InputWords& words) {
   for (const std::string& word : words.words) add_word(word);
   for (const std::string& argument : words.arguments) add_argument(argument);

@@ -7,12 +7,19 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <sys/types.h>
 
 namespace palpable::cli {
 
 struct InputWords;
+
+/// How the sample map is asked for: an extract of a town that does not exist.
+inline constexpr const char* kMapSample = "sample:map";
+
+/// The folders in which samples are searched, if they exist.
+std::vector<std::filesystem::path> sample_folders();
 
 /// The existing files that a command line names as inputs (check_outputs() says which), compared by their
 /// device and number, so that links and other spellings of a name make no difference.

@@ -195,44 +195,39 @@ std::vector<std::size_t> inputs_of(const Program& program, CLI::App& command) {
   return numbers;
 }
 
-// Every output of every command refuses every input of that command. The options are counted, because each
-// pair needs a command line of its own.
+/// All that an option may write for this value.
+std::vector<std::string> written_by(const OutputOption& output, const std::string& value) {
+  if (output.kind == OutputOption::Kind::folder) return {value + "/depth.json"};
+  return output.files_for ? output.files_for(value) : std::vector{value};
+}
+
+// Every output of every command refuses every input of that command.
 TEST_F(OutputFiles, OfEveryCommandAreNoneOfItsInputs) {
-  Program counted;
-  add_commands(counted);
+  Program program;
+  add_commands(program);
   std::size_t pairs = 0;
-  std::vector<std::string> commands;
-  for_each_command(counted.app, [&](CLI::App& command) {
-    for (std::size_t k = 0; k < counted.outputs.size(); ++k)
-      if (counted.outputs[k].command == &command)
-        for (const std::size_t input : inputs_of(counted, command)) {
-          Program program;
-          add_commands(program);
-          OutputOption output = program.outputs[k];
-          const auto suffix = output.suffixes.empty() ? ".palp" : output.suffixes.front();
-          const std::string value = path("o" + suffix);
-          // All that the option may write, each as the input.
-          const auto written = output.kind == OutputOption::Kind::folder ? std::vector{value + "/depth.json"}
-                               : output.files_for                        ? output.files_for(value)
-                                                                         : std::vector{value};
-          for (const std::string& file : written) {
-            fs::create_directories(fs::path(file).parent_path());
-            std::ofstream(file) << "x";
-            CLI::Option& named = *const_cast<CLI::App*>(output.command)->get_options()[input];
-            named.clear();
-            named.add_result(file);
-            output.value = &value;
-            std::vector<OutputOption> alone{output};
-            const auto checked = check_outputs(*output.command, alone);
-            EXPECT_TRUE(!checked && checked.error().code == ErrorCode::usage)
-                << command.get_name() << ' ' << output.option->get_name() << ' ' << file << " also as "
-                << named.get_name();
-            EXPECT_TRUE(fs::exists(file));
-            fs::remove_all(file);
-            ++pairs;
-          }
+  for_each_command(program.app, [&](CLI::App& command) {
+    for (OutputOption output : program.outputs) {
+      if (output.command != &command) continue;
+      const std::string value = path("o" + (output.suffixes.empty() ? ".palp" : output.suffixes.front()));
+      output.value = &value;
+      for (const std::size_t input : inputs_of(program, command))
+        for (const std::string& file : written_by(output, value)) {
+          fs::create_directories(fs::path(file).parent_path());
+          std::ofstream(file) << "x";
+          CLI::Option& named = *command.get_options()[input];
+          named.add_result(file);
+          const auto checked = check_outputs(command, std::span(&output, 1));
+          named.clear();
+          EXPECT_TRUE(!checked && checked.error().code == ErrorCode::usage)
+              << command.get_name() << ' ' << output.option->get_name() << ' ' << file << " also as "
+              << named.get_name();
+          EXPECT_TRUE(fs::exists(file));
           fs::remove_all(value);
+          fs::remove(file);
+          ++pairs;
         }
+    }
   });
   EXPECT_GT(pairs, 300U);
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/run.hpp"
 
-#include "palpable/cli/arguments/sample_scene.hpp"
 #include "palpable/cli/hints.hpp"
+#include "palpable/cli/input_files.hpp"
 #include "palpable/cli/program.hpp"
 #include "palpable/cli/suggest.hpp"
 #include "palpable/core/text/plain_text.hpp"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/arguments/sample_scene.hpp"
 
+#include "palpable/cli/input_files.hpp"
 #include "palpable/core/files/byte_reader.hpp"
 #include "palpable/core/files/read_file.hpp"
 
@@ -53,16 +54,6 @@ Error not_installed() {
 }
 
 }  // namespace
-
-std::vector<std::filesystem::path> sample_folders() {
-  std::error_code ignored;
-  // Beside the installed program, then where it was built.
-  const auto beside =
-      std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / "../share/palpable/samples";
-  std::vector<std::filesystem::path> folders{beside, PALPABLE_SAMPLES};
-  std::erase_if(folders, [&](const auto& folder) { return !std::filesystem::is_directory(folder, ignored); });
-  return folders;
-}
 
 Result<void> resolve_sample(MakeArguments& make, TitleArguments& title) {
   if (make.inputs.size() != 1 || make.inputs.front() != kMapSample) return {};
