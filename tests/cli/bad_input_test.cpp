@@ -202,6 +202,43 @@ TEST_F(BadInput, AnOutputThatIsAnInputIsRefusedAndKept) {
   }
 }
 
+/// Writes a depth map of a slope as 16-bit PNG.
+void write_slope(const std::string& file) {
+  Raster<std::uint16_t> depth_mm(32, 24);
+  for (int y = 0; y < depth_mm.height(); ++y)
+    for (int x = 0; x < depth_mm.width(); ++x) depth_mm(x, y) = static_cast<std::uint16_t>(1000 + x + y);
+  ASSERT_TRUE(formats::write_png(file, depth_mm));
+}
+
+TEST_F(BadInput, AnOutputThatIsAFileBesideAnInputIsRefusedAndKept) {
+  std::filesystem::create_directories(path("frames"));
+  write_slope(path("frames/0.depth.png"));
+  write_slope(path("d.png"));
+  for (const char* name : {"frames/0.pose.txt", "frames/intrinsics.K.txt", "d.json"})
+    write_text(path(name), "{}");
+  write_text(path("frames/depth.json"), R"({"scale": 0.001})");
+  std::filesystem::create_symlink("frames/0.pose.txt", path("link"));
+  const std::string live = "frames:" + path("frames") + "?loop=1";
+  const auto refused = [&](const std::vector<std::string>& words, const std::string& file) {
+    const std::string before = read_text(path(file));
+    const Outcome outcome = palpable(words);
+    EXPECT_EQ(outcome.exit_code, 2) << file << ": " << outcome.err;
+    EXPECT_TRUE(is_one_sentence(outcome.err)) << outcome.err;
+    EXPECT_EQ(read_text(path(file)), before) << file;
+  };
+  for (const char* file : {"frames/0.depth.png", "frames/0.pose.txt", "frames/intrinsics.K.txt",
+                           "frames/depth.json", "link", "frames/../frames/0.depth.png"})
+    refused({"touch", live, "--headless", "--seconds", "0.1", "--record", path(file)}, file);
+  refused({"fit-shapes", path("d.png"), "-o", path("d.json")}, "d.json");
+
+  ASSERT_EQ(palpable({"touch", live, "--headless", "--seconds", "0.2", "--record", path("a.rec")}).exit_code,
+            0);
+  for (const char* options : {"", "?", "?loop=1"})
+    refused({"touch", path("d.png"), "--kind", "depth", "--headless", "--seconds", "0.1", "--device",
+             "replay:" + path("a.rec") + options, "--record", path("a.rec")},
+            "a.rec");
+}
+
 TEST_F(BadInput, CtrlCEndsACommandThatWaitsForAPipe) {
   const std::string pipe = path("pipe.json");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);

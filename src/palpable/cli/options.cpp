@@ -8,6 +8,7 @@
 
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -86,10 +87,22 @@ void Options::output(const std::string& name, std::string& value, const std::vec
   outputs_.push_back({&app_, app_.get_options().back(), &value, suffixes});
 }
 
-void Options::output_prefix(const std::string& name, std::string& value,
-                            const std::vector<std::string>& endings, const std::string& help) {
-  text(name, value, help);
-  outputs_.push_back({&app_, app_.get_options().back(), &value, {}, endings});
+void Options::last_output_writes(OutputOption::FilesFor files_for) {
+  outputs_.back().files_for = std::move(files_for);
+}
+
+void Options::output_folder(const std::string& name, std::string& value, const std::string& help) {
+  output(name, value, {}, help);
+  outputs_.back().kind = OutputOption::Kind::folder;
+}
+
+std::function<Result<void>()> Options::output_check(const std::string& name, const std::string& value,
+                                                    const std::vector<std::string>& suffixes) const {
+  return [app = &app_, outputs = &outputs_, option = app_.get_option(name), value = &value, suffixes] {
+    std::vector<OutputOption> all = *outputs;
+    all.push_back({app, option, value, suffixes});
+    return check_outputs(*app, all);
+  };
 }
 
 void Options::choice(const std::string& name, std::string& value, const std::vector<std::string>& words,

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/result.hpp"
+
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -52,9 +54,14 @@ class Options {
                        const std::string& help);
   void output(const std::string& name, std::string& value, const std::vector<std::string>& suffixes,
               const std::string& help);
-  /// Several files whose names begin with `value` and end in these.
-  void output_prefix(const std::string& name, std::string& value, const std::vector<std::string>& endings,
-                     const std::string& help);
+  /// The last declared output writes these files, for a value of its option.
+  void last_output_writes(std::function<std::vector<std::string>(const std::string& value)> files_for);
+  /// A folder to write files into. It is checked that none of its files is an input.
+  void output_folder(const std::string& name, std::string& value, const std::string& help);
+  /// For an option, declared as text, that names a file to write for some kinds of inputs only: returns the
+  /// check of output(), for the command to call once it knows. The command must outlive it.
+  std::function<Result<void>()> output_check(const std::string& name, const std::string& value,
+                                             const std::vector<std::string>& suffixes) const;
   /// One of `words`; the help shows the default.
   void choice(const std::string& name, std::string& value, const std::vector<std::string>& words,
               const std::string& help);

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/run.hpp"
 
-#include "palpable/cli/command.hpp"
-#include "palpable/cli/help_format.hpp"
 #include "palpable/cli/hints.hpp"
-#include "palpable/cli/output_files.hpp"
+#include "palpable/cli/input_files.hpp"
+#include "palpable/cli/program.hpp"
 #include "palpable/cli/suggest.hpp"
 #include "palpable/core/text/plain_text.hpp"
 
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <new>
 
 #include <CLI/CLI.hpp>
@@ -20,30 +20,7 @@
 #include <unistd.h>
 
 namespace palpable::cli {
-
-class Program {
- public:
-  CLI::App app;
-  CommonOptions common;
-  /// The output options of all commands.
-  std::vector<OutputOption> outputs;
-  /// The action of the parsed command.
-  Action action;
-};
-
 namespace {
-
-void add_common(Options& options, CommonOptions& common) {
-  const std::string group = "Every command";
-  options.under(group);
-  options.flag("--json", common.json, "One JSON object on standard output");
-  options.flag("--quiet", common.quiet, "No notes and no progress");
-  options.integer("--threads", common.threads, {0.0, 256.0}, "Number of threads; 0 = one per processor");
-  options.count("--seed", common.seed,
-                "Seed of the random numbers: the same seed gives the same result, except in a live touch, "
-                "which also follows the clock");
-  options.under("Options");
-}
 
 /// Makes a single line of a sentence that may quote an argument, and shortens it in the middle.
 std::string one_line(std::string sentence) {
@@ -142,79 +119,6 @@ int finish(const Result<Answer>& answer, const CommonOptions& common) {
   return answer->exit_code;
 }
 
-Options add_command_to(Program& program, CLI::App& parent, const std::string& name,
-                       const std::string& description, const std::string& examples, Action action) {
-  CLI::App& command = *parent.add_subcommand(name, description);
-  command.group("Commands");
-  command.footer("Examples:\n" + examples);
-  command.callback([&program, action = std::move(action)] { program.action = action; });
-  Options options(command, program.outputs);
-  add_common(options, program.common);
-  return options;
-}
-
-void describe(Program& program) {
-  CLI::App& app = program.app;
-  app.name("palpable");
-  // Commands inherit it.
-  app.formatter(help_format());
-  app.description(
-      "Palpable makes pictures touchable: palpable touch begins with the sample that comes with it.");
-  app.set_version_flag("--version", std::string("palpable ") + PALPABLE_VERSION);
-  app.require_subcommand(0, 1);
-  app.footer(
-      "palpable help COMMAND explains a command, with examples.\n"
-      "Exit codes: 0 done, 1 failed, 2 wrong usage, 3 unreadable or invalid input, 4 device, 130 "
-      "interrupted.");
-  Options options(app, program.outputs);
-  add_common(options, program.common);
-  add_touch(program);
-  add_make(program);
-  add_marker(program);
-  add_correct(program);
-  add_depth(program);
-  add_compare(program);
-  add_fit(program);
-  add_fit_shapes(program);
-  add_calibrate(program);
-  add_rectify(program);
-  add_probe(program);
-  add_sample(program);
-  add_bench(program);
-  add_show(program);
-  add_info(program);
-  add_export(program);
-  program.app.add_subcommand("score", "Compare a result with the truth")
-      ->group("Commands")
-      ->require_subcommand(1);
-  add_score(program);
-  add_check(program);
-  add_study_stability(program);
-  add_study_tracing(program);
-  add_study_trajectories(program);
-  add_devices(program);
-  add_methods(program);
-  add_doctor(program);
-  add_help(program);
-}
-
-/// Checks that the command's outputs can be written and are not its inputs.
-Result<void> check_command_outputs(const Program& program) {
-  const CLI::App& command = chosen_command(program.app);
-  std::vector<OutputOption> outputs;
-  for (const OutputOption& output : program.outputs)
-    if (output.command == &command) outputs.push_back(output);
-  std::vector<std::string> words;
-  for (const CLI::Option* option : command.get_options()) {
-    const bool is_flag = option->get_expected_max() == 0;
-    const bool is_output = std::any_of(outputs.begin(), outputs.end(), [option](const OutputOption& output) {
-      return output.option == option;
-    });
-    if (!is_flag && !is_output) words.insert(words.end(), option->results().begin(), option->results().end());
-  }
-  return check_outputs(outputs, words);
-}
-
 bool writes_files(const Program& program) {
   const CLI::App* const command = &chosen_command(program.app);
   return std::any_of(program.outputs.begin(), program.outputs.end(), [command](const OutputOption& output) {
@@ -222,9 +126,21 @@ bool writes_files(const Program& program) {
   });
 }
 
+/// The folder of the samples if the command reads one of them: it names one, or is a touch without an input.
+std::vector<std::filesystem::path> samples_of(const CLI::App& command) {
+  std::vector<std::string> arguments;
+  for (const CLI::Option* option : command.get_options())
+    if (option->get_positional())
+      arguments.insert(arguments.end(), option->results().begin(), option->results().end());
+  const bool reads_one = arguments.empty()
+                             ? command.get_name() == "touch"
+                             : std::find(arguments.begin(), arguments.end(), kMapSample) != arguments.end();
+  return reads_one ? sample_folders() : std::vector<std::filesystem::path>();
+}
+
 int parse_and_run(int argc, char** argv) {
   Program program;
-  describe(program);
+  add_commands(program);
   program.common.command.assign(argv + std::min(argc, 1), argv + argc);
   try {
     program.app.parse(argc, argv);
@@ -235,7 +151,9 @@ int parse_and_run(int argc, char** argv) {
   } catch (const CLI::ParseError& complaint) {
     return report(explained(program.app, complaint));
   }
-  if (auto writable = check_command_outputs(program); !writable) return report(writable.error());
+  const CLI::App& command = chosen_command(program.app);
+  if (auto writable = check_outputs(command, program.outputs, samples_of(command)); !writable)
+    return report(writable.error());
   if (!program.action) return finish(Answer{{}, program.app.help()}, {});
   auto answer = [&program] {
     // Its destructor removes the progress line.
@@ -265,17 +183,6 @@ Result<std::string> help_text(const Program& program, const std::vector<std::str
     app = app->get_subcommand(word);
   }
   return app->help(before);
-}
-
-Options add_command(Program& program, const std::string& name, const std::string& description,
-                    const std::string& examples, Action action) {
-  return add_command_to(program, program.app, name, description, examples, std::move(action));
-}
-
-Options add_command_below(Program& program, const std::string& parent, const std::string& name,
-                          const std::string& description, const std::string& examples, Action action) {
-  return add_command_to(program, *program.app.get_subcommand(parent), name, description, examples,
-                        std::move(action));
 }
 
 /// Opens /dev/null for closed standard streams; otherwise the next opened file would receive their text.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/arguments/sample_scene.hpp"
 
+#include "palpable/cli/input_files.hpp"
 #include "palpable/core/files/byte_reader.hpp"
 #include "palpable/core/files/read_file.hpp"
 
@@ -41,12 +42,9 @@ Result<SceneArguments> with_words(SceneArguments arguments, const std::filesyste
   }
 }
 
-/// The folder of samples that holds a file: beside the installed program, then where it was built.
 std::optional<std::filesystem::path> folder_with(const char* file) {
   std::error_code ignored;
-  const auto beside =
-      std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / "../share/palpable/samples";
-  for (const std::filesystem::path& folder : {beside, std::filesystem::path(PALPABLE_SAMPLES)})
+  for (const std::filesystem::path& folder : sample_folders())
     if (std::filesystem::exists(folder / file, ignored)) return folder;
   return std::nullopt;
 }

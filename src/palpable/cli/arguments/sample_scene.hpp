@@ -20,9 +20,6 @@ struct SceneArguments {
 /// built. Errors: failed, if it is not found; invalid_input, if it is damaged.
 Result<SceneArguments> with_sample(SceneArguments arguments);
 
-/// How the sample map is asked for: an extract of a town that does not exist.
-inline constexpr const char* kMapSample = "sample:map";
-
 /// Replaces kMapSample as the only input by the sample's file; its window, title and description are used
 /// unless others are given. Other inputs stay. Errors: failed, if the sample is not found.
 Result<void> resolve_sample(MakeArguments& make, TitleArguments& title);

@@ -15,6 +15,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -29,6 +30,8 @@ struct MakeCommandArguments {
   std::string as_published;
   std::string output;
   VideoOutputs video;
+  /// For a video, whose poses are written.
+  std::function<Result<void>()> check_poses;
 };
 
 Json json_of(const session::ComparedDetail& compared) {
@@ -85,13 +88,10 @@ Result<Answer> compare(const session::MakeOptions& options, const std::string& o
   return answer;
 }
 
-/// Every file that the command line names, except the poses.
-std::vector<std::string> files_of(const MakeCommandArguments& arguments) {
-  std::vector<std::string> files = arguments.make.inputs;
-  files.insert(files.end(), {arguments.output, arguments.make.stereo.calibration, arguments.video.structure,
-                             arguments.video.report, arguments.video.mesh});
-  std::erase(files, "");
-  return files;
+/// Checks the outputs that only a video has. Errors: usage.
+Result<void> check_outputs_of_video(const MakeCommandArguments& arguments) {
+  if (auto checked = arguments.check_poses(); !checked) return checked;
+  return check_video_outputs(arguments.video);
 }
 
 Result<Answer> make(MakeCommandArguments arguments, Console& console) {
@@ -105,7 +105,7 @@ Result<Answer> make(MakeCommandArguments arguments, Console& console) {
     return resolved.error();
   const bool video = is_video(arguments.make.inputs, arguments.make.kind);
   if (video) arguments.video.poses = std::exchange(arguments.make.poses, {});
-  const auto checked = video ? check_video_outputs(arguments.video, files_of(arguments))
+  const auto checked = video ? check_outputs_of_video(arguments)
                              : check_no_video_outputs(arguments.video, arguments.make.inputs);
   if (!checked) return checked.error();
   auto options = make_options(arguments.make);
@@ -173,6 +173,7 @@ void add_make(Program& program) {
       [arguments](Console& console) { return make(*arguments, console); });
   options.required_output("-o,--output", arguments->output, {}, "Scene to write (.palp)");
   add_make_options(options, arguments->make);
+  arguments->check_poses = options.output_check("--poses", arguments->make.poses, {".csv"});
   add_video_outputs(options, arguments->video);
   add_as_published(options, arguments->as_published);
   add_title_options(options, arguments->title);

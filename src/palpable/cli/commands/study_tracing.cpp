@@ -219,8 +219,9 @@ void add_study_tracing(Program& program) {
   options.number("--speed", arguments->speed_mm_per_s, {0.1, 200.0}, "Speed that the hands aim at, mm/s");
   options.flag("--sensitivity", arguments->sensitivity,
                "Also change each parameter of the model, one at a time");
-  options.text("--pictures", arguments->pictures,
-               "Only write the paper's pictures and their nominal lines (PNG, CSV) into this folder");
+  options.output_folder(
+      "--pictures", arguments->pictures,
+      "Only write the paper's pictures and their nominal lines (PNG, CSV) into this folder");
 }
 
 }  // namespace palpable::cli

@@ -100,29 +100,14 @@ Error wrong_output(std::string message, const fs::path& place) {
   return {ErrorCode::usage, std::move(message), place.string()};
 }
 
-Result<void> check_parent(const fs::path& file) {
-  std::error_code none;
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  return fs::is_directory(folder, none) ? Result<void>()
-                                        : wrong_output("there is no folder " + folder.string(), file);
-}
-
-Result<void> check_poses_file(const fs::path& file, const std::vector<std::string>& files) {
-  std::error_code none;
-  if (file.extension() != ".csv") return wrong_output("poses of a video are written as .csv", file);
-  if (fs::is_directory(file, none)) return wrong_output("is a folder", file);
-  for (const std::string& other : files)
-    if (file.lexically_normal() == fs::path(other).lexically_normal() || fs::equivalent(file, other, none))
-      return wrong_output("would be overwritten: the command names it as another file too", file);
-  if (auto parent = check_parent(file); !parent) return parent;
-  return check_room(file);
-}
-
 // Accepts a new folder, an empty one, or one with earlier depth maps.
 Result<void> check_depth_folder(const fs::path& folder) {
   std::error_code none;
-  if (!fs::exists(folder, none)) return check_parent(folder);
-  if (!fs::is_directory(folder, none)) return wrong_output("is a file, not a folder", folder);
+  if (!fs::exists(folder, none)) {
+    const fs::path parent = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
+    return fs::is_directory(parent, none) ? Result<void>()
+                                          : wrong_output("there is no folder " + parent.string(), folder);
+  }
   const bool ours = fs::exists(folder / "depth.json", none) || fs::is_empty(folder, none);
   return ours ? Result<void>() : wrong_output("holds other files; name a new folder", folder);
 }
@@ -134,8 +119,8 @@ void add_video_outputs(Options& options, VideoOutputs& outputs) {
   options.output("--structure", outputs.structure, {".ply"}, "Write the points that were found, PLY");
   options.output("--report", outputs.report, {".html"}, "Write a page about the video and its result, HTML");
   options.output("--mesh", outputs.mesh, {".glb"}, "Write the surface in the video's colours, GLB");
-  options.text("--depth-dir", outputs.depth_folder,
-               "Write the depth maps that were computed, 16-bit PNG, and their scale");
+  options.output_folder("--depth-dir", outputs.depth_folder,
+                        "Write the depth maps that were computed, 16-bit PNG, and their scale");
 }
 
 std::string video_name(const std::vector<std::string>& inputs) {
@@ -167,9 +152,7 @@ Result<void> check_no_video_outputs(const VideoOutputs& outputs, const std::vect
   return {};
 }
 
-Result<void> check_video_outputs(const VideoOutputs& outputs, const std::vector<std::string>& files) {
-  if (!outputs.poses.empty())
-    if (auto checked = check_poses_file(outputs.poses, files); !checked) return checked;
+Result<void> check_video_outputs(const VideoOutputs& outputs) {
   return outputs.depth_folder.empty() ? Result<void>() : check_depth_folder(outputs.depth_folder);
 }
 

@@ -43,10 +43,9 @@ std::string video_name(const std::vector<std::string>& inputs);
 /// Whether these inputs are one video, or the folder of a sequence. Then --poses is an output, else an input.
 bool is_video(const std::vector<std::string>& inputs, const std::string& kind);
 
-/// Checks before any work that all outputs can be written. `files`: the inputs and all other files of the
-/// command line, which must not be overwritten. Errors: usage for a file that is one of `files`, for a folder
-/// that is missing or contains other files; failed if the disk is full.
-Result<void> check_video_outputs(const VideoOutputs& outputs, const std::vector<std::string>& files);
+/// Checks before any work that the folder of depth maps, which output_files.hpp has checked, is a new one or
+/// holds those of an earlier run. Errors: usage.
+Result<void> check_video_outputs(const VideoOutputs& outputs);
 
 /// The check for inputs that are no video, which have none of these outputs. Errors: of reading, for an
 /// output that is given with a file that cannot be read; otherwise usage for an output that is given.

@@ -8,10 +8,12 @@
 #include <cerrno>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <system_error>
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/stat.h>
 
 namespace palpable {
 namespace {
@@ -81,6 +83,24 @@ Result<std::vector<std::byte>> read_up_to(std::FILE* file, std::size_t limit,
   return bytes;
 }
 
+/// Reads all of a file of this size, or of a pipe, which has none. Errors: of reading; more than `max_bytes`.
+Result<std::vector<std::byte>> read_within(std::FILE* file, std::optional<std::uintmax_t> size,
+                                           std::uintmax_t max_bytes, const std::filesystem::path& path) {
+  if (!size) max_bytes = std::min(max_bytes, kMaxPipeBytes);
+  const auto too_large = [&] {
+    const bool in_mebibytes = max_bytes >= std::uintmax_t{1} << 20U;
+    return invalid_input("is larger than the " + std::to_string(max_bytes >> (in_mebibytes ? 20U : 10U)) +
+                             (in_mebibytes ? " MiB" : " KiB") + " that are read",
+                         path.string());
+  };
+  if (size && *size > max_bytes) return too_large();
+  const auto limit = static_cast<std::size_t>(size.value_or(max_bytes));
+  // Reading one byte more than allowed detects a growing file and an endless pipe.
+  auto bytes = read_up_to(file, limit + 1, path);
+  if (bytes && bytes->size() > max_bytes) return too_large();
+  return bytes;
+}
+
 }  // namespace
 
 Result<std::vector<std::byte>> read_file(const std::filesystem::path& path, std::uintmax_t max_bytes) {
@@ -88,19 +108,20 @@ Result<std::vector<std::byte>> read_file(const std::filesystem::path& path, std:
   if (!file) return std::move(file).error();
   std::error_code no_size;
   const std::uintmax_t size = std::filesystem::file_size(path, no_size);
-  if (no_size) max_bytes = std::min(max_bytes, kMaxPipeBytes);
-  const auto too_large = [&] {
-    const bool in_mebibytes = max_bytes >= std::uintmax_t{1} << 20U;
-    return invalid_input("is larger than the " + std::to_string(max_bytes >> (in_mebibytes ? 20U : 10U)) +
-                             (in_mebibytes ? " MiB" : " KiB") + " that are read",
-                         path.string());
-  };
-  if (!no_size && size > max_bytes) return too_large();
-  const auto limit = static_cast<std::size_t>(no_size ? max_bytes : size);
-  // Reading one byte more than allowed detects a growing file and an endless pipe.
-  auto bytes = read_up_to(file->get(), limit + 1, path);
-  if (bytes && bytes->size() > max_bytes) return too_large();
-  return bytes;
+  return read_within(file->get(), no_size ? std::nullopt : std::optional(size), max_bytes, path);
+}
+
+Result<std::vector<std::byte>> read_regular_file(const std::filesystem::path& path,
+                                                 std::uintmax_t max_bytes) {
+  // A pipe would be waited for, and may have taken the file's place at any time: so it is opened first.
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) return unreadable(path, errno);
+  struct stat found {};
+  const bool is_regular = ::fstat(descriptor, &found) == 0 && S_ISREG(found.st_mode);
+  const File file(fdopen(descriptor, "rb"));
+  if (!file) return unreadable(path, errno);
+  if (!is_regular) return invalid_input("is a pipe, a folder or a device, and not a file", path.string());
+  return read_within(file.get(), static_cast<std::uintmax_t>(found.st_size), max_bytes, path);
 }
 
 Result<std::string> read_text_file(const std::filesystem::path& path, std::uintmax_t max_bytes) {

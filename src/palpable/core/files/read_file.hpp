@@ -27,7 +27,11 @@ inline constexpr std::uintmax_t kMaxTextBytes = std::uintmax_t{256} << 20U;
 Result<std::vector<std::byte>> read_file(const std::filesystem::path& path,
                                          std::uintmax_t max_bytes = kMaxFileBytes);
 
-/// The same as text.
+/// Reads a regular file only, without ever waiting for another program: for files that are read again and
+/// again while something else goes on. Errors (invalid_input) as read_file(), and a pipe.
+Result<std::vector<std::byte>> read_regular_file(const std::filesystem::path& path, std::uintmax_t max_bytes);
+
+/// The same as read_file(), as text.
 Result<std::string> read_text_file(const std::filesystem::path& path,
                                    std::uintmax_t max_bytes = kMaxTextBytes);
 

@@ -62,7 +62,6 @@ Falcon::Falcon(std::unique_ptr<UsbTransfers> usb, const FalconOptions& options, 
       traits_(falcon_traits(options)),
       fresh_(1.0 / options.rate_hz),
       until_s_(usb_->now_s()) {
-  reading_.status = Status::not_ready;
   if (!options.own_thread) return;
   thread_ = std::thread([this] {
     while (!ending_.load(std::memory_order_relaxed)) link_.exchange();
@@ -106,19 +105,13 @@ void Falcon::exchange_a_period() noexcept {
 Reading Falcon::read() noexcept {
   if (!thread_.joinable()) exchange_a_period();
   fresh_.pass();
-  if (FalconLink::State state; link_.states.take(state)) {
-    fresh_.renew();
-    reading_.position.v = state.place_m - falcon::kCentre_m;
-    reading_.buttons = state.buttons;
-    last_ = state.homed ? Status::ok : Status::not_ready;
-  }
-  reading_.status = link_.lost() || link_.is_stuck() ? Status::fault : fresh_.status(last_);
-  return reading_;
+  if (FalconLink::State state; link_.states.take(state))
+    fresh_.renew(state.place_m - falcon::kCentre_m, state.buttons,
+                 state.homed ? Status::ok : Status::not_ready);
+  return fresh_.now(link_.lost() || link_.is_stuck());
 }
 
-void Falcon::write(Vector<DeviceFrame> force_N) noexcept {
-  link_.forces.put(reading_.status == Status::ok ? force_N.v : Vec3{});
-}
+void Falcon::write(Vector<DeviceFrame> force_N) noexcept { link_.forces.put(fresh_.allowed(force_N.v)); }
 
 void Falcon::stop() noexcept { link_.forces.cut(); }
 
@@ -127,7 +120,7 @@ std::string Falcon::fault() const {
   if (link_.is_stuck())
     return "an arm of the Falcon stands still while the others move: its encoder is stuck, so its force is "
            "off";
-  return "the Falcon does not answer any more";
+  return FreshReading::silence_of("Falcon");
 }
 
 std::string Falcon::guidance() const {

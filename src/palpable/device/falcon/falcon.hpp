@@ -4,7 +4,7 @@
 
 #include "palpable/device/device.hpp"
 #include "palpable/device/falcon/falcon_link.hpp"
-#include "palpable/device/freshness.hpp"
+#include "palpable/device/transport/fresh_reading.hpp"
 #include "palpable/device/zero_write.hpp"
 
 #include <memory>
@@ -55,9 +55,7 @@ class Falcon final : public Device, public Guardable {
   FalconLink link_;
   int descriptor_;
   Traits traits_;
-  Freshness fresh_;
-  Reading reading_;
-  Status last_ = Status::not_ready;
+  FreshReading fresh_;
   /// The end of the period, in the transport's time; only without a thread of its own.
   double until_s_ = 0.0;
   std::atomic<bool> ending_{false};

@@ -65,9 +65,7 @@ Traits traits_of(const DhdFunctions& dhd, char number, const ForceDimensionOptio
 }  // namespace
 
 ForceDimension::ForceDimension(const DhdFunctions& dhd, char number, const ForceDimensionOptions& options)
-    : dhd_(dhd), number_(number), traits_(traits_of(dhd, number, options)), fresh_(1.0 / options.rate_hz) {
-  reading_.status = Status::not_ready;
-}
+    : dhd_(dhd), number_(number), traits_(traits_of(dhd, number, options)), fresh_(1.0 / options.rate_hz) {}
 
 Result<std::unique_ptr<ForceDimension>> ForceDimension::open(const DhdFunctions& dhd,
                                                              const ForceDimensionOptions& options) {
@@ -102,19 +100,16 @@ Reading ForceDimension::read() noexcept {
   Vec3 theirs{NAN, NAN, NAN};
   if (!is_error(dhd_.dhdGetPosition(&theirs.x, &theirs.y, &theirs.z, number_)) && is_finite(theirs) &&
       norm(theirs) < kFarthest_m) {
-    reading_.position.v = {theirs.y, theirs.z, theirs.x};
-    reading_.buttons = 0;
+    std::uint32_t buttons = 0;
     for (int k = 0; k < kButtons; ++k)
-      if (dhd_.dhdGetButton(k, number_) == 1) reading_.buttons |= 1U << static_cast<unsigned>(k);
-    fresh_.renew();
-    last_ = Status::ok;
+      if (dhd_.dhdGetButton(k, number_) == 1) buttons |= 1U << static_cast<unsigned>(k);
+    fresh_.renew({theirs.y, theirs.z, theirs.x}, buttons, Status::ok);
   }
-  reading_.status = fresh_.status(last_);
-  return reading_;
+  return fresh_.now(false);
 }
 
 void ForceDimension::write(Vector<DeviceFrame> force_N) noexcept {
-  const Vec3 force = reading_.status == Status::ok ? force_N.v : Vec3{};
+  const Vec3 force = fresh_.allowed(force_N.v);
   dhd_.dhdSetForce(force.z, force.x, force.y, number_);
 }
 
@@ -122,7 +117,7 @@ void ForceDimension::stop() noexcept { dhd_.dhdSetForce(0.0, 0.0, 0.0, number_);
 
 std::string ForceDimension::fault() const {
   const std::string why = text_of(dhd_.dhdErrorGetLastStr());
-  return "the " + traits_.name + " does not answer any more" + (why.empty() ? "" : " (" + why + ")");
+  return FreshReading::silence_of(traits_.name) + (why.empty() ? "" : " (" + why + ")");
 }
 
 Result<std::vector<std::string>> force_dimension_ports() {

@@ -4,7 +4,7 @@
 
 #include "palpable/device/device.hpp"
 #include "palpable/device/force_dimension/dhd_functions.hpp"
-#include "palpable/device/freshness.hpp"
+#include "palpable/device/transport/fresh_reading.hpp"
 
 #include <memory>
 #include <string>
@@ -50,10 +50,7 @@ class ForceDimension final : public Device {
   DhdFunctions dhd_;
   char number_;
   Traits traits_;
-  Freshness fresh_;
-  Reading reading_;
-  /// Of the last position.
-  Status last_ = Status::not_ready;
+  FreshReading fresh_;
 };
 
 /// Opens `forcedimension:INDEX?initialise=yes&max-force=N&library=FILE`; without an index the first device.

@@ -142,7 +142,7 @@ TEST_F(ForceDimensionDevice, HasFailedAfterHalfASecondAndSaysSo) {
   dhd_ticks(**device, 20);
   inject(LibraryFault::unplugged);
   EXPECT_EQ(dhd_ticks(**device, 520).status, Status::fault);
-  EXPECT_EQ((*device)->fault(), "the omega.3 does not answer any more (no device found)");
+  EXPECT_EQ((*device)->fault(), "the omega.3 gives no valid position any more (no device found)");
 }
 
 TEST_F(ForceDimensionDevice, IsNotThereWhereNoneIsPluggedIn) {

@@ -37,6 +37,33 @@ constexpr auto kLeaving = std::chrono::milliseconds(20);
 /// Positions farther from the base than this are no positions of an Inverse3.
 constexpr double kFarthestInverse_m = 0.6;
 
+constexpr const char* kInversePlace = "inverse3:";
+
+/// What a service did that ended its connection by this error.
+std::string ending_of(beast::error_code error) {
+  if (error == websocket::error::message_too_big) return "sends a message of more than a megabyte";
+  const bool closed = error == websocket::error::closed || error == asio::error::eof ||
+                      error == asio::error::connection_reset || error == asio::error::broken_pipe;
+  return closed ? "closed the connection" : "breaks the connection's protocol (" + error.message() + ")";
+}
+
+/// Connects to a port of this machine. A program that accepts no connection is not waited for any longer.
+beast::error_code connect_within(asio::io_context& context, asio::ip::tcp::socket& socket, std::uint16_t port,
+                                 std::chrono::milliseconds longest) {
+  std::optional<beast::error_code> outcome;
+  socket.async_connect({asio::ip::address_v4::loopback(), port},
+                       [&](beast::error_code error) { outcome = error; });
+  context.run_for(longest);
+  const bool in_time = outcome.has_value();
+  if (!in_time) {
+    beast::error_code ignored;
+    socket.close(ignored);
+    context.run();
+  }
+  context.restart();
+  return in_time ? *outcome : beast::error_code(asio::error::timed_out);
+}
+
 double seconds_between(InverseClock::time_point from, InverseClock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
 }
@@ -93,14 +120,26 @@ class Inverse3::Link {
   ForceHandOff forces;
   std::atomic<bool> lost{false};
 
+  // Any thread.
+  /// How the connection was lost, once it is.
+  const std::string& ending() const { return ending_; }
+  /// Whether the service sends, but no position.
+  bool sends_no_position() const { return since_position_.load(std::memory_order_relaxed) > 0; }
+
  private:
+  /// The most that came of what a service sends.
+  enum class Heard : std::uint8_t { nothing, web_socket, other, list, device, far_away };
+
   void connect(beast::error_code& error);
+  /// Why start() has got no position.
+  std::string no_position() const;
   void read();
   void on_message(beast::error_code error, std::size_t bytes);
   void follow(const Inverse3State& state);
   void send();
   void watch();
-  void lose();
+  /// The connection is lost. `how`: what the service did, with the sentence's subject left out.
+  void lose(const std::string& how);
 
   Inverse3Options options_;
   asio::io_context context_;
@@ -115,7 +154,11 @@ class Inverse3::Link {
   bool calibrated_ = true;
   bool ready_ = true;
   bool first_ = true;
-  bool listed_ = false;
+  Heard heard_ = Heard::nothing;
+  /// Written before `lost`, which orders it for other threads.
+  std::string ending_;
+  /// Messages since the last position.
+  std::atomic<unsigned> since_position_{0};
   bool writing_ = false;
   /// The last command that was begun had a force.
   bool pushes_ = false;
@@ -138,8 +181,7 @@ Inverse3::Link::~Link() {
 }
 
 void Inverse3::Link::connect(beast::error_code& error) {
-  const asio::ip::tcp::endpoint service(asio::ip::address_v4::loopback(), options_.port);
-  socket_.next_layer().connect(service, error);
+  error = connect_within(context_, socket_.next_layer(), options_.port, kFirstState);
   if (error) return;
   socket_.next_layer().set_option(asio::ip::tcp::no_delay(true), error);
   websocket::stream_base::timeout limits{};
@@ -151,32 +193,52 @@ void Inverse3::Link::connect(beast::error_code& error) {
 }
 
 Result<Inverse3::Link::State> Inverse3::Link::start() {
-  const std::string place = "inverse3:";
   beast::error_code error;
   connect(error);
   if (error)
     return Error{ErrorCode::device,
                  "the service of the Inverse3 does not run on port " + std::to_string(options_.port) + " (" +
                      error.message() + ")",
-                 place, Reason::device_silent};
+                 kInversePlace, Reason::device_silent};
   socket_.async_handshake("localhost:" + std::to_string(options_.port), "/",
                           [this](beast::error_code failed) {
-                            if (failed) return lost.store(true);
+                            if (failed) return lose("opens no WebSocket (" + failed.message() + ")");
+                            heard_ = Heard::web_socket;
                             read();
                           });
   const auto until = InverseClock::now() + kFirstState;
-  const auto may_answer = [&] { return !lost && !position_m_ && (!listed_ || !device_id_.empty()); };
+  const auto may_answer = [&] {
+    return !lost && !position_m_ && (heard_ <= Heard::web_socket || !device_id_.empty());
+  };
   while (may_answer() && InverseClock::now() < until) context_.run_for(std::chrono::milliseconds(20));
-  if (!position_m_)
-    return Error{ErrorCode::device,
-                 !device_id_.empty() ? "the Inverse3 gives no position; check its power"
-                 : options_.device_id.empty()
-                     ? "the service answers, but lists no Inverse3"
-                     : "the service lists no Inverse3 with the identifier " + options_.device_id,
-                 place, Reason::device_silent};
+  if (!position_m_) return Error{ErrorCode::device, no_position(), kInversePlace, Reason::device_silent};
   watch();
   thread_ = std::thread([this] { context_.run(); });
   return State{*position_m_, calibrated_ && ready_};
+}
+
+std::string Inverse3::Link::no_position() const {
+  const std::string other =
+      "what runs on port " + std::to_string(options_.port) + " is no service of an Inverse3: it ";
+  if (lost) return heard_ < Heard::list ? other + ending_ : "the service of the Inverse3 " + ending_;
+  switch (heard_) {
+    case Heard::nothing:
+      return other + "opens no WebSocket within 2 s";
+    case Heard::web_socket:
+      return other + "sends nothing within 2 s";
+    case Heard::other:
+      return other + "sends something else than a list of devices";
+    case Heard::list:
+      return options_.device_id.empty()
+                 ? "the service answers, but lists no Inverse3"
+                 : "the service lists no Inverse3 with the identifier " + options_.device_id;
+    case Heard::device:
+      return "the Inverse3 gives no position; check its power";
+    case Heard::far_away:
+      break;
+  }
+  return "the positions that the service gives are more than 0.6 m away from the Inverse3's base, which are "
+         "none";
 }
 
 void Inverse3::Link::read() {
@@ -185,15 +247,16 @@ void Inverse3::Link::read() {
 }
 
 void Inverse3::Link::on_message(beast::error_code error, std::size_t /*bytes*/) {
-  if (error) return lose();
+  if (error) return lose(ending_of(error));
   const auto data = buffer_.cdata();
+  const std::string_view text(static_cast<const char*>(data.data()), data.size());
   const auto state =
-      parse_inverse3_state({static_cast<const char*>(data.data()), data.size()},
-                           device_id_.empty() ? std::string_view(options_.device_id) : device_id_);
+      parse_inverse3_state(text, device_id_.empty() ? std::string_view(options_.device_id) : device_id_);
   // The first message lists all devices there are.
-  listed_ = true;
-  buffer_.consume(buffer_.size());
+  if (!state && heard_ < Heard::list) heard_ = is_inverse3_list(text) ? Heard::list : Heard::other;
+  since_position_.fetch_add(1, std::memory_order_relaxed);
   if (state) follow(*state);
+  buffer_.consume(buffer_.size());
   awaited_ = std::max(0, awaited_ - 1);
   // Without a device there is nothing to command; the next message may list one.
   if (!device_id_.empty() && !writing_ && awaited_ == 0) send();
@@ -207,8 +270,10 @@ void Inverse3::Link::follow(const Inverse3State& state) {
   }
   calibrated_ = state.calibrated.value_or(calibrated_);
   ready_ = state.ready.value_or(ready_);
+  if (!position_m_) heard_ = state.position_m ? Heard::far_away : Heard::device;
   if (!state.position_m || norm(*state.position_m) > kFarthestInverse_m) return;
   position_m_ = *state.position_m;
+  since_position_.store(0, std::memory_order_relaxed);
   states.put({*state.position_m, calibrated_ && ready_});
 }
 
@@ -224,13 +289,15 @@ void Inverse3::Link::send() {
   ++awaited_;
   socket_.async_write(asio::buffer(command_), [this](beast::error_code error, std::size_t) {
     writing_ = false;
-    if (error) return lose();
+    if (error) return lose(ending_of(error));
     forces.sent(in_flight_);
   });
 }
 
-void Inverse3::Link::lose() {
-  if (lost.exchange(true)) return;
+void Inverse3::Link::lose(const std::string& how) {
+  if (lost) return;
+  ending_ = how;
+  lost = true;
   // A service that still writes into this connection would be held up by it, and answer no other.
   beast::error_code ignored;
   socket_.next_layer().close(ignored);
@@ -263,7 +330,6 @@ Inverse3::Inverse3(std::unique_ptr<Link> link, const Inverse3Options& options)
   traits_.max_force_N = options.max_force_N;
   traits_.delay_samples = 2;
   traits_.rate_hz = options.rate_hz;
-  reading_.status = Status::not_ready;
 }
 
 Result<std::unique_ptr<Inverse3>> Inverse3::open(const Inverse3Options& options) {
@@ -280,33 +346,30 @@ Inverse3::~Inverse3() = default;
 Reading Inverse3::read() noexcept {
   fresh_.pass();
   if (Link::State state; link_->states.take(state)) {
-    fresh_.renew();
     const Vec3 moved = state.position_m - centre_m_;
-    reading_.position.v = {moved.x, moved.z, -moved.y};
-    last_ = state.ready ? Status::ok : Status::not_ready;
+    fresh_.renew({moved.x, moved.z, -moved.y}, 0, state.ready ? Status::ok : Status::not_ready);
   }
-  reading_.status = link_->lost.load(std::memory_order_relaxed) ? Status::fault : fresh_.status(last_);
-  return reading_;
+  return fresh_.now(link_->lost.load(std::memory_order_relaxed));
 }
 
 void Inverse3::write(Vector<DeviceFrame> force_N) noexcept {
-  const Vec3 force = reading_.status == Status::ok ? force_N.v : Vec3{};
+  const Vec3 force = fresh_.allowed(force_N.v);
   link_->forces.put({force.x, -force.z, force.y});
 }
 
 void Inverse3::stop() noexcept { link_->forces.cut(); }
 
 std::string Inverse3::fault() const {
-  return link_->lost ? "the service of the Inverse3 closed the connection"
-                     : "the service of the Inverse3 does not answer any more";
+  if (link_->lost) return "the service of the Inverse3 " + link_->ending();
+  if (link_->sends_no_position()) return FreshReading::silence_of("service of the Inverse3");
+  return "the service of the Inverse3 does not answer any more";
 }
 
 Result<std::vector<std::string>> inverse3_ports() {
   asio::io_context context;
   asio::ip::tcp::socket socket(context);
-  beast::error_code error;
-  socket.connect({asio::ip::address_v4::loopback(), Inverse3Options{}.port}, error);
-  if (error) return Error{ErrorCode::device, "its service does not run", "inverse3:"};
+  if (connect_within(context, socket, Inverse3Options{}.port, kFirstState))
+    return Error{ErrorCode::device, "its service does not run", kInversePlace};
   return std::vector<std::string>{""};
 }
 

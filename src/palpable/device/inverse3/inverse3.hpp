@@ -3,8 +3,8 @@
 #pragma once
 
 #include "palpable/device/device.hpp"
-#include "palpable/device/freshness.hpp"
 #include "palpable/device/inverse3/inverse3_messages.hpp"
+#include "palpable/device/transport/fresh_reading.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -49,11 +49,8 @@ class Inverse3 final : public Device {
 
   std::unique_ptr<Link> link_;
   Traits traits_;
-  Freshness fresh_;
+  FreshReading fresh_;
   Vec3 centre_m_;
-  Reading reading_;
-  /// Of the last answer.
-  Status last_ = Status::not_ready;
 };
 
 /// Opens `inverse3:DEVICE?port=10001&max-force=8&form=both`; without an identifier the first device. Errors:

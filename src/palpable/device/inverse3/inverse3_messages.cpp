@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/device/inverse3/inverse3_messages.hpp"
 
+#include "palpable/core/text/plain_text.hpp"
+
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -13,6 +15,7 @@ using InverseJson = nlohmann::json;
 
 /// A state has five levels.
 constexpr int kDeepest = 12;
+constexpr std::size_t kMostFilters = 8;
 
 /// The member of an object, or null.
 const InverseJson& member(const InverseJson& object, const char* name) {
@@ -41,23 +44,37 @@ bool is_on(const InverseJson& setting) {
   return truth_in(setting).value_or(false) || truth_in(member(setting, "enabled")).value_or(false);
 }
 
-InverseJson as_json(Vec3 v) { return {{"x", v.x}, {"y", v.y}, {"z", v.z}}; }
-
-}  // namespace
-
-std::optional<Inverse3State> parse_inverse3_state(std::string_view message, std::string_view device_id) {
+/// Null for a message that is none, or that is nested too deeply.
+InverseJson parsed(std::string_view message) {
   bool too_deep = false;
   const auto watch_depth = [&](int depth, InverseJson::parse_event_t, InverseJson&) {
     too_deep = too_deep || depth > kDeepest;
     return depth <= kDeepest;
   };
-  const InverseJson json = InverseJson::parse(message, watch_depth, false);
-  if (json.is_discarded() || too_deep) return std::nullopt;
+  InverseJson json = InverseJson::parse(message, watch_depth, false);
+  if (json.is_discarded() || too_deep) return {};
+  return json;
+}
+
+/// Names are shown, spoken and recorded, so they are short texts.
+bool can_be_shown(const InverseJson& name) {
+  constexpr std::size_t kLongestName = 64;
+  if (!name.is_string()) return false;
+  const auto& text = name.get_ref<const std::string&>();
+  return !text.empty() && text.size() <= kLongestName && is_utf8(text) && plain_name(text) == text;
+}
+
+InverseJson as_json(Vec3 v) { return {{"x", v.x}, {"y", v.y}, {"z", v.z}}; }
+
+}  // namespace
+
+std::optional<Inverse3State> parse_inverse3_state(std::string_view message, std::string_view device_id) {
+  const InverseJson json = parsed(message);
   const auto& devices = member(json, "inverse3");
   if (!devices.is_array()) return std::nullopt;
   for (const auto& device : devices) {
     const auto& id = member(device, "device_id");
-    if (!id.is_string() || (!device_id.empty() && id.get_ref<const std::string&>() != device_id)) continue;
+    if (!can_be_shown(id) || (!device_id.empty() && id.get_ref<const std::string&>() != device_id)) continue;
     Inverse3State state;
     state.device_id = id.get<std::string>();
     const auto& now = member(device, "state");
@@ -69,11 +86,14 @@ std::optional<Inverse3State> parse_inverse3_state(std::string_view message, std:
     const auto& settings = member(device, "config");
     if (settings.is_object())
       for (const auto& [name, setting] : settings.items())
-        if (is_on(setting)) state.filters.push_back(name);
+        if (is_on(setting) && can_be_shown(name) && state.filters.size() < kMostFilters)
+          state.filters.push_back(name);
     return state;
   }
   return std::nullopt;
 }
+
+bool is_inverse3_list(std::string_view message) { return member(parsed(message), "inverse3").is_array(); }
 
 std::string inverse3_command(std::string_view device_id, Vec3 force_N, Inverse3Form form, bool first) {
   InverseJson force = InverseJson::object();

@@ -26,13 +26,18 @@ struct Inverse3State {
   /// nullopt: the message does not say it.
   std::optional<bool> calibrated;
   std::optional<bool> ready;
-  /// Names of the service's own filters that are switched on, which change forces.
+  /// Names of the service's own filters that are switched on, which change forces: at most eight, of those
+  /// that are short and can be shown.
   std::vector<std::string> filters;
 };
 
 /// The state of the device with this identifier in a message; with an empty one, of the first device. nullopt
-/// if the message is no state, is nested deeper than any state is, or has no such device.
+/// if the message is no state, is nested deeper than any state is, or has no such device. A device whose
+/// identifier is longer than 64 bytes or cannot be shown is none.
 std::optional<Inverse3State> parse_inverse3_state(std::string_view message, std::string_view device_id);
+
+/// Whether a message is a state or a list of devices, be it an empty one.
+bool is_inverse3_list(std::string_view message);
 
 /// The command that makes this force (in the service's frame, N, finite). The first one also names the
 /// session.

@@ -3,14 +3,22 @@
 #include "palpable/device/inverse3/inverse3.hpp"
 
 #include "palpable/core/system/allocations.hpp"
+#include "palpable/core/system/child_process.hpp"
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/device/virtual/virtual_inverse3.hpp"
 
+#include <array>
 #include <chrono>
 #include <functional>
+#include <map>
+#include <string>
 #include <thread>
+#include <utility>
 
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 namespace palpable::device {
 namespace {
@@ -126,7 +134,6 @@ TEST_P(Inverse3WithAFault, IsFreeAndHasFailedInTheEnd) {
     EXPECT_EQ(service.force_N(), Vec3{});
     return ++ticks_after == 50;
   }));
-  EXPECT_FALSE((*device)->fault().empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Faults, Inverse3WithAFault,
@@ -148,6 +155,110 @@ TEST(Inverse3Device, IsNotThereWithoutAServiceOrADevice) {
   EXPECT_NE(other.error().message.find("9999"), std::string::npos);
   for (const auto* url : {"inverse3:?port=0", "inverse3:?form=json", "inverse3:?max-force=99"})
     EXPECT_EQ(open_device(url, {}).error().code, ErrorCode::usage) << url;
+}
+
+/// What the user is told of a service that has this fault from its first message on.
+std::string told_at_first(InverseFault fault) {
+  VirtualInverse3::Options options;
+  options.at_first = fault;
+  const VirtualInverse3 service(options);
+  const auto device = opened(service);
+  return device ? "opened" : device.error().message;
+}
+
+TEST(Inverse3Device, IsNotThereForTheReasonThatIsToldAtTheStart) {
+  const auto holds = [](InverseFault fault, const char* part) {
+    const std::string told = told_at_first(fault);
+    EXPECT_NE(told.find(part), std::string::npos) << told;
+  };
+  holds(InverseFault::silent, "it sends nothing within 2 s");
+  holds(InverseFault::garbage, "it sends something else than a list of devices");
+  holds(InverseFault::nested, "it sends something else than a list of devices");
+  holds(InverseFault::huge, "it sends a message of more than a megabyte");
+  holds(InverseFault::far_away, "more than 0.6 m away");
+  holds(InverseFault::no_device, "lists no Inverse3");
+  holds(InverseFault::closed, "it closed the connection");
+}
+
+TEST(Inverse3Device, HasFailedForTheReasonThatIsToldInATouch) {
+  const std::map<InverseFault, std::string> kTold{
+      {InverseFault::silent, "the service of the Inverse3 does not answer any more"},
+      {InverseFault::garbage, "the service of the Inverse3 gives no valid position any more"},
+      {InverseFault::not_finite, "the service of the Inverse3 gives no valid position any more"},
+      {InverseFault::huge, "the service of the Inverse3 sends a message of more than a megabyte"},
+      {InverseFault::far_away, "the service of the Inverse3 gives no valid position any more"},
+      {InverseFault::no_device, "the service of the Inverse3 gives no valid position any more"},
+      {InverseFault::closed, "the service of the Inverse3 closed the connection"}};
+  for (const auto& [fault, told] : kTold) {
+    VirtualInverse3 service;
+    const auto device = opened(service);
+    ASSERT_TRUE(device);
+    service.inject(fault);
+    EXPECT_TRUE(
+        tick_until(**device, {}, [](const Reading& reading) { return reading.status == Status::fault; }));
+    EXPECT_EQ((*device)->fault(), told);
+  }
+}
+
+/// A program on a port that is no service: it sends this text to the first that connects, and hangs up.
+class OtherProgram {
+ public:
+  explicit OtherProgram(std::string text)
+      : text_(std::move(text)), listener_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    EXPECT_EQ(::bind(listener_.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+    EXPECT_EQ(::listen(listener_.number(), 1), 0);
+    socklen_t size = sizeof address;
+    ::getsockname(listener_.number(), reinterpret_cast<sockaddr*>(&address), &size);
+    port_ = ntohs(address.sin_port);
+    thread_ = std::thread([this] {
+      const Descriptor link(::accept(listener_.number(), nullptr, nullptr));
+      if (!text_.empty() && ::write(link.number(), text_.data(), text_.size()) < 0) return;
+      // Until the other end has said what it wants, closing would take the text along.
+      std::array<char, 1024> request{};
+      if (::read(link.number(), request.data(), request.size()) < 0) return;
+    });
+  }
+  ~OtherProgram() { thread_.join(); }
+  OtherProgram(const OtherProgram&) = delete;
+  OtherProgram& operator=(const OtherProgram&) = delete;
+  int port() const { return port_; }
+
+ private:
+  std::string text_;
+  Descriptor listener_;
+  int port_ = 0;
+  std::thread thread_;
+};
+
+TEST(Inverse3Device, IsNotThereBehindAnotherProgramsPort) {
+  for (const std::string text :
+       {"", "HTTP/1.1 404 Not Found\r\nContent-Length: 0\r\n\r\n", "SSH-2.0-x\r\n\r\n"}) {
+    const OtherProgram program(text);
+    const auto device = open_device("inverse3:?port=" + std::to_string(program.port()), {});
+    ASSERT_FALSE(device);
+    EXPECT_NE(device.error().message.find("is no service of an Inverse3: it opens no WebSocket"),
+              std::string::npos)
+        << device.error().message;
+  }
+}
+
+TEST(Inverse3Messages, NameNoDeviceOrFilterThatCannotBeShown) {
+  const auto state = [](const std::string& id, const std::string& filter) {
+    return parse_inverse3_state(
+        R"({"inverse3":[{"device_id":")" + id + R"(","config":{")" + filter + R"(":true}}]})", "");
+  };
+  EXPECT_TRUE(state("0417", "gravity"));
+  EXPECT_EQ(state("0417", "gravity")->filters.size(), 1U);
+  EXPECT_EQ(state("0417", std::string(65, 'x'))->filters.size(), 0U);
+  EXPECT_EQ(state("0417", R"(a\u001b[2J)")->filters.size(), 0U);
+  EXPECT_FALSE(state(R"(a\nb)", "gravity"));
+  EXPECT_FALSE(state(std::string(65, '1'), "gravity"));
+  std::string many = R"({"inverse3":[{"device_id":"1","config":{)";
+  for (int k = 0; k < 100; ++k) many += '"' + std::to_string(k) + "\":true,";
+  EXPECT_EQ(parse_inverse3_state(many + R"("z":true}}]})", "")->filters.size(), 8U);
 }
 
 TEST(Inverse3Messages, AreRefusedIfTheyAreNoState) {

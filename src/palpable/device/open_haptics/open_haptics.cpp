@@ -68,7 +68,6 @@ OpenHaptics::OpenHaptics(const HdFunctions& hd, unsigned handle, const OpenHapti
   // One tick until the library's thread takes the force, one until its next frame writes it.
   traits_.delay_samples = 2;
   traits_.rate_hz = options.rate_hz;
-  reading_.status = Status::not_ready;
 }
 
 Result<std::unique_ptr<OpenHaptics>> OpenHaptics::open(const HdFunctions& hd,
@@ -150,27 +149,19 @@ Reading OpenHaptics::read() noexcept {
   fresh_.pass();
   if (states_.take(state_)) {
     const Vec3 position = kMetres * (state_.position_mm - centre_mm_);
-    if (is_finite(position) && norm(position) < kFarthestTouch_m) {
-      fresh_.renew();
-      last_ = state_.calibrated ? Status::ok : Status::not_ready;
-      reading_.position.v = position;
-      reading_.buttons = state_.buttons;
-    }
+    if (is_finite(position) && norm(position) < kFarthestTouch_m)
+      fresh_.renew(position, state_.buttons, state_.calibrated ? Status::ok : Status::not_ready);
   }
-  reading_.status = fresh_.status(last_);
-  return reading_;
+  return fresh_.now(false);
 }
 
-void OpenHaptics::write(Vector<DeviceFrame> force_N) noexcept {
-  const Vec3 force = reading_.status == Status::ok ? force_N.v : Vec3{};
-  forces_.put(force);
-}
+void OpenHaptics::write(Vector<DeviceFrame> force_N) noexcept { forces_.put(fresh_.allowed(force_N.v)); }
 
 void OpenHaptics::stop() noexcept { forces_.cut(); }
 
 std::string OpenHaptics::fault() const {
   const unsigned code = error_.load(std::memory_order_relaxed);
-  if (code == 0) return "the " + traits_.name + " does not answer any more";
+  if (code == 0) return FreshReading::silence_of(traits_.name);
   return "the " + traits_.name + " failed (" + text_or(hd_.hdGetErrorString(code), "no reason given") + ")";
 }
 

@@ -4,9 +4,9 @@
 
 #include "palpable/core/system/hand_off.hpp"
 #include "palpable/device/device.hpp"
-#include "palpable/device/freshness.hpp"
 #include "palpable/device/open_haptics/hd_functions.hpp"
 #include "palpable/device/transport/force_hand_off.hpp"
+#include "palpable/device/transport/fresh_reading.hpp"
 
 #include <atomic>
 #include <memory>
@@ -71,10 +71,7 @@ class OpenHaptics final : public Device {
 
   // The servo's thread only.
   State state_;
-  Reading reading_;
-  Freshness fresh_;
-  /// Of the last state with a position.
-  Status last_ = Status::not_ready;
+  FreshReading fresh_;
 };
 
 /// Opens `touch:NAME?max-force=N&library=FILE`; without a name the default device. Errors: usage (options),

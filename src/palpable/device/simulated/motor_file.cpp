@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/device/simulated/motor_file.hpp"
 
+#include <array>
 #include <atomic>
 #include <cerrno>
+#include <cstring>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
 #include <new>
 #include <system_error>
 
@@ -21,15 +24,28 @@ struct MotorFile::Content {
   std::atomic<double> x_N, y_N, z_N;
 };
 
+/// Whether there is no file, an empty one, or one that a simulated device has written.
+bool MotorFile::may_be_replaced(const std::filesystem::path& path) {
+  std::error_code none;
+  const auto size = std::filesystem::file_size(path, none);
+  if (none || size == 0) return true;
+  if (size != sizeof(Content)) return false;
+  std::array<char, sizeof(Content)> bytes{};
+  if (!std::ifstream(path, std::ios::binary).read(bytes.data(), bytes.size())) return false;
+  // A device writes at most 4000 times a second; a text's first bytes are a far greater number.
+  constexpr std::uint64_t kMostWrites = std::uint64_t{1} << 48U;
+  std::uint64_t writes = 0;
+  std::memcpy(&writes, bytes.data(), sizeof writes);
+  return writes < kMostWrites;
+}
+
 Result<std::unique_ptr<MotorFile>> MotorFile::create(const std::filesystem::path& path) {
   static_assert(sizeof(Content) == 40 && std::atomic<double>::is_always_lock_free);
   const auto failed = [&path] {
     return Error{ErrorCode::failed, "cannot be written: " + std::generic_category().message(errno),
                  path.string()};
   };
-  std::error_code none;
-  const auto size = std::filesystem::file_size(path, none);
-  if (!none && size != 0 && size != sizeof(Content))
+  if (!may_be_replaced(path))
     return Error{ErrorCode::usage, "exists and was not written by a simulated device; name another file",
                  path.string()};
   constexpr mode_t kReadableByAll = 0644;

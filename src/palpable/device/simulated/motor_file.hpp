@@ -18,7 +18,7 @@ namespace palpable::device {
 /// f64, N).
 class MotorFile {
  public:
-  /// Replaces the file. Errors: failed.
+  /// Replaces the file. Errors: failed; usage if it exists and is no such file.
   static Result<std::unique_ptr<MotorFile>> create(const std::filesystem::path& path);
   ~MotorFile();
   MotorFile(const MotorFile&) = delete;
@@ -30,6 +30,7 @@ class MotorFile {
 
  private:
   struct Content;
+  static bool may_be_replaced(const std::filesystem::path& path);
   MotorFile(int descriptor, Content& content) : descriptor_(descriptor), content_(content) {}
 
   int descriptor_;

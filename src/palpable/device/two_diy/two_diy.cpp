@@ -15,14 +15,19 @@
 #include <system_error>
 #include <thread>
 #include <utility>
-#include <vector>
 
 namespace palpable::device {
 namespace {
 
 constexpr double kRadians = std::numbers::pi / 180.0;
 constexpr auto kFirstAnswer = std::chrono::seconds(1);
+/// So many answers in a row must be those of a board whose handle is near its home, and nothing else may
+/// come.
+constexpr int kFirstAnswers = 5;
 constexpr auto kBeforeTorques = std::chrono::milliseconds(100);
+
+/// Links turn less than this between two answers that follow each other.
+constexpr double kMostTurned_deg = 45.0;
 
 /// Zero torques, and as many zeros again: wherever an interrupted message left the board, it then reads
 /// either zero torques or a reset, which frees its motors.
@@ -65,12 +70,34 @@ Traits traits_of(const TwoDiyVariant& variant, double rate_hz) {
   return traits;
 }
 
-/// Whether at least four bytes have arrived, and they are the first ones of a message that was sent.
-bool begins_as(std::span<const std::byte> received, std::span<const std::byte> sent) {
-  constexpr std::size_t kEnough = 4;
-  const std::size_t count = std::min(received.size(), sent.size());
-  return count >= kEnough &&
-         std::equal(sent.begin(), sent.begin() + static_cast<std::ptrdiff_t>(count), received.begin());
+/// Drops what comes until nothing comes any more; false if that does not end before `until`.
+bool falls_silent(SerialPort& line, std::chrono::steady_clock::time_point until) {
+  constexpr int kSilence_ms = 20;
+  while (!line.lost() && std::chrono::steady_clock::now() < until) {
+    if (!line.wait_for_input(kSilence_ms)) return true;
+    line.drop_input();
+  }
+  return false;
+}
+
+/// Sends zero torques and waits for the angles that answer them, as long as kFirstAnswer. None if anything
+/// but one answer comes: a port that sends back what it gets, as many modems do, or that sends all the time.
+std::optional<std::array<float, 2>> one_answer(SerialPort& line) {
+  // A board answers once, and then waits; bytes that belong to no answer come sooner than this.
+  constexpr int kSurplus_ms = 3;
+  const auto until = std::chrono::steady_clock::now() + kFirstAnswer;
+  line.write(torque_message({0.0F, 0.0F}));
+  TwoDiyAnswers answers;
+  std::array<std::byte, 64> bytes{};
+  for (std::size_t received = 0; !line.lost() && std::chrono::steady_clock::now() < until;) {
+    if (!line.wait_for_input(10)) continue;
+    const std::size_t count = line.read(bytes);
+    received += count;
+    const auto angles = answers.take(std::span(bytes).first(count));
+    if (received > TwoDiyAnswers::kLength || answers.dropped() > 0) return std::nullopt;
+    if (angles) return line.wait_for_input(kSurplus_ms) ? std::nullopt : angles;
+  }
+  return std::nullopt;
 }
 
 double off_by(std::array<float, 2> angles_deg, double first_deg, double second_deg) {
@@ -93,32 +120,16 @@ Result<std::unique_ptr<TwoDiy>> TwoDiy::open(const std::string& path, const TwoD
   if (!port) return std::move(port).error();
   std::unique_ptr<TwoDiy> device(new TwoDiy(*std::move(port), variant, rate_hz));
   SerialPort& line = *device->port_;
-  const auto reset = reset_message();
-  const auto setup = setup_message(variant);
-  line.write(reset);
-  line.write(setup);
+  line.write(reset_message());
+  line.write(setup_message(variant));
   // What comes now is no answer: a board answers torques only.
   std::this_thread::sleep_for(kBeforeTorques);
-  line.drop_input();
-  const auto asked = torque_message({0.0F, 0.0F});
-  line.write(asked);
-  std::vector<std::byte> sent(reset.begin(), reset.end());
-  sent.insert(sent.end(), setup.begin(), setup.end());
-  std::vector<std::byte> received;
-  const auto until = std::chrono::steady_clock::now() + kFirstAnswer;
-  std::array<std::byte, 64> bytes{};
-  while (!line.lost() && std::chrono::steady_clock::now() < until) {
-    if (!line.wait_for_input(10)) continue;
-    const auto arrived = std::span(bytes).first(line.read(bytes));
-    received.insert(received.end(), arrived.begin(), arrived.end());
-    // A port that sends back what it gets, as many modems do.
-    if (begins_as(received, sent) || begins_as(received, setup) || begins_as(received, asked)) break;
-    const auto angles = device->answers_.take(arrived);
-    if (!angles) continue;
-    device->answered_ = device->answers_.complete();
-    if (!device->begin(*angles)) break;
-    return device;
+  bool answers = falls_silent(line, std::chrono::steady_clock::now() + kFirstAnswer);
+  for (int k = 0; answers && k < kFirstAnswers; ++k) {
+    const auto angles = one_answer(line);
+    answers = angles && (k == 0 ? device->begin(*angles) : device->goes_on(*angles));
   }
+  if (answers) return device;
   return Error{ErrorCode::device,
                "does not answer as a 2DIY; check its power, and that ModemManager leaves the port alone",
                path, Reason::device_silent};
@@ -137,7 +148,15 @@ bool TwoDiy::begin(std::array<float, 2> first_deg) noexcept {
   const double by_motor = off_by(first_deg, home(first), home(second));
   const double by_port = first.port == 1 ? by_motor : off_by(first_deg, home(second), home(first));
   ordered_by_motor_ = by_motor < by_port;
+  if (std::min(by_motor, by_port) > kMostTurned_deg) return false;
   follow(first_deg);
+  return has_place_;
+}
+
+bool TwoDiy::goes_on(std::array<float, 2> board_deg) noexcept {
+  for (std::size_t k = 0; k < 2; ++k)
+    if (!(std::abs(board_deg[k] - board_deg_[k]) <= static_cast<float>(kMostTurned_deg))) return false;
+  follow(board_deg);
   return has_place_;
 }
 
@@ -146,8 +165,7 @@ bool TwoDiy::is_plausible(std::array<float, 2> board_deg) const noexcept {
   constexpr double kFastest_deg_per_s = 2500.0;
   constexpr double kLeast_deg = 2.0;
   // However long ago the last answer was: parts of answers that are taken for one often say 0 degrees.
-  constexpr double kMost_deg = 45.0;
-  const double most_deg = std::min(kMost_deg, kLeast_deg + kFastest_deg_per_s * fresh_.age_s());
+  const double most_deg = std::min(kMostTurned_deg, kLeast_deg + kFastest_deg_per_s * fresh_.age_s());
   const auto turned = [&](std::size_t k) {
     return std::abs(static_cast<double>(board_deg[k]) - static_cast<double>(board_deg_[k]));
   };
@@ -158,10 +176,12 @@ void TwoDiy::follow(std::array<float, 2> board_deg) noexcept {
   board_deg_ = board_deg;
   const auto rad = [&](std::size_t k) { return kRadians * static_cast<double>(board_deg[k]); };
   angles_ = {rad(is_swapped() ? 1 : 0), rad(is_swapped() ? 0 : 1)};
-  fresh_.renew();
   const auto handle = variant_.linkage.handle_at(angles_);
   has_place_ = handle.has_value();
-  if (handle) reading_.position.v = {variant_.centre.x - handle->x, variant_.centre.y - handle->y, 0.0};
+  // Without a place the hand counts as where it was.
+  fresh_.renew(handle ? Vec3{variant_.centre.x - handle->x, variant_.centre.y - handle->y, 0.0}
+                      : fresh_.reading().position.v,
+               0, handle ? Status::ok : Status::stale);
 }
 
 std::array<float, 2> TwoDiy::in_board_order(std::array<double, 2> by_motor_Nm) const noexcept {
@@ -172,18 +192,20 @@ std::array<float, 2> TwoDiy::in_board_order(std::array<double, 2> by_motor_Nm) c
 Reading TwoDiy::read() noexcept {
   fresh_.pass();
   std::array<std::byte, 64> bytes{};
+  const auto dropped = answers_.dropped();
   const auto angles = answers_.take(std::span(bytes).first(port_->read(bytes)));
-  if (angles && is_plausible(*angles)) follow(*angles);
+  // Among bytes that belong to no answer, some may look like one by chance.
+  const bool is_clean = answers_.dropped() == dropped;
+  if (angles && is_clean && is_plausible(*angles)) follow(*angles);
   awaited_ -= std::min(awaited_, answers_.complete() - answered_);
   answered_ = answers_.complete();
-  reading_.status = port_->lost() ? Status::fault : fresh_.status(has_place_ ? Status::ok : Status::stale);
-  return reading_;
+  return fresh_.now(port_->lost());
 }
 
 void TwoDiy::write(Vector<DeviceFrame> force_N) noexcept {
   since_sent_s_ += period_s_;
   // Without a place the force has no direction.
-  const auto torques = reading_.status == Status::ok
+  const auto torques = fresh_.reading().status == Status::ok
                            ? variant_.linkage.torques(angles_, {-force_N.v.x, -force_N.v.y})
                            : std::nullopt;
   std::array<double, 2> sent = torques.value_or(std::array{0.0, 0.0});
@@ -212,7 +234,7 @@ void TwoDiy::stop() noexcept {
 }
 
 std::string TwoDiy::fault() const {
-  return port_->lost() ? "the 2DIY was unplugged" : "the 2DIY does not answer any more";
+  return port_->lost() ? "the 2DIY was unplugged" : FreshReading::silence_of("2DIY");
 }
 
 std::optional<ZeroWrite> TwoDiy::zero_write() const {

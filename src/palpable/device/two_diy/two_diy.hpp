@@ -3,7 +3,7 @@
 #pragma once
 
 #include "palpable/device/device.hpp"
-#include "palpable/device/freshness.hpp"
+#include "palpable/device/transport/fresh_reading.hpp"
 #include "palpable/device/transport/serial_port.hpp"
 #include "palpable/device/two_diy/two_diy_wire.hpp"
 #include "palpable/device/zero_write.hpp"
@@ -28,7 +28,8 @@ class TwoDiy final : public Device, public Guardable {
   /// Without a new answer for this long, the torques are sent again.
   static constexpr double kPatience_s = 0.005;
 
-  /// Sets the board up: the handle must be at home. Errors (device): no answer within a second.
+  /// Sets the board up: the handle must be at home. Errors (device): several answers in a row are not those
+  /// of a board near its home, or other bytes come.
   static Result<std::unique_ptr<TwoDiy>> open(const std::string& path, const TwoDiyVariant& variant,
                                               double rate_hz);
   ~TwoDiy() override;
@@ -42,8 +43,10 @@ class TwoDiy final : public Device, public Guardable {
 
  private:
   TwoDiy(std::unique_ptr<SerialPort> port, const TwoDiyVariant& variant, double rate_hz);
-  /// Takes the first answer. False if no handle has its angles.
+  /// Takes the first answer. False if it is not near the angles at home, or no handle has its angles.
   bool begin(std::array<float, 2> first_deg) noexcept;
+  /// Takes one of the next. False if it cannot follow the last one.
+  bool goes_on(std::array<float, 2> board_deg) noexcept;
   /// Whether the board's first angle and torque belong to the second motor.
   bool is_swapped() const noexcept { return !ordered_by_motor_ && variant_.joints[0].port != 1; }
   bool is_plausible(std::array<float, 2> board_deg) const noexcept;
@@ -56,10 +59,9 @@ class TwoDiy final : public Device, public Guardable {
   TwoDiyAnswers answers_;
   double period_s_;
   /// Of answers; without recent ones the torques are zero.
-  Freshness fresh_;
+  FreshReading fresh_;
   std::array<float, 2> board_deg_{};
   LinkAngles angles_{};
-  Reading reading_;
   /// The board numbers its angles and torques by motor, not by port.
   bool ordered_by_motor_ = false;
   /// Whether the last angles determine a place.

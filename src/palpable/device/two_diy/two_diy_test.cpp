@@ -9,10 +9,15 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
+#include <functional>
 #include <random>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -133,48 +138,116 @@ TEST_F(TwoDiyOnALine, FreesItsMotorsWhenItIsClosedAndWhenItIsStopped) {
   EXPECT_TRUE(motors_are_free(board_));
 }
 
-/// A serial port behind which something sends back all that it gets, as many modems do.
-class Echo {
+/// A serial port with something behind it that is no board. `answer` gets what arrives (also nothing, every
+/// other millisecond) and returns what is sent.
+class OtherPort {
  public:
-  Echo() : terminal_(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)) {
+  using Bytes = std::vector<std::uint8_t>;
+  using Answer = std::function<Bytes(const Bytes&)>;
+
+  explicit OtherPort(Answer answer)
+      : terminal_(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK)), answer_(std::move(answer)) {
     ::grantpt(terminal_.number());
     ::unlockpt(terminal_.number());
     std::array<char, 64> name{};
     ::ptsname_r(terminal_.number(), name.data(), name.size());
     path_ = name.data();
     thread_ = std::thread([this] {
-      std::array<char, 256> bytes{};
       while (!ends_) {
         pollfd waits{terminal_.number(), POLLIN, 0};
-        if (::poll(&waits, 1, 5) <= 0) continue;
+        ::poll(&waits, 1, 2);
+        Bytes bytes(256);
         const auto count = ::read(terminal_.number(), bytes.data(), bytes.size());
-        if (count > 0 && ::write(terminal_.number(), bytes.data(), static_cast<std::size_t>(count)) < 0)
-          return;
+        bytes.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+        const Bytes sent = answer_(bytes);
+        // What does not fit is lost, as on a real line.
+        if (!sent.empty() && ::write(terminal_.number(), sent.data(), sent.size()) < 0) continue;
       }
     });
   }
-  ~Echo() {
+  ~OtherPort() {
     ends_ = true;
     thread_.join();
   }
-  Echo(const Echo&) = delete;
-  Echo& operator=(const Echo&) = delete;
+  OtherPort(const OtherPort&) = delete;
+  OtherPort& operator=(const OtherPort&) = delete;
   const std::string& path() const { return path_; }
 
  private:
   Descriptor terminal_;
+  Answer answer_;
   std::string path_;
   std::atomic<bool> ends_{false};
   std::thread thread_;
 };
 
-TEST(TwoDiyPort, IsRefusedIfItOnlyEchoes) {
-  const Echo echo;
+void expect_refused(const OtherPort::Answer& answer) {
   for (const TwoDiyVariant& variant : kTwoDiyVariants) {
-    const auto device = TwoDiy::open(echo.path(), variant, 1000.0);
+    const OtherPort port(answer);
+    const auto device = TwoDiy::open(port.path(), variant, 1000.0);
     ASSERT_FALSE(device) << variant.name;
     EXPECT_NE(device.error().message.find("does not answer as a 2DIY"), std::string::npos);
   }
+}
+
+/// An answer with the angles at home, in the order of the ports.
+OtherPort::Bytes home_answer(const TwoDiyVariant& variant) {
+  std::array<float, 2> angles{variant.joints[0].home_deg, variant.joints[1].home_deg};
+  if (variant.joints[0].port != 1) std::swap(angles[0], angles[1]);
+  OtherPort::Bytes bytes(TwoDiyAnswers::kLength, kTwoDiyId);
+  std::memcpy(bytes.data() + 1, angles.data(), sizeof angles);
+  return bytes;
+}
+
+bool asks_for_angles(const OtherPort::Bytes& received) {
+  return received.size() == torque_message({}).size();
+}
+
+TEST(TwoDiyPort, IsRefusedIfItOnlyEchoes) {
+  expect_refused([](const OtherPort::Bytes& received) { return received; });
+}
+
+TEST(TwoDiyPort, IsRefusedIfItSendsRandomBytesAllTheTime) {
+  for (const unsigned seed : {1U, 2U, 3U})
+    expect_refused([random = std::mt19937(seed)](const OtherPort::Bytes&) mutable {
+      OtherPort::Bytes bytes(1000);
+      for (auto& byte : bytes) byte = static_cast<std::uint8_t>(random() & 0xFFU);
+      return bytes;
+    });
+}
+
+TEST(TwoDiyPort, IsRefusedIfItSendsZerosOrAnswersAllTheTime) {
+  expect_refused([](const OtherPort::Bytes&) { return OtherPort::Bytes(500); });
+  for (const TwoDiyVariant& variant : kTwoDiyVariants)
+    expect_refused([&variant](const OtherPort::Bytes&) { return home_answer(variant); });
+}
+
+TEST(TwoDiyPort, IsRefusedIfItAnswersOnceOrTwiceAtATimeOrByRandomAngles) {
+  const TwoDiyVariant& variant = kTwoDiyVariants[0];
+  int asked = 0;
+  expect_refused([&](const OtherPort::Bytes& received) {
+    return asks_for_angles(received) && asked++ == 0 ? home_answer(variant) : OtherPort::Bytes();
+  });
+  expect_refused([&](const OtherPort::Bytes& received) {
+    auto bytes = home_answer(variant);
+    bytes.insert(bytes.end(), bytes.begin(), bytes.end());
+    return asks_for_angles(received) ? bytes : OtherPort::Bytes();
+  });
+  expect_refused([&, random = std::mt19937(5)](const OtherPort::Bytes& received) mutable {
+    auto bytes = home_answer(variant);
+    for (std::size_t k = 1; k < bytes.size(); ++k) bytes[k] = static_cast<std::uint8_t>(random() & 0xFFU);
+    return asks_for_angles(received) ? bytes : OtherPort::Bytes();
+  });
+}
+
+TEST(TwoDiyPort, IsABoardIfItAnswersByTheAnglesAtHome) {
+  const TwoDiyVariant& variant = kTwoDiyVariants[0];
+  // Also one that says something when it is plugged in.
+  const OtherPort port([&, greeted = false](const OtherPort::Bytes& received) mutable {
+    if (!std::exchange(greeted, true)) return OtherPort::Bytes{'h', 'e', 'l', 'l', 'o'};
+    return asks_for_angles(received) ? home_answer(variant) : OtherPort::Bytes();
+  });
+  EXPECT_TRUE(TwoDiy::open(port.path(), variant, 1000.0));
 }
 
 /// A board that gets this fault at a random instant while it pushes.
@@ -209,7 +282,8 @@ TEST_P(TwoDiyWithAFault, IsFreeWithinTenTicksAndHasFailedAfterHalfASecond) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Faults, TwoDiyWithAFault,
-                         testing::Values(Fault::silent, Fault::cut_answers, Fault::not_finite));
+                         testing::Values(Fault::silent, Fault::garbage, Fault::cut_answers,
+                                         Fault::not_finite));
 
 TEST_F(TwoDiyOnALine, ThatIsUnpluggedHasFailed) {
   const auto device = opened(board_, kTwoDiyVariants[0]);

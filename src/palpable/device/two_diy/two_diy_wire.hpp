@@ -32,6 +32,9 @@ TwoDiyReset reset_message() noexcept;
 /// or an impossible angle, it goes on with the next byte. Allocates nothing.
 class TwoDiyAnswers {
  public:
+  /// Bytes of an answer.
+  static constexpr std::size_t kLength = 9;
+
   /// The angles (degrees, in the board's order) of the last complete answer among these bytes, if any.
   std::optional<std::array<float, 2>> take(std::span<const std::byte> bytes) noexcept;
   /// Forgets the start of an answer.
@@ -41,7 +44,6 @@ class TwoDiyAnswers {
   std::uint64_t dropped() const noexcept { return dropped_; }
 
  private:
-  static constexpr std::size_t kLength = 9;
   std::optional<std::array<float, 2>> answer() const noexcept;
   void drop_one() noexcept;
 

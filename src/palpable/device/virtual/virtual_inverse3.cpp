@@ -34,6 +34,7 @@ class VirtualInverse3::Server {
       : options_(options), acceptor_(context_, {boost::asio::ip::address_v4::loopback(), 0}) {
     handle_.position_m = handle_.goal_m = kRest_m;
     calibrated_ = options.calibrated;
+    fault_ = options.at_first;
     thread_ = std::thread([this] { run(); });
   }
   ~Server() {
@@ -75,7 +76,9 @@ class VirtualInverse3::Server {
     link.accept(error);
     link.text(true);
     if (error) return;
-    link.write(boost::asio::buffer(state(true).dump()), error);
+    const std::string first = options_.at_first == Fault::none ? state(true).dump() : answer_now();
+    if (first == "closed") return;
+    if (!first.empty()) link.write(boost::asio::buffer(first), error);
     beast::flat_buffer buffer;
     while (!ends_ && !error) {
       link.read(buffer, error);

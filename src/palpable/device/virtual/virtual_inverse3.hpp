@@ -38,6 +38,8 @@ class VirtualInverse3 {
     bool takes_values = false;
     bool calibrated = true;
     bool lists_a_device = true;
+    /// The first message has this fault already.
+    Fault at_first = Fault::none;
   };
 
   VirtualInverse3() : VirtualInverse3(Options{}) {}

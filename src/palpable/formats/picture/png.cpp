@@ -152,6 +152,19 @@ void append_16(std::vector<png_byte>& raw, std::uint16_t value) {
 
 }  // namespace
 
+std::uint64_t pixels_of_png(std::span<const std::byte> file) {
+  // The signature, the length and name of the first chunk, then both sizes, the most significant byte first.
+  constexpr std::size_t kSignature = 8, kWidth = 16, kHeight = 20, kEnd = 24;
+  if (file.size() < kEnd || png_sig_cmp(reinterpret_cast<png_const_bytep>(file.data()), 0, kSignature) != 0)
+    return 0;
+  const auto number_at = [&](std::size_t at) {
+    std::uint64_t number = 0;
+    for (const std::byte byte : file.subspan(at, 4)) number = number << 8U | std::to_integer<unsigned>(byte);
+    return number;
+  };
+  return number_at(kWidth) * number_at(kHeight);
+}
+
 Result<Image> decode_png(std::span<const std::byte> file) {
   ReadJob job(file);
   if (job.png == nullptr || job.info == nullptr) return Error{ErrorCode::failed, "out of memory", {}};

@@ -17,6 +17,9 @@ namespace palpable::formats {
 /// damaged, truncated or larger than kMaxPixels (checked before memory is allocated).
 Result<Image> decode_png(std::span<const std::byte> file);
 
+/// The pixels that a PNG states in its header, 0 for another file: to refuse a picture before its decoding.
+std::uint64_t pixels_of_png(std::span<const std::byte> file);
+
 /// Encodes exactly these values as PNG. Sizes must be at least 1 x 1. An Image keeps its channels, with 8
 /// bits (values clamped to 0…1 and rounded), or 16 bits if image.bits is more than 8. Errors: failed, for a
 /// size that PNG cannot hold.

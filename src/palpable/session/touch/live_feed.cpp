@@ -117,13 +117,21 @@ void LiveFeed::refresh_picture(models::Scene& scene) {
 
 void LiveFeed::start(TouchSession& session, Say say) {
   PALPABLE_CHECK(!thread_.joinable());
-  begin_ = Clock::now();
-  thread_ = std::thread([this, &session, say = std::move(say)] { run(session, say); });
+  say_ = std::move(say);
+  begin_ = newest_felt_ = Clock::now();
+  thread_ = std::thread([this, &session] { run(session); });
+  watcher_ = std::thread([this] { watch(); });
 }
 
 void LiveFeed::stop() {
   ending_ = true;
   if (thread_.joinable()) thread_.join();
+  if (watcher_.joinable()) watcher_.join();
+}
+
+void LiveFeed::say(const std::string& sentence) {
+  const std::lock_guard lock(say_mutex_);
+  say_(sentence);
 }
 
 LiveStatistics LiveFeed::statistics() const {
@@ -139,22 +147,24 @@ LiveStatistics LiveFeed::statistics() const {
   return live;
 }
 
-void LiveFeed::run(TouchSession& session, const Say& say) {
+void LiveFeed::run(TouchSession& session) {
   std::optional<std::uint64_t> number;
   bool said_unreadable = false;
   while (!ending_) {
+    asked_ = Clock::now();
     auto frame = source_->take(Clock::now() + kPatience);
+    asked_ = Clock::time_point{};
     if (!frame) {
       if (!std::exchange(said_unreadable, true))
         say(frame.error().sentence() + "; the touch goes on with the next picture.");
       continue;
     }
     if (!*frame) {
-      watch_source(say);
-      if (source_->has_ended()) return;
-      continue;
+      if (!source_->has_ended()) continue;
+      ended_ = true;
+      say("The live pictures have ended; the surface of the last one stays.");
+      return;
     }
-    if (std::exchange(is_lost_, false)) say("The pictures come again.");
     {
       const std::lock_guard lock(mutex_);
       arrived_ += (*frame)->number - number.value_or((*frame)->number - 1);
@@ -182,16 +192,42 @@ void LiveFeed::feel(TouchSession& session, const LiveFrame& frame) {
   const auto now = Clock::now();
   const std::lock_guard lock(mutex_);
   newest_felt_ = frame.arrival;
-  latencies_.record_ns(1e9 * seconds_between(frame.arrival, now));
+  newest_latency_s_ = seconds_between(frame.arrival, now);
+  latencies_.record_ns(1e9 * newest_latency_s_);
 }
 
-void LiveFeed::watch_source(const Say& say) {
-  if (is_lost_) return;
-  if (source_->has_ended()) {
-    say("The live pictures have ended; the surface of the last one stays.");
-  } else if (seconds_between(last_arrival_, Clock::now()) > options_.lost_s) {
-    is_lost_ = true;
-    say(fmt::format("No picture has come for {:.1f} s; the surface of the last one stays.", options_.lost_s));
+double LiveFeed::age_s() const {
+  const std::lock_guard lock(mutex_);
+  return seconds_between(newest_felt_, Clock::now());
+}
+
+/// Whether pictures come, but are read or used too slowly.
+bool LiveFeed::is_slow() const {
+  // The source waits for a picture as long as kPatience, and has more to do if it takes several times that.
+  constexpr auto kReading = 4 * kPatience;
+  const auto asked = asked_.load();
+  if (asked != Clock::time_point{} && Clock::now() - asked > kReading) return true;
+  const std::lock_guard lock(mutex_);
+  return newest_latency_s_ > 0.5 * options_.lost_s;
+}
+
+void LiveFeed::watch() {
+  // Not at each picture of a source that hardly keeps up.
+  const double current_s = 0.5 * options_.lost_s;
+  for (bool is_old = false; !ending_ && !ended_; std::this_thread::sleep_for(kPatience)) {
+    const double age = age_s();
+    if (is_old && age < current_s) {
+      is_old = false;
+      say("The pictures come again.");
+    } else if (!is_old && age > options_.lost_s) {
+      is_old = true;
+      say(is_slow() ? fmt::format("The surface is {:.1f} s behind the pictures: they are read too slowly; "
+                                  "smaller ones would help.",
+                                  age)
+                    : fmt::format("No readable picture has come for {:.1f} s; the surface of the last one "
+                                  "stays.",
+                                  options_.lost_s));
+    }
   }
 }
 

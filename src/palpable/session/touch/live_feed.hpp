@@ -40,7 +40,7 @@ struct LiveOptions {
   /// The duration of the change from one frame's surface to the next: with 30 frames a second it moves all
   /// the time. Seconds, 0.005 ... 1.
   double fade_s = 0.03;
-  /// Without a frame for this time the picture counts as lost, and a sentence says so. Seconds, 0.1 ... 60.
+  /// A surface that is older counts as lost or late, and a sentence says so. Seconds, 0.1 ... 60.
   double lost_s = 1.0;
   /// For this time a first depth is waited for. Seconds, 0.1 ... 600.
   double first_s = 10.0;
@@ -53,7 +53,7 @@ Result<void> check(const LiveOptions& options);
 /// Frames that come faster than they can be used are left out, the oldest first.
 class LiveFeed {
  public:
-  /// Takes sentences for the user; called by the feed's thread.
+  /// Takes sentences for the user; called by the feed's threads, one at a time.
   using Say = std::function<void(const std::string&)>;
 
   /// Waits for the first frame with a known depth, for LiveOptions::first_s. Errors: as check(),
@@ -80,9 +80,12 @@ class LiveFeed {
   Result<std::shared_ptr<const models::Relief>> relief_of(const LiveFrame& frame);
   void begin_with(std::shared_ptr<const models::Relief> relief);
   void refresh_picture(models::Scene& scene);
-  void run(TouchSession& session, const Say& say);
+  void run(TouchSession& session);
   void feel(TouchSession& session, const LiveFrame& frame);
-  void watch_source(const Say& say);
+  void watch();
+  double age_s() const;
+  bool is_slow() const;
+  void say(const std::string& sentence);
 
   std::unique_ptr<LiveSource> source_;
   LiveOptions options_;
@@ -91,16 +94,26 @@ class LiveFeed {
   std::shared_ptr<const models::Scene> first_;
   Clock::time_point last_arrival_;
   Clock::time_point last_picture_;
-  bool is_lost_ = false;
   bool said_unknown_ = false;
   std::atomic<bool> ending_{false};
-  /// Guards what statistics() reads.
+  /// The source has ended.
+  std::atomic<bool> ended_{false};
+  /// When the source was asked for the frame that is waited for or read now; the clock's beginning: it is
+  /// not.
+  std::atomic<Clock::time_point> asked_{Clock::time_point{}};
+  std::mutex say_mutex_;
+  Say say_;
+  /// Guards what statistics() and watch() read.
   mutable std::mutex mutex_;
   Clock::time_point begin_;
   Clock::time_point newest_felt_;
   std::uint64_t arrived_ = 0;
+  /// From the arrival of the newest felt frame to the first force that knows it.
+  double newest_latency_s_ = 0.0;
   haptics::LatencyRecorder latencies_;
   std::thread thread_;
+  /// Says when the surface is old, also while the other thread waits for the source.
+  std::thread watcher_;
 };
 
 /// Feeds a session, if there is a feed, for as long as this object lives.

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -96,7 +97,9 @@ TEST(LiveFeed, SaysThatThePictureIsLostAndGoesOn) {
   };
   const auto statistics = touch_headless(first_scene_of(*feed), options, {});
   ASSERT_TRUE(statistics) << statistics.error().sentence();
-  const auto lost = [](const std::string& sentence) { return sentence.starts_with("No picture has come"); };
+  const auto lost = [](const std::string& sentence) {
+    return sentence.starts_with("No readable picture has come");
+  };
   EXPECT_EQ(std::count_if(said.begin(), said.end(), lost), 1);
   EXPECT_GT(statistics->live->stale_s, 1.0);
   EXPECT_GT(statistics->servo.touch.ticks, 1000U);
@@ -116,6 +119,47 @@ class SameSource : public LiveSource {
   Raster<float> depth_m_;
   std::uint64_t next_ = 0;
 };
+
+/// A source that takes this long to read each frame after the first.
+class SlowSource : public SameSource {
+ public:
+  explicit SlowSource(std::chrono::milliseconds reading)
+      : SameSource(Raster<float>(80, 60, 1.0F)), reading_(reading) {}
+  Result<std::optional<LiveFrame>> take(Clock::time_point deadline) override {
+    const auto arrival = Clock::now();
+    if (std::exchange(begun_, true)) std::this_thread::sleep_for(reading_);
+    auto frame = SameSource::take(deadline);
+    (*frame)->arrival = arrival;
+    return frame;
+  }
+
+ private:
+  std::chrono::milliseconds reading_;
+  bool begun_ = false;
+};
+
+TEST(LiveFeed, SaysOnceThatTheSurfaceIsOldBecausePicturesAreReadTooSlowly) {
+  LiveOptions live;
+  live.lost_s = 0.3;
+  // The one is said while the first of these pictures is still read.
+  for (const int reading_ms : {400, 1200}) {
+    const auto feed =
+        LiveFeed::open(std::make_unique<SlowSource>(std::chrono::milliseconds(reading_ms)), live, {});
+    ASSERT_TRUE(feed);
+    auto options = unprivileged(1.5);
+    options.live = feed->get();
+    std::mutex mutex;
+    std::vector<std::string> said;
+    options.on_notice = [&](const std::string& sentence) {
+      const std::lock_guard lock(mutex);
+      said.push_back(sentence);
+    };
+    ASSERT_TRUE(touch_headless(first_scene_of(**feed), options, {}));
+    const auto late = [](const std::string& sentence) { return sentence.starts_with("The surface is"); };
+    EXPECT_EQ(std::count_if(said.begin(), said.end(), late), 1) << reading_ms;
+    EXPECT_EQ(said.size(), 1U) << said.back();
+  }
+}
 
 TEST(LiveFeed, RefusesASourceThatNeverShowsASurface) {
   LiveOptions options;

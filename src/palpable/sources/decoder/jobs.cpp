@@ -18,7 +18,6 @@
 #include <exception>
 #include <new>
 #include <string>
-#include <utility>
 
 namespace palpable::sources::decoder {
 namespace {
@@ -26,53 +25,74 @@ namespace {
 using isolated::Job;
 using Bytes = std::span<const std::byte>;
 
-/// The reply with the decoded value or the error.
+/// Puts the decoded value or the error.
 template <class T>
-ReplyBytes reply_to(const Result<T>& decoded) {
-  return {decoded ? isolated::reply_of(*decoded) : isolated::error_reply(decoded.error()), {}};
+bool put(ReplySink& reply, const Result<T>& decoded) {
+  return reply.put(decoded ? isolated::reply_of(*decoded) : isolated::error_reply(decoded.error()));
 }
 
-ReplyBytes reply_to(Result<StoredImage>&& decoded) {
-  if (!decoded) return {isolated::error_reply(decoded.error()), {}};
-  return {isolated::reply_head(*decoded), std::move(decoded->samples)};
+bool put_error(ReplySink& reply, const Error& error) {
+  return reply.restart() && reply.put(isolated::error_reply(error));
 }
 
-ReplyBytes announcement(bool announces) {
-  isolated::FlatWriter reply;
-  isolated::begin_value(reply);
-  reply.put(static_cast<std::uint8_t>(announces));
-  return {reply.take(), {}};
+/// A picture's samples as a reply, as they come.
+class SampleReply final : public SampleSink {
+ public:
+  explicit SampleReply(ReplySink& reply) : reply_(reply) {}
+  bool begin(const StoredImage& head) override { return reply_.put(isolated::reply_head(head)); }
+  bool put(std::span<const std::byte> samples) override { return reply_.put(samples); }
+
+ private:
+  ReplySink& reply_;
+};
+
+bool put_tiff(ReplySink& reply, Bytes file) {
+  SampleReply samples(reply);
+  const auto decoded = decode_tiff(file, samples);
+  return decoded || put_error(reply, decoded.error());
 }
 
-ReplyBytes decoded(Job job, Bytes file) {
+bool put(ReplySink& reply, const Result<StoredImage>& decoded) {
+  if (!decoded) return put_error(reply, decoded.error());
+  return reply.put(isolated::reply_head(*decoded)) && reply.put(decoded->samples);
+}
+
+bool put_announcement(ReplySink& reply, bool announces) {
+  isolated::FlatWriter flat;
+  isolated::begin_value(flat);
+  flat.put(static_cast<std::uint8_t>(announces));
+  return reply.put(flat.take());
+}
+
+bool put_decoded(Job job, Bytes file, ReplySink& reply) {
   switch (job) {
     case Job::obj:
     case Job::stl:
     case Job::glb:
-      return reply_to(parse_mesh(file, std::string(isolated::name_of(job))));
+      return put(reply, parse_mesh(file, std::string(isolated::name_of(job))));
     case Job::tiff:
-      return reply_to(decode_tiff(file));
+      return put_tiff(reply, file);
     case Job::webp:
-      return reply_to(decode_webp(file));
+      return put(reply, decode_webp(file));
     case Job::exr:
-      return reply_to(decode_exr(file));
+      return put(reply, decode_exr(file));
     case Job::exr_depth:
-      return reply_to(decode_exr_depth(file));
+      return put(reply, decode_exr_depth(file));
     case Job::heif:
-      return reply_to(decode_heif(file));
+      return put(reply, decode_heif(file));
     case Job::heif_depth:
-      return reply_to(depth_in_heif(file));
+      return put(reply, depth_in_heif(file));
     case Job::heif_announces_depth:
-      return announcement(heif_announces_depth(file));
+      return put_announcement(reply, heif_announces_depth(file));
     case Job::opencv_calibration:
-      return reply_to(calibration_from_opencv(as_text(file)));
+      return put(reply, calibration_from_opencv(as_text(file)));
     case Job::map_extract:
-      return reply_to(parse_map_extract(file));
+      return put(reply, parse_map_extract(file));
     case Job::video:
       // Done by palpable-video-decoder.
       break;
   }
-  return {};
+  return false;
 }
 
 }  // namespace
@@ -81,15 +101,14 @@ void prepare(Job job) {
   if (job == Job::heif || job == Job::heif_depth || job == Job::heif_announces_depth) load_heif_plugins();
 }
 
-ReplyBytes run(Job job, Bytes file) {
+bool run(Job job, Bytes file, ReplySink& reply) {
   try {
-    return decoded(job, file);
+    return put_decoded(job, file, reply);
   } catch (const std::bad_alloc&) {
-    return {isolated::error_reply(
-                invalid_input("is damaged or too large: it needs more memory than its size explains")),
-            {}};
+    return put_error(reply,
+                     invalid_input("is damaged or too large: it needs more memory than its size explains"));
   } catch (const std::exception& e) {
-    return {isolated::error_reply(invalid_input(std::string("is damaged: ") + e.what())), {}};
+    return put_error(reply, invalid_input(std::string("is damaged: ") + e.what()));
   }
 }
 

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <vector>
 
 #include <sys/mman.h>
 #include <sys/stat.h>
@@ -28,15 +29,42 @@ std::span<const std::byte> input() {
   return {static_cast<const std::byte*>(begin), size};
 }
 
-bool write_bytes(std::span<const std::byte> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = write(protocol::kReplyDescriptor, bytes.data(), bytes.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return false;
-    bytes = bytes.subspan(static_cast<std::size_t>(n));
+/// The reply in its memory file. Small parts are collected, so that each write fills whole pages of the file:
+/// those need not be cleared first.
+class ReplyFile final : public ReplySink {
+ public:
+  bool put(std::span<const std::byte> part) override {
+    if (held_.size() + part.size() > kTogether && !flush()) return false;
+    if (part.size() > kTogether) return write_all(part);
+    held_.insert(held_.end(), part.begin(), part.end());
+    return true;
   }
-  return true;
-}
+  bool restart() override {
+    held_.clear();
+    return lseek(protocol::kReplyDescriptor, 0, SEEK_SET) == 0 &&
+           ftruncate(protocol::kReplyDescriptor, 0) == 0;
+  }
+  bool flush() {
+    const bool written = write_all(held_);
+    held_.clear();
+    return written;
+  }
+
+ private:
+  static constexpr std::size_t kTogether = std::size_t{1} << 18U;
+
+  static bool write_all(std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+      const ssize_t n = write(protocol::kReplyDescriptor, bytes.data(), bytes.size());
+      if (n < 0 && errno == EINTR) continue;
+      if (n <= 0) return false;
+      bytes = bytes.subspan(static_cast<std::size_t>(n));
+    }
+    return true;
+  }
+
+  std::vector<std::byte> held_;
+};
 
 int serve(int argc, char** argv) {
   constexpr int kWords = 6;
@@ -54,8 +82,8 @@ int serve(int argc, char** argv) {
                             static_cast<std::uint64_t>(*seconds)};
   const auto file = input();
   if (file.empty() || !confine(allowance, protocol::kAliveDescriptor + 1)) return protocol::kNotConfined;
-  const ReplyBytes reply = run(*job, file);
-  return write_bytes(reply.head) && write_bytes(reply.body) ? protocol::kReplied : protocol::kNotWritten;
+  ReplyFile reply;
+  return run(*job, file, reply) && reply.flush() ? protocol::kReplied : protocol::kNotWritten;
 }
 
 }  // namespace

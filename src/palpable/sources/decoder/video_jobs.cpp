@@ -13,15 +13,14 @@ namespace palpable::sources::decoder {
 
 void prepare(isolated::Job) {}
 
-ReplyBytes run(isolated::Job job, std::span<const std::byte> file) {
-  if (job != isolated::Job::video) return {};
+bool run(isolated::Job job, std::span<const std::byte> file, ReplySink& reply) {
+  if (job != isolated::Job::video) return false;
   try {
     const auto video = decode_video(file);
-    return {video ? isolated::reply_of(*video) : isolated::error_reply(video.error()), {}};
+    return reply.put(video ? isolated::reply_of(*video) : isolated::error_reply(video.error()));
   } catch (const std::exception&) {
-    return {isolated::error_reply(
-                invalid_input("is damaged or too large: it needs more memory than its size explains")),
-            {}};
+    return reply.restart() && reply.put(isolated::error_reply(invalid_input(
+                                  "is damaged or too large: it needs more memory than its size explains")));
   }
 }
 

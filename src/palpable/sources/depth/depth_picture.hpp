@@ -61,9 +61,12 @@ DepthSettings merged(DepthSettings first, const DepthSettings& otherwise);
 /// Unknown keys are ignored. Errors: invalid_input.
 Result<DepthSettings> decode_depth_settings(std::string_view json);
 
-/// Reads the sidecar of a depth file: FILE.json, FILE with the suffix .json, or depth.json in its folder; the
-/// first that exists and is about depth. Empty settings if there is none. Errors: invalid_input, naming the
-/// sidecar.
+/// The names under which a depth file's sidecar may be: FILE.json, FILE with the suffix .json, and depth.json
+/// in its folder, without the file itself.
+std::vector<std::filesystem::path> depth_sidecars_of(const std::filesystem::path& file);
+
+/// Reads the sidecar of a depth file: the first of depth_sidecars_of() that is a file. Empty settings if
+/// there is none. Errors: invalid_input, naming the sidecar.
 Result<DepthSettings> read_depth_sidecar(const std::filesystem::path& file);
 
 /// A depth file, read and interpreted.

@@ -155,14 +155,20 @@ Result<DepthSettings> decode_depth_settings(std::string_view text) {
   return out;
 }
 
-Result<DepthSettings> read_depth_sidecar(const std::filesystem::path& file) {
+std::vector<std::filesystem::path> depth_sidecars_of(const std::filesystem::path& file) {
   namespace fs = std::filesystem;
   fs::path own = file;
   own += ".json";
-  for (const fs::path& path :
-       {own, fs::path(file).replace_extension(".json"), file.parent_path() / "depth.json"}) {
+  std::vector<fs::path> sidecars{own, fs::path(file).replace_extension(".json"),
+                                 file.parent_path() / "depth.json"};
+  std::erase(sidecars, file);
+  return sidecars;
+}
+
+Result<DepthSettings> read_depth_sidecar(const std::filesystem::path& file) {
+  for (const std::filesystem::path& path : depth_sidecars_of(file)) {
     std::error_code unknown;
-    if (path == file || !fs::is_regular_file(path, unknown)) continue;
+    if (!std::filesystem::is_regular_file(path, unknown)) continue;
     constexpr std::uintmax_t kMaxBytes = std::uintmax_t{1} << 20U;
     const auto text = read_file(path, kMaxBytes);
     if (!text) return text.error();

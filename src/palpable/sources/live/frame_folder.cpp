@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/live/frame_folder.hpp"
 
+#include "palpable/core/files/read_file.hpp"
 #include "palpable/core/text/name_order.hpp"
+#include "palpable/formats/picture/png.hpp"
 #include "palpable/sources/depth/depth_file.hpp"
 #include "palpable/sources/picture/picture.hpp"
 
 #include <algorithm>
+#include <span>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -27,6 +30,27 @@ std::string colour_among(const std::set<std::string>& names, const std::string& 
   for (const char* suffix : {".color.png", ".color.jpg", ".color.jpeg"})
     if (auto file = frame + suffix; names.contains(file)) return file;
   return {};
+}
+
+/// Frames are read while a hand touches the last one, so a file that is none any more is not waited for.
+Result<std::vector<std::byte>> read_frame_file(const fs::path& file) {
+  // More than twice the numbers of the largest frame without compression.
+  constexpr std::uintmax_t kMostBytes = std::uintmax_t{48} << 20U;
+  return read_regular_file(file, kMostBytes);
+}
+
+Error too_many_pixels(std::uint64_t pixels) {
+  return invalid_input("has " + std::to_string(pixels) + " pixels; a frame of a live source has at most " +
+                       std::to_string(kMostFramePixels));
+}
+
+Result<Raster<float>> decode_frame(std::span<const std::byte> file) {
+  if (const auto pixels = formats::pixels_of_png(file); pixels > kMostFramePixels)
+    return too_many_pixels(pixels);
+  auto values = decode_raster(file);
+  // Not every file states its size at its beginning.
+  if (values && values->count() > kMostFramePixels) return too_many_pixels(values->count());
+  return values;
 }
 
 /// Metres of one unit of the folder's files.
@@ -75,15 +99,23 @@ Result<FrameFolder> FrameFolder::open(const fs::path& folder) {
 }
 
 Result<DepthMap> FrameFolder::depth(std::size_t k) const {
-  const auto values = read_raster(folder_ / frames_.at(k).depth);
-  if (!values) return values.error();
+  const fs::path path = folder_ / frames_.at(k).depth;
+  const auto file = read_frame_file(path);
+  if (!file) return file.error();
+  const auto values = decode_frame(*file);
+  if (!values) return Error{values.error().code, values.error().message, path.string()};
   return depth_from_values(*values, metres_per_unit_).depth;
 }
 
 Result<Image> FrameFolder::colour(std::size_t k) const {
   const FrameNames& frame = frames_.at(k);
   if (frame.colour.empty()) return invalid_input("has no colour picture", (folder_ / frame.depth).string());
-  return read_picture(folder_ / frame.colour);
+  const fs::path path = folder_ / frame.colour;
+  const auto file = read_frame_file(path);
+  if (!file) return file.error();
+  auto picture = decode_picture(*file);
+  if (!picture) picture.error().place = path.string();
+  return picture;
 }
 
 }  // namespace palpable::sources

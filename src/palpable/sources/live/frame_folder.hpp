@@ -8,12 +8,17 @@
 #include "palpable/sources/depth/depth_picture.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace palpable::sources {
+
+/// The most pixels of a frame: more than any depth camera gives (4096 x 2048). Reading twice as many takes
+/// longer than half a second, so that the surface would be older than a hand can use.
+inline constexpr std::uint64_t kMostFramePixels = std::uint64_t{1} << 23U;
 
 /// The names of one frame's files.
 struct FrameNames {
@@ -35,9 +40,10 @@ class FrameFolder {
   static Result<FrameFolder> open(const std::filesystem::path& folder);
 
   std::size_t size() const { return frames_.size(); }
-  /// The depth of frame `k` < size(); all unknown if the camera saw nothing. Errors: as read_raster().
+  /// The depth of frame `k` < size(); all unknown if the camera saw nothing. Never waits for another program.
+  /// Errors: as decode_raster(); invalid_input for a pipe, and for more than kMostFramePixels.
   Result<DepthMap> depth(std::size_t k) const;
-  /// Its colour picture. Errors: as read_picture(); invalid_input if there is none.
+  /// Its colour picture. Errors: as decode_picture(); invalid_input for a pipe, or if there is none.
   Result<Image> colour(std::size_t k) const;
 
  private:

@@ -6,8 +6,11 @@
 #include <fstream>
 #include <string>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace palpable::sources {
 namespace {
@@ -93,6 +96,37 @@ TEST(FrameFolder, NamesAFrameThatCannotBeRead) {
   const auto damaged = frames->depth(1);
   ASSERT_FALSE(damaged);
   EXPECT_NE(damaged.error().sentence().find("b.depth.png"), std::string::npos);
+}
+
+TEST(FrameFolder, DoesNotWaitForAPipeThatTookTheFramesPlace) {
+  const auto folder = empty_folder("pipe");
+  write_frame(folder, "a", 1000);
+  std::ofstream(folder / "a.color.png") << "not yet a pipe";
+  const auto frames = FrameFolder::open(folder);
+  ASSERT_TRUE(frames);
+  for (const char* name : {"a.depth.png", "a.color.png"}) {
+    fs::remove(folder / name);
+    ASSERT_EQ(mkfifo((folder / name).c_str(), S_IRUSR | S_IWUSR), 0);
+  }
+  // A writer that stays silent: reading would never end.
+  const int depth_writer = open((folder / "a.depth.png").c_str(), O_RDWR | O_CLOEXEC);
+  const auto depth = frames->depth(0);
+  ASSERT_FALSE(depth);
+  EXPECT_NE(depth.error().sentence().find("a.depth.png"), std::string::npos);
+  EXPECT_NE(depth.error().message.find("pipe"), std::string::npos);
+  EXPECT_FALSE(frames->colour(0));
+  close(depth_writer);
+}
+
+TEST(FrameFolder, RefusesAFrameThatIsTooLargeToKeepUpWith) {
+  const auto folder = empty_folder("large");
+  ASSERT_TRUE(cv::imwrite((folder / "a.depth.png").string(), cv::Mat(2049, 4096, CV_16U, cv::Scalar(1000))));
+  const auto frames = FrameFolder::open(folder);
+  ASSERT_TRUE(frames);
+  const auto depth = frames->depth(0);
+  ASSERT_FALSE(depth);
+  EXPECT_EQ(depth.error().code, ErrorCode::invalid_input);
+  EXPECT_NE(depth.error().message.find("8392704 pixels"), std::string::npos) << depth.error().message;
 }
 
 }  // namespace

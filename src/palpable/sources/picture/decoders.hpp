@@ -17,8 +17,9 @@ namespace palpable::sources {
 // libraries and only in the decoder process, which picture.cpp calls (picture_reply.hpp).
 
 /// Grey or RGB, with or without alpha, of 8 or 16 bit integers or 32-bit floats, in strips or tiles;
-/// everything else that libtiff knows (palettes, YCbCr, fax) as 8-bit RGBA.
-Result<StoredImage> decode_tiff(std::span<const std::byte> file);
+/// everything else that libtiff knows (palettes, YCbCr, fax) as 8-bit RGBA. After an error the samples that
+/// were put so far are worth nothing.
+Result<void> decode_tiff(std::span<const std::byte> file, SampleSink& sink);
 /// The first frame, as RGB or RGBA.
 Result<StoredImage> decode_webp(std::span<const std::byte> file);
 /// 1, 4 or 8 bits with a palette, 16, 24 or 32 bits with masks; no run-length coding.

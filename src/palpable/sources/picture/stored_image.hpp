@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace palpable::sources {
@@ -18,6 +19,20 @@ struct StoredImage {
   int bits = 8;
   /// In the byte order of this machine, row-major, origin at the top left.
   std::vector<std::byte> samples;
+};
+
+/// Receives a picture's samples in their order, as they are decoded, so that they are never kept as a whole.
+class SampleSink {
+ public:
+  SampleSink() = default;
+  virtual ~SampleSink() = default;
+  SampleSink(const SampleSink&) = delete;
+  SampleSink& operator=(const SampleSink&) = delete;
+
+  /// Once, before the samples, with an image that has none yet. False: not taken, and the decoder ends.
+  virtual bool begin(const StoredImage& head) = 0;
+  /// The next samples. False: not taken, and the decoder ends.
+  virtual bool put(std::span<const std::byte> samples) = 0;
 };
 
 }  // namespace palpable::sources

@@ -124,13 +124,13 @@ void invert(std::span<std::byte> samples, T white) {
   }
 }
 
-void invert(const Layout& layout, StoredImage& image) {
+void invert(const Layout& layout, std::span<std::byte> samples) {
   if (layout.floats)
-    invert(image.samples, 1.0F);
+    invert(samples, 1.0F);
   else if (layout.bits == 16)
-    invert(image.samples, std::numeric_limits<std::uint16_t>::max());
+    invert(samples, std::numeric_limits<std::uint16_t>::max());
   else
-    invert(image.samples, std::numeric_limits<std::uint8_t>::max());
+    invert(samples, std::numeric_limits<std::uint8_t>::max());
 }
 
 /// One strip or tile and its position in the picture.
@@ -140,7 +140,7 @@ struct Block {
 };
 
 /// Copies a decoded block into the picture, without the part outside the picture (a tile's padding).
-void place_block(const std::vector<std::byte>& raw, const Block& block, const Layout& layout,
+void place_block(std::span<const std::byte> raw, const Block& block, const Layout& layout,
                  StoredImage& image) {
   const auto sample_bytes = static_cast<std::size_t>(layout.bits / 8);
   const auto channels = static_cast<std::size_t>(layout.channels);
@@ -181,7 +181,9 @@ bool read_tiles(TIFF* tiff, const Layout& layout, StoredImage& image) {
   return true;
 }
 
-bool read_rows(TIFF* tiff, const Layout& layout, StoredImage& image) {
+/// Calls `use(channel, y, samples)` for each row of strips, until it returns false.
+template <class Use>
+bool for_each_row(TIFF* tiff, const Layout& layout, const Use& use) {
   const tmsize_t bytes = TIFFScanlineSize(tiff);
   const std::size_t step = layout.planes_apart ? 1 : static_cast<std::size_t>(layout.channels);
   const std::size_t needed = layout.width * step * static_cast<std::size_t>(layout.bits / 8);
@@ -190,9 +192,24 @@ bool read_rows(TIFF* tiff, const Layout& layout, StoredImage& image) {
   for (int channel = 0; channel < (layout.planes_apart ? layout.channels : 1); ++channel)
     for (std::uint32_t y = 0; y < layout.height; ++y) {
       if (TIFFReadScanline(tiff, raw.data(), y, static_cast<std::uint16_t>(channel)) < 0) return false;
-      place_block(raw, {0, y, layout.width, 1, channel}, layout, image);
+      if (!use(channel, y, std::span(raw).first(needed))) return false;
     }
   return true;
+}
+
+bool read_rows(TIFF* tiff, const Layout& layout, StoredImage& image) {
+  return for_each_row(tiff, layout, [&](int channel, std::uint32_t y, std::span<const std::byte> row) {
+    place_block(row, {0, y, layout.width, 1, channel}, layout, image);
+    return true;
+  });
+}
+
+/// Rows in their order need not be kept.
+bool pass_rows(TIFF* tiff, const Layout& layout, SampleSink& sink) {
+  return for_each_row(tiff, layout, [&](int, std::uint32_t, std::span<std::byte> row) {
+    if (layout.white_is_zero) invert(layout, row);
+    return sink.put(row);
+  });
 }
 
 /// Reads all other layouts by libtiff's conversion to 8-bit RGBA.
@@ -216,18 +233,29 @@ bool read_converted(TIFF* tiff, StoredImage& image) {
 }
 
 bool read_plain(TIFF* tiff, const Layout& layout, StoredImage& image) {
-  image.channels = layout.channels;
-  image.bits = layout.bits;
   image.samples.resize(static_cast<std::size_t>(layout.width) * layout.height *
                        static_cast<std::size_t>(layout.channels * (layout.bits / 8)));
   const bool read = TIFFIsTiled(tiff) != 0 ? read_tiles(tiff, layout, image) : read_rows(tiff, layout, image);
-  if (read && layout.white_is_zero) invert(layout, image);
+  if (read && layout.white_is_zero) invert(layout, image.samples);
   return read;
+}
+
+/// Reads the picture into the sink; false if it is damaged, or not taken.
+bool read_into(TIFF* tiff, StoredImage image, SampleSink& sink) {
+  const auto layout = plain_layout(tiff);
+  if (layout) {
+    image.channels = layout->channels;
+    image.bits = layout->bits;
+    if (TIFFIsTiled(tiff) == 0 && !layout->planes_apart)
+      return sink.begin(image) && pass_rows(tiff, *layout, sink);
+  }
+  if (!(layout ? read_plain(tiff, *layout, image) : read_converted(tiff, image))) return false;
+  return sink.begin(image) && sink.put(image.samples);
 }
 
 }  // namespace
 
-Result<StoredImage> decode_tiff(std::span<const std::byte> file) {
+Result<void> decode_tiff(std::span<const std::byte> file, SampleSink& sink) {
   Source source{file, 0, {}};
   const auto damaged = [&source] {
     return invalid_input(std::string("is a TIFF picture that is damaged, cut off or of an unknown kind (") +
@@ -238,12 +266,9 @@ Result<StoredImage> decode_tiff(std::span<const std::byte> file) {
   const auto width = field<std::uint32_t>(tiff.get(), TIFFTAG_IMAGEWIDTH, 0);
   const auto height = field<std::uint32_t>(tiff.get(), TIFFTAG_IMAGELENGTH, 0);
   if (auto size = check_picture_size(width, height); !size) return std::move(size).error();
-
-  StoredImage image{static_cast<int>(width), static_cast<int>(height), 1, 8, {}};
-  const auto layout = plain_layout(tiff.get());
-  if (!(layout ? read_plain(tiff.get(), *layout, image) : read_converted(tiff.get(), image)))
+  if (!read_into(tiff.get(), {static_cast<int>(width), static_cast<int>(height), 1, 8, {}}, sink))
     return damaged();
-  return image;
+  return {};
 }
 
 }  // namespace palpable::sources

@@ -72,12 +72,21 @@ Result<void> write_body(const models::Relief& relief, const models::Scene& scene
   return write_file_atomically(output, *bytes);
 }
 
+std::string sidecar_of(const std::filesystem::path& output) { return output.string() + ".json"; }
+
+/// The files that an export to this one may write.
+std::vector<std::string> exported_files(const std::string& output) {
+  const auto ending = std::filesystem::path(output).extension();
+  if (ending == ".svg") return map_drawing_files(output);
+  std::vector<std::string> files{output};
+  if (ending == ".png") files.push_back(sidecar_of(output));
+  return files;
+}
+
 /// Writes what a picture's values mean beside it.
 Result<void> write_sidecar(const Json& content, const std::filesystem::path& output) {
-  std::filesystem::path sidecar = output;
-  sidecar += ".json";
   const std::string text = content.dump(2) + "\n";
-  return write_file_atomically(sidecar, std::as_bytes(std::span(text)));
+  return write_file_atomically(sidecar_of(output), std::as_bytes(std::span(text)));
 }
 
 /// Writes a sidecar with the settings that `make` needs to read the heights.
@@ -109,7 +118,7 @@ Result<Answer> export_line_picture(const models::BoundaryMap& boundaries, const 
   answer.json = {{"output", output},
                  {"strength_per_step", 1.0 / kMost},
                  {"pixel_m", boundaries.pixel_m()},
-                 {"sidecar", output + ".json"}};
+                 {"sidecar", sidecar_of(output)}};
   answer.text = fmt::format(
       "{0}: strength of the lines as 16-bit grey, 65535 = 1, {1:.4g} mm a pixel, as {0}.json states\n",
       output, 1000.0 * boundaries.pixel_m());
@@ -135,7 +144,7 @@ Result<Answer> export_model(const models::Relief& relief, const models::Scene& s
     if (const auto written = write_height_sidecar(relief, output, metres_per_step); !written)
       return written.error();
     answer.json["metres_per_step"] = metres_per_step;
-    answer.json["sidecar"] = arguments.output + ".json";
+    answer.json["sidecar"] = sidecar_of(arguments.output);
     answer.text = fmt::format("{0}: heights as 16-bit grey, {1:.6g} mm a step, as {0}.json states\n",
                               arguments.output, 1000.0 * metres_per_step);
     return answer;
@@ -346,6 +355,7 @@ void add_export(Program& program) {
       "-o,--output", arguments->output,
       {".stl", ".glb", ".ply", ".vdb", ".svg", ".brf", ".txt", ".png", ".npz", ".csv", ".html"},
       "File to write; its suffix selects the format");
+  options.last_output_writes(exported_files);
   options.integer("--grid", arguments->grid, {2, 1024},
                   "Field: samples along its longest side in an .npz or .vdb");
   options.choice("--band", arguments->band, {"narrow", "full"},

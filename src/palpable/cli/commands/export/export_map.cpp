@@ -154,9 +154,11 @@ std::vector<std::string> key_lines(const Drawing& drawing, const std::vector<std
   return lines;
 }
 
+constexpr std::size_t kMostSheets = 1000;
+
 /// Sheets of this map's key from an earlier export, beyond those that are written, go.
 void remove_older_sheets(const std::filesystem::path& output, std::size_t written, AtomicFiles& files) {
-  constexpr std::size_t kMostSheets = 1000, kBegin = 400;
+  constexpr std::size_t kBegin = 400;
   for (std::size_t page = written; page < kMostSheets; ++page) {
     const auto path = key_path(output, page);
     std::error_code error;
@@ -208,6 +210,15 @@ Result<std::vector<std::string>> add_drawing(const Drawing& drawing, const Tacti
 bool is_map_drawing(const models::Scene& scene, const std::filesystem::path& output) {
   const auto ending = output.extension();
   return scene.map != nullptr && (ending == ".txt" || ending == ".svg" || ending == ".brf");
+}
+
+std::vector<std::string> map_drawing_files(const std::filesystem::path& output) {
+  std::vector<std::string> files{output.string()};
+  std::error_code error;
+  for (std::size_t page = 0; page < kMostSheets; ++page)
+    if (const auto path = key_path(output, page); std::filesystem::exists(path, error))
+      files.push_back(path.string());
+  return files;
 }
 
 Result<Answer> export_map(const models::Scene& scene, const TactileArguments& arguments,

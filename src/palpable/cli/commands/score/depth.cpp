@@ -52,11 +52,16 @@ Result<void> only_of_pyramid(const DepthArguments& arguments, vision::StereoMeth
                fmt::format("is an option of --method pyramid, not of {}", vision::name_of(method)), given};
 }
 
-/// Writes the rectified pictures as PREFIX_left.png and PREFIX_right.png.
+/// The rectified pictures' files: the left one, the right one.
+std::vector<std::string> rectified_files(const std::string& prefix) {
+  return {prefix + "_left.png", prefix + "_right.png"};
+}
+
 Result<void> write_rectified(const std::string& prefix, const vision::StereoPair& pair) {
   if (prefix.empty()) return {};
-  if (const auto left = formats::write_png(prefix + "_left.png", rgb8(pair.left)); !left) return left;
-  return formats::write_png(prefix + "_right.png", rgb8(pair.right));
+  const auto files = rectified_files(prefix);
+  if (const auto left = formats::write_png(files.front(), rgb8(pair.left)); !left) return left;
+  return formats::write_png(files.back(), rgb8(pair.right));
 }
 
 Result<void> write_disparity(const std::filesystem::path& output, const Raster<float>& disparity_px) {
@@ -142,8 +147,9 @@ void add_depth(Program& program) {
       "Disparity in pixels: .pfm (float, infinity = unknown) or .png (16 bit, times 256, 0 = unknown)");
   options.output("--confidence", arguments->confidence, {".pfm", ".png"},
                  "Also write how sure each pixel is, 0 to 1: .pfm (float) or .png (8 bit, white is sure)");
-  options.output_prefix("--rectified", arguments->rectified, {"_left.png", "_right.png"},
-                        "Also write the rectified pictures, as PREFIX_left.png and PREFIX_right.png");
+  options.output("--rectified", arguments->rectified, {},
+                 "Also write the rectified pictures, as PREFIX_left.png and PREFIX_right.png");
+  options.last_output_writes(rectified_files);
   add_stereo_options(options, arguments->stereo);
   add_parameter_options(options, arguments->stereo);
   options.under("The method pyramid");

@@ -1,0 +1,91 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/input_files.hpp"
+
+#include "palpable/cli/output_files.hpp"
+#include "palpable/sources/depth/depth_picture.hpp"
+
+#include <climits>
+#include <system_error>
+#include <vector>
+
+#include <sys/stat.h>
+
+namespace palpable::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The parts of a word that may name a file: from its start, or from after @ : = (`@FILE`, `replay:FILE`,
+/// `0:texture=FILE`), to its end, or to , ? & (`FILE,pitch=2`, `FILE?fps=30`).
+std::vector<std::string> names_in(const std::string& word) {
+  // A file's name is shorter, and a word of nothing but marks has as many parts as the square of its length.
+  constexpr std::size_t kMostNames = 1000;
+  std::vector<std::string> names;
+  for (std::size_t begin = 0; begin != std::string::npos && names.size() < kMostNames;) {
+    for (std::size_t end = begin; end != std::string::npos && names.size() < kMostNames;) {
+      end = word.find_first_of(",?&", end);
+      const auto length = end == std::string::npos ? word.size() - begin : end - begin;
+      if (length > 0 && length <= PATH_MAX) names.push_back(word.substr(begin, length));
+      if (end != std::string::npos) ++end;
+    }
+    begin = word.find_first_of("@:=", begin);
+    if (begin != std::string::npos) ++begin;
+  }
+  return names;
+}
+
+}  // namespace
+
+std::vector<fs::path> sample_folders() {
+  std::error_code ignored;
+  // Beside the installed program, then where it was built.
+  const auto beside = fs::read_symlink("/proc/self/exe", ignored).parent_path() / "../share/palpable/samples";
+  std::vector<fs::path> folders{beside, PALPABLE_SAMPLES};
+  std::erase_if(folders, [&](const auto& folder) { return !fs::is_directory(folder, ignored); });
+  return folders;
+}
+
+InputFiles::InputFiles(const InputWords& words) {
+  for (const std::string& word : words.words) add_word(word);
+  for (const std::string& argument : words.arguments) add_argument(argument);
+}
+
+std::optional<InputFiles::Identity> InputFiles::identity_of(const fs::path& file) {
+  struct stat found {};
+  // A command may read from and write to one terminal.
+  if (::stat(file.c_str(), &found) != 0 || S_ISCHR(found.st_mode)) return std::nullopt;
+  return Identity(found.st_dev, found.st_ino);
+}
+
+void InputFiles::add(const fs::path& file, const std::string& folder) {
+  // The first entry of a file stays: named files come before those of folders.
+  if (const auto identity = identity_of(file)) folders_.emplace(*identity, folder);
+}
+
+void InputFiles::add_word(const std::string& word) {
+  for (const std::string& name : names_in(word)) add(name);
+}
+
+void InputFiles::add_argument(const std::string& argument) {
+  add_word(argument);
+  for (const std::string& name : names_in(argument)) {
+    std::error_code failed;
+    if (fs::is_directory(name, failed)) {
+      for (auto it = fs::directory_iterator(name, failed); !failed && it != fs::directory_iterator();
+           it.increment(failed))
+        // Scenes are never read from a folder of pictures, so that one beside them can be made again.
+        if (it->path().extension() != ".palp") add(it->path(), name);
+    } else if (fs::exists(name, failed)) {
+      for (const fs::path& sidecar : sources::depth_sidecars_of(name)) add(sidecar);
+    }
+  }
+}
+
+std::optional<std::string> InputFiles::find(const fs::path& file) const {
+  const auto identity = identity_of(file);
+  const auto found = identity ? folders_.find(*identity) : folders_.end();
+  return found == folders_.end() ? std::nullopt : std::optional(found->second);
+}
+
+}  // namespace palpable::cli

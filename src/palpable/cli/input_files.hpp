@@ -1,0 +1,44 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <sys/types.h>
+
+namespace palpable::cli {
+
+struct InputWords;
+
+/// How the sample map is asked for: an extract of a town that does not exist.
+inline constexpr const char* kMapSample = "sample:map";
+
+/// The folders in which samples are searched, if they exist.
+std::vector<std::filesystem::path> sample_folders();
+
+/// The existing files that a command line names as inputs (check_outputs() says which), compared by their
+/// device and number, so that links and other spellings of a name make no difference.
+class InputFiles {
+ public:
+  explicit InputFiles(const InputWords& words);
+
+  /// Whether `file` exists and is one of them: the folder that it was found in, or an empty text if it is
+  /// named itself. Devices such as a terminal are none.
+  std::optional<std::string> find(const std::filesystem::path& file) const;
+
+ private:
+  using Identity = std::pair<dev_t, ino_t>;
+  static std::optional<Identity> identity_of(const std::filesystem::path& file);
+  void add_word(const std::string& word);
+  void add_argument(const std::string& argument);
+  void add(const std::filesystem::path& file, const std::string& folder = {});
+
+  std::map<Identity, std::string> folders_;
+};
+
+}  // namespace palpable::cli

@@ -1,0 +1,60 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/device/device.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace palpable::device {
+
+/// The reading of a device whose positions come over a connection: it is stale, and the force zero, when no
+/// plausible position has come for kStale_s; after kSilent_s the device has failed. Servo's thread only; no
+/// allocation but in silence_of().
+class FreshReading {
+ public:
+  static constexpr double kStale_s = 0.008;
+  static constexpr double kSilent_s = 0.5;
+
+  /// `period_s`: of the servo's ticks. Not ready until renew().
+  explicit FreshReading(double period_s) noexcept : period_s_(period_s) {
+    reading_.status = Status::not_ready;
+  }
+
+  /// The next tick begins.
+  void pass() noexcept { age_s_ += period_s_; }
+  /// A plausible position came, and with it this status.
+  void renew(Vec3 position_m, std::uint32_t buttons, Status status) noexcept {
+    reading_.position.v = position_m;
+    reading_.buttons = buttons;
+    last_ = status;
+    age_s_ = 0.0;
+  }
+  /// Since the last position, or the beginning.
+  double age_s() const noexcept { return age_s_; }
+  const Reading& reading() const noexcept { return reading_; }
+
+  /// The reading of this tick; `failed`: the device is known to have failed.
+  const Reading& now(bool failed) noexcept {
+    reading_.status = failed || age_s_ > kSilent_s ? Status::fault
+                      : age_s_ > kStale_s          ? Status::stale
+                                                   : last_;
+    return reading_;
+  }
+  /// The force that the device may make after this reading: none unless it is good.
+  Vec3 allowed(Vec3 force_N) const noexcept { return reading_.status == Status::ok ? force_N : Vec3{}; }
+
+  /// What a device has done that failed by its age, whether it is silent or sends what is no position.
+  static std::string silence_of(const std::string& device) {
+    return "the " + device + " gives no valid position any more";
+  }
+
+ private:
+  double period_s_;
+  double age_s_ = 0.0;
+  Reading reading_;
+  Status last_ = Status::not_ready;
+};
+
+}  // namespace palpable::device
