@@ -12,7 +12,7 @@ namespace palpable::models {
 namespace {
 
 /// Of the surface: its height is a mean of control values, its slope along an axis one of their differences.
-FinerCells::CellBounds bounds_of(const FinerCell& cell) {
+FinerCells::CellBounds bounds_of_cell(const FinerCell& cell) {
   const auto side = static_cast<std::size_t>(cell.parts) + 3;
   float highest = cell.values_m.front();
   float across = 0.0F;
@@ -23,7 +23,7 @@ FinerCells::CellBounds bounds_of(const FinerCell& cell) {
     if ((k + 1) % side != 0) across = std::max(across, std::abs(cell.values_m[k + 1] - z));
     if (k + side < cell.values_m.size()) down = std::max(down, std::abs(cell.values_m[k + side] - z));
   }
-  return {cell.x, cell.y, highest, std::hypot(across, down) * static_cast<float>(cell.parts)};
+  return {cell.x, cell.y, highest, std::hypot(across, down) * static_cast<float>(cell.parts), cell.lowered_m};
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ FinerCells::FinerCells(int width, int height, const std::vector<FinerCell>& cell
     entries_[page + (y % kBlock) * kBlock + x % kBlock] =
         static_cast<std::uint32_t>(first) * kLevels + static_cast<std::uint32_t>(std::countr_zero(parts));
     values_.insert(values_.end(), cell.values_m.begin(), cell.values_m.end());
-    bounds_.push_back(bounds_of(cell));
+    bounds_.push_back(bounds_of_cell(cell));
     steepest_per_pixel_ = std::max(steepest_per_pixel_, double{bounds_.back().steepest});
     values_.resize((values_.size() + kUnit - 1) / kUnit * kUnit);
   }

@@ -12,27 +12,29 @@
 namespace palpable::models {
 
 /// A cell of a relief, the square right of and below sample (x, y), as a cubic B-spline with more control
-/// values: `parts` x `parts` smaller cells, with the (parts + 3)^2 control values that these depend on, row by
-/// row.
+/// values: `parts` x `parts` smaller cells, with the (parts + 3)^2 control values that these depend on, row
+/// by row.
 struct FinerCell {
   int x = 0;
   int y = 0;
   int parts = 1;
   std::vector<float> values_m;
+  /// An upper bound of how far it is below the relief's own spline.
+  float lowered_m = 0.0F;
 };
 
 /// The cells of a relief where its spline is too coarse, each replaced by a finer spline (hierarchical
 /// B-splines: Forsey & Bartels 1988; Kraft 1997). A coarser spline is also a finer one (knot insertion), so
-/// each cell contains the whole surface, and an evaluation reads one block of 4 x 4 values whatever the number
-/// of levels. Immutable; any thread.
+/// each cell contains the whole surface, and an evaluation reads one block of 4 x 4 values whatever the
+/// number of levels. Immutable; any thread.
 class FinerCells {
  public:
   /// A relief of width x height samples; cells of 1 <= x < width - 2, 1 <= y < height - 2, each once.
   /// `parts`: a power of two from 2 to 128.
   FinerCells(int width, int height, const std::vector<FinerCell>& cells);
 
-  /// The place in a finer cell of the position (x_px, y_px), 1 <= x_px < width - 2, 1 <= y_px < height - 2, and
-  /// its parts; parts is 0 if no finer cell is there. Tick path.
+  /// The place in a finer cell of the position (x_px, y_px), 1 <= x_px < width - 2, 1 <= y_px < height - 2,
+  /// and its parts; parts is 0 if no finer cell is there. Tick path.
   struct Found {
     SplinePlace place;
     int parts = 0;
@@ -60,12 +62,14 @@ class FinerCells {
   /// An upper bound of the slope in all finer cells, in height per pixel.
   double steepest_per_pixel() const noexcept { return steepest_per_pixel_; }
 
-  /// Upper bounds of height and slope per pixel in each finer cell.
+  /// Upper bounds in each finer cell: of the height, of the slope per pixel, and of how far it is below the
+  /// relief's own spline.
   struct CellBounds {
     int x = 0;
     int y = 0;
     float highest = 0.0F;
     float steepest = 0.0F;
+    float lowered_m = 0.0F;
   };
   const std::vector<CellBounds>& bounds() const noexcept { return bounds_; }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/models/relief/finer_fit.hpp"
 
+#include "palpable/models/relief/rows_done.hpp"
 #include "palpable/models/relief/spline_block.hpp"
 
 #include <algorithm>
@@ -13,16 +14,18 @@
 namespace palpable::models {
 namespace {
 
+/// Of the work of making a ball's surface, until the first level.
+constexpr WorkPart kTestPart{0.3, 0.5};
 /// Parts of a cell at the first and at the finest level.
 constexpr int kFirstParts = 4;
 constexpr int kMostParts = 64;
-/// A place with an error changes control values whose splines reach it, and needs errors known as far as these
-/// splines reach: parts of the level.
+/// A place with an error changes control values whose splines reach it, and needs errors known as far as
+/// these splines reach: parts of the level.
 constexpr int kAround = 4;
-/// A control value is this combination of the errors at its knot and around it, every half part. It reproduces
-/// cubic polynomials. Of all such symmetric combinations as wide as the spline it has the least error at a
-/// kink: 0.081 times its change of slope times the part, to either side (found numerically; the errors at the
-/// knots alone would give 0.19).
+/// A control value is this combination of the errors at its knot and around it, every half part. It
+/// reproduces cubic polynomials. Of all such symmetric combinations as wide as the spline it has the least
+/// error at a kink: 0.081 times its change of slope times the part, to either side (found numerically; the
+/// errors at the knots alone would give 0.19).
 constexpr std::array<float, 5> kWeights{1.162350958F, 0.458652155F, -0.381677461F, -0.418827703F,
                                         0.260677522F};
 constexpr int kReach = static_cast<int>(kWeights.size()) - 1;
@@ -89,12 +92,21 @@ class Fitting {
   std::vector<FinerCell> run() {
     std::vector<Miss> misses = misses_of_relief();
     for (int parts = kFirstParts; parts <= kMostParts && !misses.empty() && !work_.cancelled(); parts *= 2) {
-      work_.report(0.5 + 0.5 * parts / (2.0 * kMostParts), "fitting the ball's surface in creases");
+      work_.report(kTestPart.end + (1.0 - kTestPart.end) * parts / (2.0 * kMostParts),
+                   "fitting the ball's surface in creases");
       misses = refine(parts, std::move(misses));
     }
     std::vector<FinerCell> cells;
     cells.reserve(cells_.size());
-    for (FitCell& fitted : cells_) cells.push_back(std::move(fitted.cell));
+    for (FitCell& fitted : cells_) {
+      FinerCell of_relief = cell_of_relief(fitted.cell.x, fitted.cell.y);
+      while (of_relief.parts < fitted.cell.parts) make_finer(of_relief);
+      // The difference of two splines is at most that of their control values.
+      for (std::size_t k = 0; k < of_relief.values_m.size(); ++k)
+        fitted.cell.lowered_m =
+            std::max(fitted.cell.lowered_m, of_relief.values_m[k] - fitted.cell.values_m[k]);
+      cells.push_back(std::move(fitted.cell));
+    }
     return cells;
   }
 
@@ -106,9 +118,10 @@ class Fitting {
   /// Where the relief itself is not close enough, at every half pixel.
   std::vector<Miss> misses_of_relief() const {
     std::vector<std::vector<Miss>> rows(static_cast<std::size_t>(height_));
+    RowsDone done(work_, height_, kTestPart);
     parallel_for(work_, height_ - 3, 4, [&](int begin, int end) {
       std::vector<TouchPoint> points;
-      for (int y = begin + 1; y < end + 1 && !work_.cancelled(); ++y)
+      for (int y = begin + 1; y < end + 1 && !work_.cancelled(); ++y) {
         for (int x = 1; x < width_ - 2; ++x) {
           contacts_.of_cell(x, y, points);
           for (const auto& [right, down] : {std::pair{0.0, 0.0}, {0.5, 0.0}, {0.0, 0.5}, {0.5, 0.5}}) {
@@ -120,6 +133,8 @@ class Fitting {
               rows[static_cast<std::size_t>(y)].push_back({x + right, y + down, off_m});
           }
         }
+        done.add();
+      }
     });
     return joined(rows);
   }
@@ -141,7 +156,6 @@ class Fitting {
 
   /// Drops the places with the smallest errors, so that the control values are no more than allowed.
   void keep_affordable(int parts, std::vector<Miss>& misses) const {
-    const double most = fit_.most_values_per_sample * width_ * height_;
     double used = 0.0;
     for (const FitCell& fitted : cells_) used += static_cast<double>(fitted.cell.values_m.size());
     constexpr double kHigher = 1.4;
@@ -154,10 +168,18 @@ class Fitting {
           if (std::exchange(seen(x, y), std::uint8_t{1}) != 0) return;
           wanted += (parts + 3.0) * (parts + 3.0);
           if (index_(x, y) >= 0)
-            wanted -= static_cast<double>(cells_[static_cast<std::size_t>(index_(x, y))].cell.values_m.size());
+            wanted -=
+                static_cast<double>(cells_[static_cast<std::size_t>(index_(x, y))].cell.values_m.size());
         });
-      if (wanted <= most) return;
+      if (wanted <= fit_.most_values) return;
     }
+  }
+
+  FinerCell cell_of_relief(int x, int y) const {
+    FinerCell cell{x, y, 1, {}, 0.0F};
+    for (int b = -1; b <= 2; ++b)
+      for (int a = -1; a <= 2; ++a) cell.values_m.push_back(relief_.samples_m()(x + a, y + b));
+    return cell;
   }
 
   /// The cell as a member of this level.
@@ -165,10 +187,7 @@ class Fitting {
     int& k = index_(x, y);
     if (k < 0) {
       k = static_cast<int>(cells_.size());
-      FinerCell cell{x, y, 1, {}};
-      for (int b = -1; b <= 2; ++b)
-        for (int a = -1; a <= 2; ++a) cell.values_m.push_back(relief_.samples_m()(x + a, y + b));
-      cells_.push_back({std::move(cell), {}, {}, {}, {}});
+      cells_.push_back({cell_of_relief(x, y), {}, {}, {}, {}});
     }
     FitCell& fitted = cells_[static_cast<std::size_t>(k)];
     if (fitted.cell.parts < parts) {
@@ -269,7 +288,8 @@ class Fitting {
     const int half_right = a - 2 * i;
     const int half_down = b - 2 * j;
     const FitCell* const at = member_at(from, i, j);
-    return at->error_m[static_cast<std::size_t>((2 * j + half_down) * 2 * from.cell.parts + 2 * i + half_right)];
+    return at
+        ->error_m[static_cast<std::size_t>((2 * j + half_down) * 2 * from.cell.parts + 2 * i + half_right)];
   }
 
   /// The corrections of the control values in the cell whose splines end where errors are known, so that the

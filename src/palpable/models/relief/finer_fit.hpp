@@ -14,10 +14,10 @@ namespace palpable::models {
 /// How closely finer cells follow the surface of a ball.
 struct FinerFit {
   /// A finer level is added where the error at a tested position is larger.
-  double tolerance_m = 2.5e-6;
-  /// Most control values of all finer cells, per sample of the relief. Where more would be needed, the places
-  /// with the largest errors get them.
-  double most_values_per_sample = 16.0;
+  double tolerance_m = 4e-6;
+  /// Most control values of all finer cells, of 4 bytes each. Where more would be needed, the places with the
+  /// largest errors get them.
+  double most_values = 1e7;
 };
 
 /// The cells in which `relief`, an approximation of the surface on which the centre of a ball moves, differs

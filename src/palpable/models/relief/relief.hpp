@@ -66,7 +66,8 @@ class Relief {
   /// The same with the exact second derivatives, at little more cost. Tick path.
   CurvedSample curved_sample(double x_m, double y_m) const noexcept;
 
-  /// The block of samples on which the surface at (x_m, y_m) depends. `copy` holds it at the border. Tick path.
+  /// The block of samples on which the surface at (x_m, y_m) depends. `copy` holds it at the border. Tick
+  /// path.
   SplinePlace place_at(double x_m, double y_m, std::array<float, 16>& copy) const noexcept;
 
   /// Prefetches the samples for a later query at this position, without waiting. Tick path.

@@ -4,13 +4,12 @@
 
 #include "palpable/models/relief/ball_contacts.hpp"
 #include "palpable/models/relief/rolling_contact.hpp"
+#include "palpable/models/relief/rows_done.hpp"
 #include "palpable/models/relief/touch_points.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <memory>
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -56,25 +55,6 @@ double most_bent(const Relief& relief, double radius_m) {
   return relief.pixel_m() * relief.pixel_m() / radius_m * steep2 * std::sqrt(steep2);
 }
 
-/// Counts finished rows on all threads, and reports every hundredth.
-class RowsDone {
- public:
-  RowsDone(const Work& work, int rows) : work_(work), rows_(rows) {}
-  void add() {
-    const std::lock_guard lock(mutex_);
-    ++done_;
-    if (100 * done_ / rows_ != 100 * (done_ - 1) / rows_)
-      work_.report(static_cast<double>(done_) / static_cast<double>(rows_),
-                   "rolling the ball over the relief");
-  }
-
- private:
-  const Work& work_;
-  std::int64_t rows_;
-  std::int64_t done_ = 0;
-  std::mutex mutex_;
-};
-
 }  // namespace
 
 Raster<float> dilate_by_ball(const Relief& relief, double radius_m, const Work& work) {
@@ -87,7 +67,7 @@ Raster<float> dilate_by_ball(const Relief& relief, double radius_m, const Work& 
   const int w = heights.width();
   const int h = heights.height();
   Raster<float> centre(w, h);
-  RowsDone done(work, h);
+  RowsDone done(work, h, {0.0, 1.0});
   parallel_for(work, h, 8, [&](int begin, int end) {
     std::vector<ContactOffset> found(static_cast<std::size_t>(w));
     for (int y = begin; y < end && !work.cancelled(); ++y) {
@@ -105,6 +85,14 @@ Raster<float> dilate_by_ball(const Relief& relief, double radius_m, const Work& 
   return control_values_for(centre, most_bent(relief, radius_m));
 }
 
+Result<RefinedRelief> coarse_surface_of_ball(const Relief& relief, double radius_m, const Work& work) {
+  Raster<float> values = dilate_by_ball(relief, radius_m, work);
+  if (work.cancelled()) return Work::interrupted();
+  auto dilated = Relief::from_samples(std::move(values), relief.pixel_m());
+  if (!dilated) return dilated.error();
+  return RefinedRelief(std::make_shared<const Relief>(*std::move(dilated)));
+}
+
 Result<RefinedRelief> surface_of_ball(const Relief& relief, double radius_m, const FinerFit& fit,
                                       const Work& work) {
   PALPABLE_CHECK(radius_m > 0.0);
@@ -116,6 +104,7 @@ Result<RefinedRelief> surface_of_ball(const Relief& relief, double radius_m, con
   const auto surface = std::make_shared<const Relief>(*std::move(coarse));
   const std::vector<FinerCell> cells = fit_finer_cells(*surface, contacts, fit, work);
   if (work.cancelled()) return Work::interrupted();
+  work.report(1.0, "fitting the ball's surface in creases");
   if (cells.empty()) return RefinedRelief(surface);
   return RefinedRelief(surface, std::make_shared<const FinerCells>(relief.samples_m().width(),
                                                                    relief.samples_m().height(), cells));

@@ -132,9 +132,13 @@ PredictedCentre predict_centre(const TouchPoint& point, double radius_m, double 
   const double rest2 = radius_m * radius_m - dx * dx - dy * dy;
   const double sx = double{point.dzdx};
   const double sy = double{point.dzdy};
-  if (rest2 <= 0.0) {
+  const double steep2 = 1.0 + sx * sx + sy * sy;
+  // Where the ball is much steeper than the surface, near its rim, a prediction of second order would be
+  // wild.
+  constexpr double kMuch2 = 4.0;
+  if (dx * dx + dy * dy >= kMuch2 * steep2 * rest2) {
     // A ball on the plane that touches the surface there.
-    const double steep = std::sqrt(1.0 + sx * sx + sy * sy);
+    const double steep = std::sqrt(steep2);
     const double plane_m = double{point.z_m} - sx * dx - sy * dy + radius_m * steep;
     return {plane_m - radius_m, plane_m, {radius_m * sx / steep, radius_m * sy / steep}};
   }

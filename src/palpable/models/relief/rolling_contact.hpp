@@ -42,8 +42,8 @@ struct TouchPoint {
 TouchPoint touch_point_of(const RestingBall& ball, double radius_m, double x_m, double y_m) noexcept;
 
 /// Height of the centre of a ball above (x_m, y_m) that rests on the point itself, a lower bound; and of one
-/// that rests near it, to second order. If the ball does not reach the point, `likely_m` is for a plane there,
-/// and `least_m` no bound but a radius less.
+/// that rests near it, to second order. If the ball reaches the point with its rim or not at all, `likely_m`
+/// is for a plane there, and `least_m` no bound but a radius less.
 struct PredictedCentre {
   double least_m = 0.0;
   double likely_m = 0.0;

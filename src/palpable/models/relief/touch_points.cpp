@@ -3,6 +3,7 @@
 #include "palpable/models/relief/touch_points.hpp"
 
 #include "palpable/models/relief/ball_contacts.hpp"
+#include "palpable/models/relief/rows_done.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +12,12 @@ namespace palpable::models {
 namespace {
 
 /// Steps of Newton's method for one contact: most need three, nearly flat ones more.
-constexpr int kSteps = 12;
-/// Samples of the search per pixel: a pixel's own would miss contacts on steep and rough ground, and a ball of
-/// a few pixels needs more.
+constexpr int kContactSteps = 12;
+/// Samples of the search per pixel: a pixel's own would miss contacts on steep and rough ground, and a ball
+/// of a few pixels needs more.
 int samples_per_pixel(double radius_px) { return radius_px >= 2.0 ? 2 : radius_px >= 0.75 ? 4 : 8; }
+/// Of the work of making a ball's surface.
+constexpr WorkPart kSearchPart{0.0, 0.3};
 /// How much lower than the best one a sample may be that leads to the contact, in sample distances.
 constexpr float kSlack = 1.0F;
 /// Two contacts nearer than this share of a pixel are the same.
@@ -47,6 +50,7 @@ TouchPoints::TouchPoints(const Relief& relief, double radius_m, const Work& work
   const double step_m = relief.pixel_m() / per_pixel;
   const Raster<float> heights = finer_heights(relief, per_pixel, work);
   const BallContacts contacts(heights, radius_m / step_m);
+  RowsDone done(work, centre_m_.height(), kSearchPart);
   parallel_for(work, centre_m_.height(), 8, [&](int begin, int end) {
     std::vector<ContactOffset> found;
     std::vector<RestingBall> balls;
@@ -56,8 +60,8 @@ TouchPoints::TouchPoints(const Relief& relief, double radius_m, const Work& work
         contacts.find_all(per_pixel * x, per_pixel * y, kSlack, found);
         balls.clear();
         for (const ContactOffset at : found)
-          balls.push_back(
-              rest_ball(relief, radius_m, x_m(x), y_m(y), {at.right * step_m, -at.down * step_m}, kSteps));
+          balls.push_back(rest_ball(relief, radius_m, x_m(x), y_m(y), {at.right * step_m, -at.down * step_m},
+                                    kContactSteps));
         std::sort(balls.begin(), balls.end(),
                   [](const RestingBall& a, const RestingBall& b) { return a.centre_m > b.centre_m; });
         begin_(x, y) = static_cast<std::uint32_t>(row.size());
@@ -72,6 +76,7 @@ TouchPoints::TouchPoints(const Relief& relief, double radius_m, const Work& work
         }
       }
       begin_(centre_m_.width(), y) = static_cast<std::uint32_t>(row.size());
+      done.add();
     }
   });
 }
@@ -102,11 +107,11 @@ void TouchPoints::of_cell(int i, int j, std::vector<TouchPoint>& points) const {
 double TouchPoints::centre_m(std::span<const TouchPoint> points, double x_m, double y_m) const {
   // A prediction of second order errs by less than this, or this share of what it adds.
   constexpr double kSure_m = 2e-7;
-  constexpr double kShare = 0.5;
+  constexpr double kShare = 1.0;
   constexpr double kHighest_m = 1e9;
   constexpr double kSmall = 2.0;
   const auto rest_near = [&](UnderBall from) {
-    return rest_ball(relief_, radius_m_, x_m, y_m, from, kSteps);
+    return rest_ball(relief_, radius_m_, x_m, y_m, from, kContactSteps);
   };
   PredictedCentre first{0.0, -kHighest_m, {}};
   for (const TouchPoint& point : points) {
@@ -118,7 +123,8 @@ double TouchPoints::centre_m(std::span<const TouchPoint> points, double x_m, dou
   for (const TouchPoint& point : points) {
     const PredictedCentre at = predict_centre(point, radius_m_, x_m, y_m);
     if (at.likely_m + kShare * (at.likely_m - at.least_m) <= ball.centre_m + kSure_m) continue;
-    if (std::abs(at.contact.dx - ball.contact.dx) + std::abs(at.contact.dy - ball.contact.dy) < same_m) continue;
+    if (std::abs(at.contact.dx - ball.contact.dx) + std::abs(at.contact.dy - ball.contact.dy) < same_m)
+      continue;
     const RestingBall other = rest_near(at.contact);
     if (other.centre_m > ball.centre_m) ball = other;
   }
