@@ -6,7 +6,7 @@ function(palpable_one_file_page)
   cmake_parse_arguments(O "" "PAGE" "" ${ARGN})
   set(web ${PROJECT_SOURCE_DIR}/web)
   set(module ${PROJECT_SOURCE_DIR}/src/palpable/onefile)
-  set(wasm ${PROJECT_SOURCE_DIR}/build/wasm)
+  set(wasm ${CMAKE_BINARY_DIR}/web/touch.wasm)
   set(page ${CMAKE_BINARY_DIR}/web/onefile.html)
   find_program(PALPABLE_EMXX em++)
   find_file(PALPABLE_EMSCRIPTEN_TOOLCHAIN Emscripten.cmake PATHS /usr/share/emscripten $ENV{EMSDK}/upstream/emscripten
@@ -19,14 +19,14 @@ function(palpable_one_file_page)
       list(APPEND sources ${more})
     endforeach()
     list(FILTER sources EXCLUDE REGEX "_test\\.cpp$|/test_")
+    set(need required)
+    if(NOT PALPABLE_TESTS)
+      # ./run goes on without it.
+      set(need optional)
+    endif()
     add_custom_command(
-      OUTPUT ${wasm}/touch.wasm
-      COMMAND ${PALPABLE_NODE} ${web}/scripts/protocol.mjs --cpp ${wasm}/generated/palpable/page/protocol.gen.hpp
-      # Debian's emscripten looks for its own modules where Debian's node has them.
-      COMMAND ${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs flock ${wasm}/lock sh -c
-              "'${CMAKE_COMMAND}' -S '${module}/wasm' -B '${wasm}' -G '${CMAKE_GENERATOR}' -DCMAKE_BUILD_TYPE=Release \
-              -DCMAKE_TOOLCHAIN_FILE='${PALPABLE_EMSCRIPTEN_TOOLCHAIN}' -DGENERATED='${wasm}/generated' > '${wasm}/configure.log' \
-              && '${CMAKE_COMMAND}' --build '${wasm}' -- --quiet && touch '${wasm}/touch.wasm'"
+      OUTPUT ${wasm}
+      COMMAND ${module}/wasm/build.sh ${PALPABLE_EMSCRIPTEN_TOOLCHAIN} ${CMAKE_GENERATOR} ${PALPABLE_NODE} ${need} ${wasm}
       DEPENDS ${sources} ${web}/protocol.json ${web}/scripts/protocol.mjs
       COMMENT "Compiling the touch to WebAssembly (emscripten)"
       VERBATIM)
@@ -35,8 +35,8 @@ function(palpable_one_file_page)
     add_custom_command(
       OUTPUT ${page}
       COMMAND ${PALPABLE_NPM} run --silent build:onefile -- --outDir ${CMAKE_BINARY_DIR}/web/onefile --emptyOutDir --logLevel warn
-      COMMAND ${PALPABLE_NODE} ${web}/scripts/one_file.mjs ${CMAKE_BINARY_DIR}/web/onefile ${wasm}/touch.wasm ${page}
-      DEPENDS ${wasm}/touch.wasm ${web}/node_modules/.palpable-lock ${scripts} ${web}/index.html ${web}/protocol.json
+      COMMAND ${PALPABLE_NODE} ${web}/scripts/one_file.mjs ${CMAKE_BINARY_DIR}/web/onefile ${wasm} ${page}
+      DEPENDS ${wasm} ${web}/node_modules/.palpable-lock ${scripts} ${web}/index.html ${web}/protocol.json
               ${web}/scripts/one_file.mjs ${web}/vite.onefile.config.ts ${web}/public/favicon.svg
       WORKING_DIRECTORY ${web}
       COMMENT "Building the one-file page"

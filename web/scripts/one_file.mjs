@@ -3,13 +3,18 @@
 // Puts the built page and the touch's WebAssembly into one file: node scripts/one_file.mjs FOLDER TOUCH.wasm OUT.html
 // `palpable export` replaces the marks that stand for a scene (src/palpable/onefile/page_template.hpp).
 import { createHash } from 'node:crypto';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { readFileSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const [folder, wasm, out] = process.argv.slice(2).map((path) => resolve(path));
+// Where emscripten could not compile it, there is no page.
+if (statSync(wasm).size === 0) {
+  writeFileSync(out, '');
+  process.exit();
+}
 const built = readFileSync(join(folder, 'index.html'), 'utf8');
 
 function only(pattern, what) {

@@ -51,9 +51,9 @@ TEST(ProbeRows, TakeTheOptionsOfTheCommandLine) {
   // A level floor of 2 mm, 1 mm below it, then with a ball of 1 mm around the same place.
   const std::vector<ProbeRow> rows{{0.0, 0.0, 0.0, 0.003}, {0.001, 0.0, 0.0, 0.001}, {1.0, 0.0, 0.0, 0.001}};
   const auto force = [&](const std::string& options) { return (*probe_rows(scene, options, rows))[2][2]; };
-  EXPECT_NEAR(force(R"({"law": "proxy", "stiffness": 400, "friction": 0})"), 0.4, 1e-9);
-  EXPECT_NEAR(force(R"({"law": "proxy", "stiffness": 400, "friction": 0, "radius": 1})"), 0.8, 1e-9);
-  EXPECT_NEAR(force(R"({"law": "penalty", "stiffness": 100})"), 0.1, 1e-9);
+  EXPECT_NEAR(force(R"({"law": "proxy", "stiffness": 400, "friction": 0})"), 0.4, 1e-6);
+  EXPECT_NEAR(force(R"({"law": "proxy", "stiffness": 400, "friction": 0, "radius": 1})"), 0.8, 1e-6);
+  EXPECT_NEAR(force(R"({"law": "penalty", "stiffness": 100})"), 0.1, 1e-6);
 }
 
 TEST(ProbeRows, SayWhatIsWrongWithTheOptionsAndRows) {
@@ -69,10 +69,16 @@ TEST(ProbeRows, SayWhatIsWrongWithTheOptionsAndRows) {
   EXPECT_EQ(sentence(R"({"law": 3})", good), "the law must be a name");
   EXPECT_EQ(sentence(R"({"stiffnes": 3})", good), "no law has the option stiffnes");
   EXPECT_EQ(sentence(R"({"stiffness": "stiff"})", good), "the option stiffness must be a number");
-  EXPECT_EQ(sentence(R"({"law": "averaged", "radius": 2})", good),
-            "the law averaged touches with a point: give no radius");
   EXPECT_EQ(sentence("{}", {}), "the path has no samples");
   EXPECT_EQ(sentence("{}", {{0.0, std::nan(""), 0.0, 0.0}}), "sample 1 is not finite");
+}
+
+TEST(ProbeRows, RefuseABallForALawThatTouchesWithAPoint) {
+  const models::Scene scene = models::grid_scene({21, 21, 8}, 0.003F, [](int z) { return z <= 4; });
+  const auto forces = probe_rows(scene, R"({"law": "grid", "radius": 2})", path());
+  ASSERT_FALSE(forces);
+  EXPECT_EQ(forces.error().sentence(), "the law grid touches with a point: give no radius");
+  EXPECT_TRUE(probe_rows(scene, R"({"law": "grid", "radius": 0})", path()));
 }
 
 }  // namespace
