@@ -58,7 +58,7 @@ SafeContact safe_contact(const device::Traits& device, double rate_hz, double sc
 
 SafeSlopes safe_slopes(const device::Traits& device, double rate_hz, double scale, double damping_Ns_per_m,
                        double hand_damping_Ns_per_m) {
-  // Measured (docs/history/2026-11-24-physics.md): with 0.5, none of 300 hands received more than 0.1 uJ;
+  // Measured (docs/history/2026-11-24-physics.md): with 0.5, none of 300 hands received more than 0.11 uJ;
   // with 1, two received 1.2 uJ.
   constexpr double kShare = 0.5;
   // At a stiffness that asks for no further damping.

@@ -376,7 +376,7 @@ TEST(CheckRecording, RecomputesALawThatLooksAheadWhereTheFirstSceneIsNotGiven) {
   const auto statistics = touch_headless(makes({waves(0.010), waves(0.012)}), options, {});
   ASSERT_TRUE(statistics) << statistics.error().sentence();
   const auto report = checked(options.recording, {waves(0.012)});
-  EXPECT_TRUE(report.is_clean()) << said(report);
+  EXPECT_FALSE(found(report, FindingKind::law_force) || found(report, FindingKind::free_air)) << said(report);
   EXPECT_EQ(report.recomputed, 0U);
   EXPECT_GT(report.law_recomputed, report.ticks / 2) << said(report);
   EXPECT_EQ(report.differing, 0U);

@@ -51,15 +51,7 @@ void Recorder::Impl::run() {
 }
 
 void Recorder::Impl::write_what_came() {
-  std::vector<device::RecordedScene> noted;
-  {
-    const std::lock_guard lock(mutex);
-    noted.swap(scenes);
-  }
   const bool went_well = outcome.has_value();
-  // Scenes first: a tick may already belong to the new scene.
-  for (const auto& scene : noted)
-    if (outcome) outcome = writer->write(scene);
   do {
     ticks.clear();
     while (ticks.size() < kTogether)
@@ -67,6 +59,15 @@ void Recorder::Impl::write_what_came() {
         ticks.push_back(*sample);
       else
         break;
+    // A scene is noted before the servo gets it. So all scenes of these ticks are noted now, but not before
+    // they were taken; and a scene is written before its ticks.
+    std::vector<device::RecordedScene> noted;
+    {
+      const std::lock_guard lock(mutex);
+      noted.swap(scenes);
+    }
+    for (const auto& scene : noted)
+      if (outcome) outcome = writer->write(scene);
     if (outcome && !ticks.empty()) outcome = writer->write(ticks);
   } while (ticks.size() == kTogether);
   if (went_well && !outcome) {
