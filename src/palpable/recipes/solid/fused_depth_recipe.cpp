@@ -5,6 +5,7 @@
 #include "palpable/recipes/solid/solid.hpp"
 #include "palpable/recipes/solid/world_orientation.hpp"
 #include "palpable/sculpt/field/level_set_surface.hpp"
+#include "palpable/sculpt/triangles/small_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +24,19 @@ SceneFromInput composed(const SceneFromInput& turn, const SceneFromInput& place)
   return place * Transform<models::InputFrame, models::InputFrame>{turn.rotation, {}, 1.0};
 }
 
-/// The solid of all views, placed as the recipe says.
-Result<Solid> fused_solid(std::span<const sculpt::DepthView> views, const FusedDepthRecipe& recipe,
+/// The field's resolution for a surface of so many triangles: the number of cells at it grows with the square
+/// of the resolution.
+int resolution_for(std::size_t triangles, const FusedDepthRecipe& recipe) {
+  const int wanted = recipe.field.field.resolution;
+  const auto most = static_cast<std::size_t>(recipe.most_triangles);
+  if (most == 0 || triangles <= most) return wanted;
+  const double share = static_cast<double>(most) / static_cast<double>(triangles);
+  constexpr int kLeast = 64;
+  return std::max(std::min(kLeast, wanted), static_cast<int>(std::sqrt(share) * wanted));
+}
+
+/// The solid of all views, placed as the recipe says, whose resolution may become lower.
+Result<Solid> fused_solid(std::span<const sculpt::DepthView> views, FusedDepthRecipe& recipe,
                           const Work& work) {
   sculpt::FusionOptions fusion = recipe.fusion;
   fusion.resolution = std::clamp(recipe.field.field.resolution, 16, fusion.resolution);
@@ -32,6 +44,9 @@ Result<Solid> fused_solid(std::span<const sculpt::DepthView> views, const FusedD
   if (!set) return set.error();
   auto surface = sculpt::surface_of_level_set(*set, work);
   if (!surface) return surface.error();
+  if (recipe.least_part > 0) *surface = sculpt::without_small_parts(*surface, recipe.least_part);
+  const int resolution = resolution_for(surface->triangles.size(), recipe);
+  const bool coarser = resolution < std::exchange(recipe.field.field.resolution, resolution);
   const double voxel_m = norm(set->steps_m[0]);
   // The noise of depth maps is at least this share of a voxel.
   constexpr double kVoxelError = 0.5;
@@ -41,6 +56,11 @@ Result<Solid> fused_solid(std::span<const sculpt::DepthView> views, const FusedD
                       Note(fmt::format("{} depth map{} fused in voxels of {:.3g} mm.", views.size(),
                                        views.size() == 1 ? " was" : "s were",
                                        1000.0 * voxel_m * solid->scene_from_input.scale)));
+  if (coarser)
+    solid->notes.emplace_back(fmt::format(
+        "The measured surface is rough, so its field is made of {} cells along the longest side, which "
+        "takes less time.",
+        resolution));
   return solid;
 }
 
@@ -70,14 +90,17 @@ Result<MadeScene> field_from_depth_maps(const std::vector<PosedDepth>& given, co
   if (!solid) return solid.error();
   solid->scene_from_input = composed(upright, solid->scene_from_input);
   solid->notes.insert(solid->notes.begin(), notes.begin(), notes.end());
-  return field_scene(*std::move(solid), "depth", recipe.field, work);
+  FieldRecipe field = recipe.field;
+  field.field.resolution = upright_recipe.field.field.resolution;
+  return field_scene(*std::move(solid), "depth", field, work);
 }
 
 Result<MadeScene> field_from_views(std::span<const sculpt::DepthView> views, const FusedDepthRecipe& recipe,
                                    const std::string& input, const Work& work) {
-  auto solid = fused_solid(views, recipe, work);
+  FusedDepthRecipe used = recipe;
+  auto solid = fused_solid(views, used, work);
   if (!solid) return solid.error();
-  return field_scene(*std::move(solid), input, recipe.field, work);
+  return field_scene(*std::move(solid), input, used.field, work);
 }
 
 }  // namespace palpable::recipes
