@@ -19,6 +19,7 @@ namespace palpable::test {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr int kWidth = 240, kHeight = 180;
 constexpr double kFocal_px = 220.0;
@@ -115,10 +116,11 @@ TEST_F(Videos, GiveEveryOutputTogether) {
   EXPECT_THAT(read_text(path("s.ply")).substr(0, 3), "ply");
   EXPECT_TRUE(std::filesystem::exists(path("depth") + "/depth.json"));
   EXPECT_THAT(read_text(path("m.glb")).substr(0, 4), "glTF");
-  EXPECT_THAT(read_text(path("m.glb")), HasSubstr("COLOR_0"));
+  EXPECT_THAT(read_text(path("m.glb")), HasSubstr("TEXCOORD_0"));
   const std::string report = read_text(path("r.html"));
   EXPECT_THAT(report, HasSubstr("<h2>What to do better</h2>"));
   EXPECT_THAT(report, HasSubstr("The back was never seen"));
+  for (const char* absent : {"Something moved", "are blurred"}) EXPECT_THAT(report, Not(HasSubstr(absent)));
   EXPECT_THAT(report, HasSubstr("data:image/png;base64,"));
   EXPECT_THAT(made.err, HasSubstr("The known length of 100.0 mm gives the scale."));
   // The scene keeps its metres: the box is 60 mm high.
@@ -126,6 +128,43 @@ TEST_F(Videos, GiveEveryOutputTogether) {
   EXPECT_GT(size[0], 0.11);
   EXPECT_LT(size[0], 0.3);
   EXPECT_NEAR(size[2].get<double>(), 0.07, 0.03);
+}
+
+// A patterned glove in front of a picture.
+void add_glove(int left, int top, Raster<Rgb8>& picture) {
+  for (int y = 0; y < 90; ++y)
+    for (int x = 0; x < 110; ++x)
+      if (std::hypot((x - 55) / 55.0, (y - 45) / 45.0) < 1) {
+        const auto level = static_cast<std::uint8_t>(40 + 200 * texture_at(0.0015 * x, 0.0015 * y, 9));
+        picture(left + x, top + y) = {level, level, level};
+      }
+}
+
+// Each pixel is the mean of those up to `half` pixels beside it.
+Raster<Rgb8> blurred(const Raster<Rgb8>& sharp, int half) {
+  Raster<Rgb8> out(sharp.width(), sharp.height());
+  for (int y = 0; y < out.height(); ++y)
+    for (int x = 0; x < out.width(); ++x) {
+      int sum = 0;
+      for (int k = -half; k <= half; ++k) sum += sharp(std::clamp(x + k, 0, out.width() - 1), y).r;
+      const auto level = static_cast<std::uint8_t>(sum / (2 * half + 1));
+      out(x, y) = {level, level, level};
+    }
+  return out;
+}
+
+TEST_F(Videos, InWhichAHandMovesAndThatAreBlurredThroughoutSaySo) {
+  constexpr int kFrames = 14, kBlur_px = 4;
+  const std::filesystem::path input = video(kFrames);
+  for (int i = 0; i < kFrames; ++i) {
+    Raster<Rgb8> picture = picture_from(on_arc(-0.35 + 0.05 * i), {0, 0, 0.02});
+    add_glove(4 + 4 * i, 4 + 3 * i, picture);
+    (void)formats::write_png(input / (std::to_string(100 + i) + ".png"), blurred(picture, kBlur_px));
+  }
+  const Outcome made = palpable(make(input.string()));
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.err, HasSubstr("Something moved while you filmed, such as a hand"));
+  EXPECT_THAT(made.err, HasSubstr("All pictures are blurred"));
 }
 
 TEST_F(Videos, WithoutDepthGetAReasonAndNothingIsWritten) {

@@ -24,43 +24,58 @@ SceneFromInput composed(const SceneFromInput& turn, const SceneFromInput& place)
   return place * Transform<models::InputFrame, models::InputFrame>{turn.rotation, {}, 1.0};
 }
 
-/// The field's resolution for a surface of so many triangles: the number of cells at it grows with the square
-/// of the resolution.
-int resolution_for(std::size_t triangles, const FusedDepthRecipe& recipe) {
-  const int wanted = recipe.field.field.resolution;
-  const auto most = static_cast<std::size_t>(recipe.most_triangles);
-  if (most == 0 || triangles <= most) return wanted;
-  const double share = static_cast<double>(most) / static_cast<double>(triangles);
-  constexpr int kLeast = 64;
-  return std::max(std::min(kLeast, wanted), static_cast<int>(std::sqrt(share) * wanted));
-}
+/// The surface of fused depth maps.
+struct FusedSurface {
+  Mesh mesh;
+  double voxel_m = 0.0;
+};
 
-/// The solid of all views, placed as the recipe says, whose resolution may become lower.
-Result<Solid> fused_solid(std::span<const sculpt::DepthView> views, FusedDepthRecipe& recipe,
-                          const Work& work) {
+Result<FusedSurface> fused_surface(std::span<const sculpt::DepthView> views, const FusedDepthRecipe& recipe,
+                                   int resolution, const Work& work) {
   sculpt::FusionOptions fusion = recipe.fusion;
-  fusion.resolution = std::clamp(recipe.field.field.resolution, 16, fusion.resolution);
+  fusion.resolution = resolution;
   const auto set = sculpt::fused_depth(views, fusion, work);
   if (!set) return set.error();
   auto surface = sculpt::surface_of_level_set(*set, work);
   if (!surface) return surface.error();
   if (recipe.least_part > 0) *surface = sculpt::without_small_parts(*surface, recipe.least_part);
-  const int resolution = resolution_for(surface->triangles.size(), recipe);
-  const bool coarser = resolution < std::exchange(recipe.field.field.resolution, resolution);
-  const double voxel_m = norm(set->steps_m[0]);
+  return FusedSurface{*std::move(surface), norm(set->steps_m[0])};
+}
+
+/// The resolution at which a surface of so many triangles has as many as are allowed: their number grows with
+/// the square of the resolution.
+int resolution_for(std::size_t triangles, int resolution, const FusedDepthRecipe& recipe) {
+  const auto most = static_cast<std::size_t>(recipe.most_triangles);
+  if (most == 0 || triangles <= most) return resolution;
+  const double share = static_cast<double>(most) / static_cast<double>(triangles);
+  constexpr int kLeast = 64;
+  return std::max(std::min(kLeast, resolution), static_cast<int>(std::sqrt(share) * resolution));
+}
+
+/// The solid of all views, placed as the recipe says, whose resolution may become lower.
+Result<Solid> fused_solid(std::span<const sculpt::DepthView> views, FusedDepthRecipe& recipe,
+                          const Work& work) {
+  const int wanted = std::clamp(recipe.field.field.resolution, 16, recipe.fusion.resolution);
+  auto surface = fused_surface(views, recipe, wanted, work);
+  if (!surface) return surface.error();
+  const int resolution = resolution_for(surface->mesh.triangles.size(), wanted, recipe);
+  const bool rough = resolution < wanted;
+  if (rough) {
+    // Larger voxels also average more of the noise.
+    recipe.field.field.resolution = resolution;
+    surface = fused_surface(views, recipe, resolution, work);
+    if (!surface) return surface.error();
+  }
   // The noise of depth maps is at least this share of a voxel.
   constexpr double kVoxelError = 0.5;
-  auto solid = solid_of_contour(std::move(*surface), kVoxelError * voxel_m, recipe.field);
+  auto solid = solid_of_contour(std::move(surface->mesh), kVoxelError * surface->voxel_m, recipe.field);
   if (!solid) return solid.error();
-  solid->notes.insert(solid->notes.begin(),
-                      Note(fmt::format("{} depth map{} fused in voxels of {:.3g} mm.", views.size(),
-                                       views.size() == 1 ? " was" : "s were",
-                                       1000.0 * voxel_m * solid->scene_from_input.scale)));
-  if (coarser)
-    solid->notes.emplace_back(fmt::format(
-        "The measured surface is rough, so its field is made of {} cells along the longest side, which "
-        "takes less time.",
-        resolution));
+  solid->notes.insert(
+      solid->notes.begin(),
+      Note(fmt::format("{} depth map{} fused in voxels of {:.3g} mm{}.", views.size(),
+                       views.size() == 1 ? " was" : "s were",
+                       1000.0 * surface->voxel_m * solid->scene_from_input.scale,
+                       rough ? ", which are larger because the measured surface is rough" : "")));
   return solid;
 }
 

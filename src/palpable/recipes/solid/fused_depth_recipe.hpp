@@ -31,8 +31,8 @@ struct FusedDepthRecipe {
   /// Parts of the surface whose longest side is shorter than this share of the whole are left out, 0 (none) …
   /// 1.
   double least_part = 0.0;
-  /// Of a surface with more triangles, which is rough, the field's finest cells are made larger, so that it
-  /// takes about as long as that of one with so many; 0 = never.
+  /// A surface with more triangles is rough: it is fused again in voxels that are so large that it has about
+  /// as many, and the field's finest cells are no smaller; 0 = never.
   int most_triangles = 0;
 };
 

@@ -27,7 +27,7 @@ std::vector<Parameter> parameters_of(VideoSurfaceOptions& o) {
            &o.most_triangles,
            {0, 100000000},
            "",
-           "Triangles of a fused surface from which on its field is coarser; 0 = never"}};
+           "Triangles of a fused surface from which on its voxels are larger; 0 = never"}};
 }
 
 std::vector<Parameter> parameters_of(VideoRecipe& recipe) {

@@ -78,7 +78,8 @@ TEST_F(TextureOfVideo, ShowsInTheMiddleOfEachTriangleWhatIsThere) {
       u += static_cast<double>(made.mesh.picture_places[corner][0]) / 3;
       v += static_cast<double>(made.mesh.picture_places[corner][1]) / 3;
     }
-    EXPECT_EQ(texel_at(made, u, v), stripe_at(x)) << "triangle " << i << " at x = " << x;
+    // Stripes differ by 40 levels; the common brightness follows from vertices on their borders.
+    EXPECT_NEAR(texel_at(made, u, v).r, stripe_at(x).r, 3) << "triangle " << i << " at x = " << x;
   }
 }
 
