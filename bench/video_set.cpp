@@ -7,6 +7,8 @@
 #include "palpable/vision/image/luma.hpp"
 #include "palpable/vision/motion/depth/marker_scale.hpp"
 #include "palpable/vision/motion/depth/video_depth.hpp"
+#include "palpable/vision/motion/structure/moving_points.hpp"
+#include "palpable/vision/motion/tracks/usable_frames.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -55,6 +57,9 @@ struct Figures {
   double position_percent = 0, rotation_deg = 0, reprojection_px = 0;
   double known = 0, good_of_known = 0, good_of_all = 0;
   double seconds = 0;
+  /// Share of the points that move by themselves, %, of which there are none; width of the sharpest edges,
+  /// px.
+  double moving_percent = 0, edge_width_px = 0;
   /// Error of the scale that a marker gives, %; NaN without a marker.
   double scale_error_percent = std::numeric_limits<double>::quiet_NaN();
   std::vector<NamedSurface> surfaces;
@@ -141,6 +146,8 @@ Result<Figures> run(const RenderedVideo& video, Arguments& arguments, const Work
     greys.push_back(vision::luma8(pictures.back()));
   }
   const double begin = processor_seconds();
+  const auto usable = vision::usable_frames(greys, arguments.recipe.frames, work);
+  if (!usable) return usable.error();
   const auto tracks = vision::track_points(greys, arguments.recipe.tracks, work);
   if (!tracks) return tracks.error();
   const auto motion = vision::motion_from_tracks(*tracks, video.frames(), {video.camera(), true},
@@ -149,6 +156,8 @@ Result<Figures> run(const RenderedVideo& video, Arguments& arguments, const Work
   const auto path = path_errors(*motion, video);
   if (!path) return path.error();
   Figures out = path->figures;
+  out.moving_percent = 100 * vision::moving_points(*tracks, *motion, arguments.recipe.moving).share();
+  out.edge_width_px = usable->edge_width_px;
   if (arguments.marker_mm > 0)
     if (const auto scale = vision::scale_from_markers(greys, *motion, {}, work))
       out.scale_error_percent = 100 * (scale->metres_per_unit / path->score.true_from_found.scale - 1);
@@ -234,9 +243,11 @@ bool read(int count, char** words, Arguments& out) {
 }
 
 void print_row(const std::string& name, const Figures& f, int frames, bool steps) {
-  fmt::print("| {} | {} of {} | {:.3f} | {:.3f} | {:.2f} | {:.1f} | {:.1f} | {:.1f} | {:.2f} | {:.0f} |\n",
-             name, f.posed, frames, f.position_percent, f.rotation_deg, f.reprojection_px, f.known,
-             f.good_of_known, f.good_of_all, f.scale_error_percent, f.seconds);
+  fmt::print(
+      "| {} | {} of {} | {:.3f} | {:.3f} | {:.2f} | {:.1f} | {:.1f} | {:.1f} | {:.2f} | {:.1f} | {:.1f} | "
+      "{:.0f} |\n",
+      name, f.posed, frames, f.position_percent, f.rotation_deg, f.reprojection_px, f.known, f.good_of_known,
+      f.good_of_all, f.scale_error_percent, f.moving_percent, f.edge_width_px, f.seconds);
   for (std::size_t i = 0; i < f.surfaces.size(); ++i) {
     const NamedSurface& s = f.surfaces[i];
     const bool last_of_kind =
@@ -255,7 +266,8 @@ int run_all(Arguments& arguments) {
   fmt::print(
       "| video | frames | position, % of path | rotation, deg | reprojection, px | depth known, % | within 1 "
       "%, % of known "
-      "| of all | scale error, % | processor s |\n|---|---|---|---|---|---|---|---|---|---|\n");
+      "| of all | scale error, % | moving points, % | edges, px | processor s "
+      "|\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   std::vector<double> position, rotation, good;
   for (int seed = arguments.first; seed < arguments.first + arguments.seeds; ++seed) {
     RenderedVideo video(static_cast<std::uint32_t>(seed), arguments.frames);

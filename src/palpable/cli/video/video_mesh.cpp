@@ -3,7 +3,7 @@
 #include "palpable/cli/video/video_mesh.hpp"
 
 #include "palpable/formats/mesh/glb.hpp"
-#include "palpable/recipes/video/video_colours.hpp"
+#include "palpable/recipes/video/video_texture.hpp"
 #include "palpable/sculpt/field/field_surface.hpp"
 
 #include <variant>
@@ -27,7 +27,8 @@ Result<std::vector<std::byte>> video_glb(const recipes::VideoReconstruction& vid
                                          const models::Scene& scene, const Work& work) {
   const auto mesh = surface_of(scene, work);
   if (!mesh) return mesh.error();
-  return formats::encode_glb(*mesh, {}, recipes::colours_of(*mesh, video, {}));
+  const recipes::TexturedMesh textured = recipes::textured(*mesh, video, {});
+  return formats::encode_glb(textured.mesh, textured.picture, {}, textured.normals);
 }
 
 }  // namespace palpable::cli

@@ -12,7 +12,7 @@
 
 namespace palpable::cli {
 
-/// The surface of a video's field as GLB, with the colours of the video's frames at its vertices. Errors: as
+/// The surface of a video's field as GLB, with parts of the video's frames as its texture. Errors: as
 /// sculpt::surface_of_field() and formats::encode_glb().
 Result<std::vector<std::byte>> video_glb(const recipes::VideoReconstruction& video,
                                          const models::Scene& scene, const Work& work);

@@ -68,7 +68,7 @@ Raster<Rgb8> picture_and_depth(const VideoReconstruction::Depth& depth) {
 }
 
 draw::ReportSection advice_section(const VideoReconstruction& video) {
-  draw::ReportSection out{"What to do better", {}, {}, {}, {}};
+  draw::ReportSection out{"What to do better", {}, {}, {}, {}, {}};
   for (const Note& note : video.advice) out.items.push_back(note.sentence);
   if (out.items.empty())
     out.paragraphs.emplace_back(
@@ -81,6 +81,7 @@ Result<draw::ReportSection> frames_section(const VideoReconstruction& video) {
       "The video and the measured distances",
       {"On the left a picture of the video, on the right how far each place was from the camera: "
        "pale is near, dark is far, grey could not be measured."},
+      {},
       {},
       {},
       {}};
@@ -103,7 +104,7 @@ Result<draw::ReportSection> frames_section(const VideoReconstruction& video) {
 }
 
 Result<draw::ReportSection> path_section(const VideoReconstruction& video) {
-  draw::ReportSection out{"The camera's path", {}, {}, {}, {}};
+  draw::ReportSection out{"The camera's path", {}, {}, {}, {}, {}};
   draw::CameraPathView view;
   view.unit = "mm";
   double length = 0.0;
@@ -131,7 +132,7 @@ Result<draw::ReportSection> path_section(const VideoReconstruction& video) {
 }
 
 Result<draw::ReportSection> model_section(const models::Scene& scene) {
-  draw::ReportSection out{"The model that is touched", {}, {}, {}, {}};
+  draw::ReportSection out{"The model that is touched", {}, {}, {}, {}, {}};
   const Vec3 size = models::size_m(scene);
   const std::string extent = fmt::format("{:.0f} x {:.0f} x {:.0f} mm", kMillimetres * size.x,
                                          kMillimetres * size.y, kMillimetres * size.z);
@@ -161,6 +162,24 @@ Result<draw::ReportSection> model_section(const models::Scene& scene) {
   return out;
 }
 
+// Where the true size is not known: a picture in which two places of a known distance are clicked.
+Result<draw::ReportSection> size_section(const VideoReconstruction& video) {
+  draw::ReportSection out{
+      "The true size",
+      {"The video does not show how large the model is. If you know a distance on it: click its two ends "
+       "in the picture, type the distance, and repeat the command with the words below."},
+      {},
+      {},
+      {},
+      {}};
+  const auto& middle = video.depth_maps[video.depth_maps.size() / 2];
+  auto png = formats::encode_png(middle.picture);
+  if (!png) return png.error();
+  const std::string name = fmt::format("Picture {} of the video.", middle.frame_number);
+  out.length = draw::ReportLength{{std::move(*png), name, name}, middle.frame_number, 1.0 / video.reduction};
+  return out;
+}
+
 // The error of the superquadrics alone, before they were sampled, beside that of the result.
 std::string errors_sentence(const std::vector<VideoReconstruction::Step>& steps) {
   double shapes_m = 0.0, corrected_m = 0.0;
@@ -186,6 +205,7 @@ Result<draw::ReportSection> steps_section(const VideoReconstruction& video) {
                            "corrected by the measured distances of one picture after the other."},
                           {},
                           {},
+                          {},
                           {}};
   draw::ConvergenceView view{{"first shapes, from one picture", "superquadrics, from the points",
                               "their surface as samples", "correction"},
@@ -202,7 +222,7 @@ Result<draw::ReportSection> steps_section(const VideoReconstruction& video) {
 
 draw::ReportSection figures_section(const VideoReconstruction& video, const std::vector<Note>& notes) {
   const recipes::VideoFigures& f = video.figures;
-  draw::ReportSection out{"Figures and notes", {}, {}, {}, {}};
+  draw::ReportSection out{"Figures and notes", {}, {}, {}, {}, {}};
   for (const Note& note : notes) out.items.push_back(note.sentence);
   const auto yes = [](bool seen) { return std::string(seen ? "yes" : "no"); };
   out.table = draw::ReportTable{
@@ -211,9 +231,11 @@ draw::ReportSection figures_section(const VideoReconstruction& video, const std:
       {{"pictures read", fmt::format("{}", f.frames)},
        {"blurred pictures, left out", fmt::format("{}", f.blurred)},
        {"blurred pictures among blurred ones, used", fmt::format("{}", f.soft)},
+       {"width of the sharpest edges", fmt::format("{:.1f} px", f.edge_width_px)},
        {"pictures like the one before, left out", fmt::format("{}", f.copies)},
        {"pictures whose camera position was found", fmt::format("{} of {}", f.posed, f.tried)},
        {"points that could be followed (median)", fmt::format("{:.0f}", f.followed_points)},
+       {"points that moved by themselves", fmt::format("{:.1f} %", 100 * f.moving_points)},
        {"error of followed points (root mean square)", fmt::format("{:.2f} px", f.reprojection_rms_px)},
        {"pixels whose distance was measured", fmt::format("{:.0f} %", 100 * f.known_depth)},
        {"focal length", fmt::format("{:.0f} px", video.camera.fx)},
@@ -240,6 +262,11 @@ Result<std::string> video_report(const std::string& name, const VideoReconstruct
   }
   if (!video.steps.empty()) {
     auto section = steps_section(video);
+    if (!section) return section.error();
+    page.sections.push_back(std::move(*section));
+  }
+  if (!video.metric && !video.depth_maps.empty()) {
+    auto section = size_section(video);
     if (!section) return section.error();
     page.sections.push_back(std::move(*section));
   }

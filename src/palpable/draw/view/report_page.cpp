@@ -5,6 +5,8 @@
 #include "palpable/core/text/base64.hpp"
 #include "palpable/core/text/html_escape.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <string_view>
 
 namespace palpable::draw {
@@ -33,6 +35,18 @@ std::string html_of(const ReportTable& table) {
   return out + "</tbody>\n</table>\n";
 }
 
+std::string number_input(std::string_view label) {
+  return "<label>" + std::string(label) + " <input type=\"number\" min=\"0\" step=\"any\"></label>\n";
+}
+
+std::string html_of(const ReportLength& length) {
+  return "<form class=\"length\" data-frame=\"" + std::to_string(length.frame_number) + "\" data-scale=\"" +
+         std::to_string(length.scale) + "\">\n" + html_of(length.picture) + "<p>" +
+         number_input("First place: x") + number_input("y") + number_input("Second place: x") +
+         number_input("y") + number_input("Distance in mm") +
+         "</p>\n<p>Add to the command: <output><code></code></output></p>\n</form>\n";
+}
+
 std::string html_of(const ReportSection& section) {
   std::string out = "<section>\n" + element("h2", section.heading);
   for (const std::string& paragraph : section.paragraphs) out += element("p", paragraph);
@@ -42,6 +56,7 @@ std::string html_of(const ReportSection& section) {
     out += "</ul>\n";
   }
   for (const ReportPicture& picture : section.pictures) out += html_of(picture);
+  if (section.length) out += html_of(*section.length);
   if (section.table) out += html_of(*section.table);
   return out + "</section>\n";
 }
@@ -54,6 +69,35 @@ constexpr std::string_view kStyle =
     "#767676}figcaption{color:#444}table{border-collapse:collapse;margin:1rem 0}caption{text-align:left;"
     "font-weight:bold;padding:.3rem 0}th,td{border:1px solid #767676;padding:.3rem .7rem;text-align:left}";
 
+// Pixel centres are at integers, in the video as in the picture.
+constexpr std::string_view kLengthScript = R"(
+for (const form of document.querySelectorAll("form.length")) {
+  const picture = form.querySelector("img"), numbers = [...form.querySelectorAll("input")];
+  let next = 0;
+  const show = () => {
+    const [ax, ay, bx, by, mm] = numbers.map((input) => input.value);
+    form.querySelector("code").textContent = numbers.every((input) => input.value !== "")
+      ? `--length "${mm} mm between ${ax},${ay} and ${bx},${by} of frame ${form.dataset.frame}"` : "";
+  };
+  picture.style.cursor = "crosshair";
+  picture.addEventListener("click", (event) => {
+    const box = picture.getBoundingClientRect(), scale = form.dataset.scale * picture.naturalWidth / box.width;
+    const place = (at, from) => Math.max(0, (at - from) * scale - 0.5).toFixed(1);
+    numbers[next].value = place(event.clientX, box.left);
+    numbers[next + 1].value = place(event.clientY, box.top);
+    next = next === 0 ? 2 : 0;
+    show();
+  });
+  form.addEventListener("input", show);
+  form.addEventListener("submit", (event) => event.preventDefault());
+}
+)";
+
+bool has_length(const ReportPage& page) {
+  return std::any_of(page.sections.begin(), page.sections.end(),
+                     [](const ReportSection& section) { return section.length.has_value(); });
+}
+
 }  // namespace
 
 std::string html_of(const ReportPage& page) {
@@ -64,7 +108,9 @@ std::string html_of(const ReportPage& page) {
   out += "<style>" + std::string(kStyle) + "</style>\n</head>\n<body>\n<main>\n";
   out += element("h1", page.title) + element("p", page.introduction);
   for (const ReportSection& section : page.sections) out += html_of(section);
-  return out + "</main>\n</body>\n</html>\n";
+  out += "</main>\n";
+  if (has_length(page)) out += "<script>" + std::string(kLengthScript) + "</script>\n";
+  return out + "</body>\n</html>\n";
 }
 
 }  // namespace palpable::draw

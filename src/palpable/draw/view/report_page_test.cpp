@@ -40,6 +40,16 @@ TEST(ReportPage, StatesItsLanguageAndHasHeadingsAndHeaderCells) {
   EXPECT_THAT(html, HasSubstr("<th scope=\"row\">a</th><td>1</td>"));
   EXPECT_THAT(html, HasSubstr("<li>one</li>"));
   EXPECT_THAT(html, Not(HasSubstr("http")));
+  EXPECT_THAT(html, Not(HasSubstr("<script>")));
+}
+
+TEST(ReportPage, AsksForAKnownLengthByTwoPlacesOfAPicture) {
+  ReportPage page{"T", "I", {{"Size", {}, {}, {}, {}, ReportLength{{bytes("f"), "a frame", "c"}, 40, 2.0}}}};
+  const std::string html = html_of(page);
+  EXPECT_THAT(html, HasSubstr("data-frame=\"40\" data-scale=\"2.0"));
+  EXPECT_THAT(html, HasSubstr("<label>Distance in mm <input"));
+  EXPECT_THAT(html, HasSubstr("<script>"));
+  EXPECT_THAT(html, HasSubstr("mm between"));
 }
 
 }  // namespace

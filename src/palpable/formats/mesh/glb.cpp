@@ -77,7 +77,8 @@ void add_colours(std::span<const Rgb8> colours, Parts& parts, Json& attributes) 
                                           {"type", "VEC4"}});
 }
 
-Json add_geometry(const Mesh& mesh, bool with_picture, std::span<const Rgb8> colours, Parts& parts) {
+Json add_geometry(const Mesh& mesh, bool with_picture, std::span<const Rgb8> colours,
+                  std::span<const Vec3> normals, Parts& parts) {
   Vec3 low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max(),
            std::numeric_limits<double>::max()};
   Vec3 high = -low;
@@ -95,7 +96,8 @@ Json add_geometry(const Mesh& mesh, bool with_picture, std::span<const Rgb8> col
                                            {"type", "VEC3"},
                                            {"min", {single(low.x), single(low.y), single(low.z)}},
                                            {"max", {single(high.x), single(high.y), single(high.z)}}});
-  for (const Vec3 n : vertex_normals(mesh))
+  const std::vector<Vec3> own = normals.size() == count ? std::vector<Vec3>{} : vertex_normals(mesh);
+  for (const Vec3 n : own.empty() ? normals : std::span<const Vec3>(own))
     for (const double c : {n.x, n.y, n.z}) write_float(parts.bytes(), c);
   attributes["NORMAL"] = parts.accessor({{"bufferView", parts.close(kVertexBuffer)},
                                          {"componentType", kFloat},
@@ -140,11 +142,11 @@ std::vector<std::byte> container(std::string json, std::span<const std::byte> bi
 }  // namespace
 
 Result<std::vector<std::byte>> encode_glb(const Mesh& mesh, const Raster<Rgb8>& picture,
-                                          std::span<const Rgb8> colours) {
+                                          std::span<const Rgb8> colours, std::span<const Vec3> normals) {
   if (mesh.triangles.empty()) return Error{ErrorCode::failed, "there is no surface to write", {}};
   const bool with_picture = !picture.empty() && mesh.picture_places.size() == mesh.vertices_m.size();
   Parts parts;
-  const Json primitive = add_geometry(mesh, with_picture, colours, parts);
+  const Json primitive = add_geometry(mesh, with_picture, colours, normals, parts);
   Json material = {{"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 0.9}}}};
   Json document = {{"asset", {{"version", "2.0"}, {"generator", "Palpable"}}},
                    {"scene", 0},

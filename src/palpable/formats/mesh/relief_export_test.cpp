@@ -84,6 +84,18 @@ TEST(EncodeGlb, HasConsistentPartsAndThePicture) {
   EXPECT_FALSE(encode_glb(Mesh{}));
 }
 
+TEST(EncodeGlb, TakesNormalsThatAreGiven) {
+  const Mesh solid = models::solid_of(cone());
+  const std::vector<Vec3> normals(solid.vertices_m.size(), Vec3{0, 1, 0});
+  const auto file = encode_glb(solid, {}, {}, normals);
+  ASSERT_TRUE(file);
+  const auto json_size = at<std::uint32_t>(*file, 12);
+  // The positions come first, three floats each, then the normals.
+  const std::size_t first = 28 + json_size + 12 * solid.vertices_m.size();
+  EXPECT_EQ(at<float>(*file, first), 0.0F);
+  EXPECT_EQ(at<float>(*file, first + 4), 1.0F);
+}
+
 TEST(EncodeGlb, HasALinearColourForEachVertexIfColoursAreGiven) {
   const Mesh solid = models::solid_of(cone());
   const std::vector<Rgb8> colours(solid.vertices_m.size(), Rgb8{255, 188, 0});

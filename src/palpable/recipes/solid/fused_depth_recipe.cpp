@@ -5,6 +5,7 @@
 #include "palpable/recipes/solid/solid.hpp"
 #include "palpable/recipes/solid/world_orientation.hpp"
 #include "palpable/sculpt/field/level_set_surface.hpp"
+#include "palpable/sculpt/triangles/small_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,24 +24,58 @@ SceneFromInput composed(const SceneFromInput& turn, const SceneFromInput& place)
   return place * Transform<models::InputFrame, models::InputFrame>{turn.rotation, {}, 1.0};
 }
 
-/// The solid of all views, placed as the recipe says.
-Result<Solid> fused_solid(std::span<const sculpt::DepthView> views, const FusedDepthRecipe& recipe,
-                          const Work& work) {
+/// The surface of fused depth maps.
+struct FusedSurface {
+  Mesh mesh;
+  double voxel_m = 0.0;
+};
+
+Result<FusedSurface> fused_surface(std::span<const sculpt::DepthView> views, const FusedDepthRecipe& recipe,
+                                   int resolution, const Work& work) {
   sculpt::FusionOptions fusion = recipe.fusion;
-  fusion.resolution = std::clamp(recipe.field.field.resolution, 16, fusion.resolution);
+  fusion.resolution = resolution;
   const auto set = sculpt::fused_depth(views, fusion, work);
   if (!set) return set.error();
   auto surface = sculpt::surface_of_level_set(*set, work);
   if (!surface) return surface.error();
-  const double voxel_m = norm(set->steps_m[0]);
+  if (recipe.least_part > 0) *surface = sculpt::without_small_parts(*surface, recipe.least_part);
+  return FusedSurface{*std::move(surface), norm(set->steps_m[0])};
+}
+
+/// The resolution at which a surface of so many triangles has as many as are allowed: their number grows with
+/// the square of the resolution.
+int resolution_for(std::size_t triangles, int resolution, const FusedDepthRecipe& recipe) {
+  const auto most = static_cast<std::size_t>(recipe.most_triangles);
+  if (most == 0 || triangles <= most) return resolution;
+  const double share = static_cast<double>(most) / static_cast<double>(triangles);
+  constexpr int kLeast = 64;
+  return std::max(std::min(kLeast, resolution), static_cast<int>(std::sqrt(share) * resolution));
+}
+
+/// The solid of all views, placed as the recipe says, whose resolution may become lower.
+Result<Solid> fused_solid(std::span<const sculpt::DepthView> views, FusedDepthRecipe& recipe,
+                          const Work& work) {
+  const int wanted = std::clamp(recipe.field.field.resolution, 16, recipe.fusion.resolution);
+  auto surface = fused_surface(views, recipe, wanted, work);
+  if (!surface) return surface.error();
+  const int resolution = resolution_for(surface->mesh.triangles.size(), wanted, recipe);
+  const bool rough = resolution < wanted;
+  if (rough) {
+    // Larger voxels also average more of the noise.
+    recipe.field.field.resolution = resolution;
+    surface = fused_surface(views, recipe, resolution, work);
+    if (!surface) return surface.error();
+  }
   // The noise of depth maps is at least this share of a voxel.
   constexpr double kVoxelError = 0.5;
-  auto solid = solid_of_contour(std::move(*surface), kVoxelError * voxel_m, recipe.field);
+  auto solid = solid_of_contour(std::move(surface->mesh), kVoxelError * surface->voxel_m, recipe.field);
   if (!solid) return solid.error();
-  solid->notes.insert(solid->notes.begin(),
-                      Note(fmt::format("{} depth map{} fused in voxels of {:.3g} mm.", views.size(),
-                                       views.size() == 1 ? " was" : "s were",
-                                       1000.0 * voxel_m * solid->scene_from_input.scale)));
+  solid->notes.insert(
+      solid->notes.begin(),
+      Note(fmt::format("{} depth map{} fused in voxels of {:.3g} mm{}.", views.size(),
+                       views.size() == 1 ? " was" : "s were",
+                       1000.0 * surface->voxel_m * solid->scene_from_input.scale,
+                       rough ? ", which are larger because the measured surface is rough" : "")));
   return solid;
 }
 
@@ -70,14 +105,17 @@ Result<MadeScene> field_from_depth_maps(const std::vector<PosedDepth>& given, co
   if (!solid) return solid.error();
   solid->scene_from_input = composed(upright, solid->scene_from_input);
   solid->notes.insert(solid->notes.begin(), notes.begin(), notes.end());
-  return field_scene(*std::move(solid), "depth", recipe.field, work);
+  FieldRecipe field = recipe.field;
+  field.field.resolution = upright_recipe.field.field.resolution;
+  return field_scene(*std::move(solid), "depth", field, work);
 }
 
 Result<MadeScene> field_from_views(std::span<const sculpt::DepthView> views, const FusedDepthRecipe& recipe,
                                    const std::string& input, const Work& work) {
-  auto solid = fused_solid(views, recipe, work);
+  FusedDepthRecipe used = recipe;
+  auto solid = fused_solid(views, used, work);
   if (!solid) return solid.error();
-  return field_scene(*std::move(solid), input, recipe.field, work);
+  return field_scene(*std::move(solid), input, used.field, work);
 }
 
 }  // namespace palpable::recipes

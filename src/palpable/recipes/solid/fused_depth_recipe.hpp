@@ -28,6 +28,12 @@ struct FusedDepthRecipe {
   /// fusion.resolution is at most that of the field.
   sculpt::FusionOptions fusion;
   FieldRecipe field;
+  /// Parts of the surface whose longest side is shorter than this share of the whole are left out, 0 (none) …
+  /// 1.
+  double least_part = 0.0;
+  /// A surface with more triangles is rough: it is fused again in voxels that are so large that it has about
+  /// as many, and the field's finest cells are no smaller; 0 = never.
+  int most_triangles = 0;
 };
 
 /// The field of the solid that several depth maps show, closed by filling behind the surfaces. The scene is

@@ -27,6 +27,11 @@ std::vector<Parameter> parameters_of(VideoAdviceOptions& o) {
   return {
       {"least_frames", &o.least_frames, {0, 1000}, "", "Advice on length: least number of frames"},
       {"most_blurred", &o.most_blurred, {0, 1}, "", "Advice on blur: greatest share of blurred frames"},
+      {"most_edge_width_px",
+       &o.most_edge_width_px,
+       {1, 8},
+       "px",
+       "Advice on blur: greatest width of the strongest edges"},
       {"least_posed",
        &o.least_posed,
        {0, 1},
@@ -37,6 +42,11 @@ std::vector<Parameter> parameters_of(VideoAdviceOptions& o) {
        {0, 20000},
        "",
        "Advice on texture: least points from frame to frame"},
+      {"most_moving",
+       &o.most_moving,
+       {0, 1},
+       "",
+       "Advice on hands in view: greatest share of points that move by themselves"},
       {"least_brightness", &o.least_brightness, {0, 1}, "", "Advice on light: least mean grey level"},
       {"least_known_depth",
        &o.least_known_depth,
@@ -94,6 +104,10 @@ std::vector<Note> advice_on(const VideoFigures& f, const VideoAdviceOptions& opt
   if (const int blurred = f.blurred + f.soft; blurred > options.most_blurred * f.frames)
     out.emplace_back(
         fmt::format("{} of {} pictures are blurred: film more slowly, or in more light.", blurred, f.frames));
+  else if (f.edge_width_px > options.most_edge_width_px)
+    out.emplace_back(
+        "All pictures are blurred: film more slowly and in more light, and let the camera focus on the "
+        "model.");
   if (f.posed < options.least_posed * f.tried)
     out.emplace_back(
         fmt::format("The camera's position is known in only {} of {} pictures: film more slowly, with "
@@ -103,6 +117,11 @@ std::vector<Note> advice_on(const VideoFigures& f, const VideoAdviceOptions& opt
     out.emplace_back(
         "Few details could be followed from picture to picture: put the model on a printed cloth or a "
         "newspaper, and film it in even light.");
+  if (f.moving_points > options.most_moving)
+    out.emplace_back(
+        "Something moved while you filmed, such as a hand: keep hands and people out of view, and do not "
+        "touch "
+        "the model.");
   if (f.brightness < options.least_brightness) out.emplace_back("The pictures are dark: film in more light.");
   if (f.known_depth < options.least_known_depth)
     out.emplace_back(

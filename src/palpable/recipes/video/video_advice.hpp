@@ -19,12 +19,16 @@ struct VideoFigures {
   int frames = 0, blurred = 0, copies = 0;
   /// Further blurred frames, which were used because those around them are no better.
   int soft = 0;
+  /// Width of the strongest edges (vision::edge_width_px()), the median of the frames, px.
+  double edge_width_px = 0.0;
   /// Frames whose camera position was found, and the number of the frames that were tried.
   int posed = 0, tried = 0;
   /// Numbers of the frames before which a video was cut.
   std::vector<int> cuts;
   /// Median number of points that a frame shares with the next one.
   double followed_points = 0.0;
+  /// Share of the points that move by themselves (vision::moving_points()).
+  double moving_points = 0.0;
   /// Mean grey level, 0 … 1.
   double brightness = 0.0;
   /// Share of the pixels of the depth maps whose depth is known.
@@ -40,10 +44,14 @@ struct VideoAdviceOptions {
   int least_frames = 12;
   /// More blurred frames than this share, 0 … 1.
   double most_blurred = 0.2;
+  /// Wider edges than this show that all frames are blurred, px, 1 … 8.
+  double most_edge_width_px = 4.5;
   /// Fewer frames with a camera position than this share, 0 … 1.
   double least_posed = 0.9;
   /// Fewer points from frame to frame than this, 0 … 20 000.
   int least_points = 150;
+  /// A greater share of points that move by themselves, 0 … 1.
+  double most_moving = 0.05;
   /// Darker pictures than this, 0 … 1.
   double least_brightness = 0.18;
   /// Less known depth than this, 0 … 1.

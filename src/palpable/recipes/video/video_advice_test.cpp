@@ -29,6 +29,8 @@ TEST(VideoAdvice, NamesEachFault) {
   VideoFigures video = good_video();
   video.blurred = 15, video.soft = 25;
   EXPECT_THAT(only_advice(video), HasSubstr("film more slowly"));
+  video = good_video(), video.edge_width_px = 6;
+  EXPECT_THAT(only_advice(video), HasSubstr("All pictures are blurred"));
   video = good_video(), video.frames = video.tried = video.posed = 3;
   EXPECT_THAT(only_advice(video), HasSubstr("only 3 pictures"));
   video = good_video(), video.posed = 60;
@@ -39,6 +41,8 @@ TEST(VideoAdvice, NamesEachFault) {
   EXPECT_THAT(only_advice(video), HasSubstr("more light"));
   video = good_video(), video.known_depth = 0.2;
   EXPECT_THAT(only_advice(video), HasSubstr("20 %"));
+  video = good_video(), video.moving_points = 0.2;
+  EXPECT_THAT(only_advice(video), HasSubstr("such as a hand"));
   video = good_video(), video.cuts = {50};
   EXPECT_THAT(only_advice(video), HasSubstr("cut before frame 50"));
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/recipes/video/video_colours.hpp"
 
+#include "palpable/recipes/video/seen_vertices.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,22 +27,12 @@ struct ColourSum {
 };
 
 // Adds what one frame shows of the vertices.
-void add_view(const Mesh& mesh, const std::vector<Vec3>& normals, const VideoReconstruction& video,
-              const VideoReconstruction::Depth& view, const VideoColourOptions& options,
+void add_view(const std::vector<SeenVertex>& seen, const Raster<Rgb8>& picture,
               std::vector<ColourSum>& sums) {
-  const auto camera_from_scene = view.world_from_camera.inverse() * video.scene_from_world.inverse();
-  const Pinhole& camera = *view.map.camera;
-  for (std::size_t i = 0; i < mesh.vertices_m.size(); ++i) {
-    const Vec3 p = (camera_from_scene * Point<SceneFrame>{mesh.vertices_m[i]}).v;
-    if (!(p.z > 0)) continue;
-    const int x = static_cast<int>(std::lround(camera.fx * p.x / p.z + camera.cx)),
-              y = static_cast<int>(std::lround(camera.fy * p.y / p.z + camera.cy));
-    if (x < 0 || y < 0 || x >= view.picture.width() || y >= view.picture.height()) continue;
-    const double facing = -dot(camera_from_scene.rotate(normals[i]), unit(p));
-    const double depth = static_cast<double>(view.map.depth_m(x, y));
-    if (facing > options.least_facing && std::abs(depth / p.z - 1) < options.depth_tolerance)
-      sums[i].add(view.picture(x, y), facing);
-  }
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    if (seen[i].seen())
+      sums[i].add(picture(static_cast<int>(std::lround(seen[i].x)), static_cast<int>(std::lround(seen[i].y))),
+                  seen[i].facing);
 }
 
 // Colours from neighbours, one edge further each time.
@@ -81,7 +73,8 @@ std::vector<Rgb8> colours_of(const Mesh& mesh, const VideoReconstruction& video,
                              const VideoColourOptions& options) {
   const std::vector<Vec3> normals = vertex_normals(mesh);
   std::vector<ColourSum> sums(mesh.vertices_m.size());
-  for (const auto& view : video.depth_maps) add_view(mesh, normals, video, view, options, sums);
+  for (const auto& view : video.depth_maps)
+    add_view(seen_vertices(mesh, normals, video, view, options), view.picture, sums);
   spread(mesh, options.spread_times, sums);
   std::vector<Rgb8> out;
   out.reserve(sums.size());

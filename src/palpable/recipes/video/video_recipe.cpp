@@ -77,6 +77,7 @@ Result<Frames> frames_of(const std::vector<VideoFrame>& given, const VideoRecipe
   out.figures.frames = static_cast<int>(used);
   out.figures.blurred = usable->blurred, out.figures.copies = usable->copies;
   out.figures.soft = usable->soft;
+  out.figures.edge_width_px = usable->edge_width_px;
   out.figures.tried = static_cast<int>(usable->kept.size());
   out.figures.brightness = brightness_of(greys);
   for (const int i : usable->kept) {
@@ -167,7 +168,11 @@ Result<MadeScene> fused_field(const VideoModel& model, const std::vector<FrameDe
   std::vector<sculpt::DepthView> views;
   const auto axes_from_world = model.axes.axes_from_world();
   for (const FrameDepth& map : maps) views.push_back({&map.map.depth, axes_from_world * map.map.pose});
-  return field_from_views(views, {recipe.fusion, field}, "video", work);
+  // The model stands on the ground, below which nobody looks.
+  sculpt::FusionOptions fusion = recipe.fusion;
+  fusion.unseen = sculpt::Unseen::solid_below_surfaces;
+  return field_from_views(views, {fusion, field, recipe.fused.least_part, recipe.fused.most_triangles},
+                          "video", work);
 }
 
 // The median distance of the model's points from the field's surface, metres of the scene.
@@ -275,9 +280,11 @@ Result<CameraMotion> motion_of(Frames& frames, const vision::VideoCamera& camera
     frames.figures.cuts.push_back(frames.frames[static_cast<std::size_t>(cut)]->number);
   std::vector<int> shared = shared_points(*tracks, count);
   frames.figures.followed_points = quantile_of(shared, 0.5);
-  return recipe.motion_method == VideoMotion::filter
-             ? vision::motion_by_filter(*tracks, count, camera, recipe.filter, work)
-             : vision::motion_from_tracks(*tracks, count, camera, recipe.motion, work);
+  auto motion = recipe.motion_method == VideoMotion::filter
+                    ? vision::motion_by_filter(*tracks, count, camera, recipe.filter, work)
+                    : vision::motion_from_tracks(*tracks, count, camera, recipe.motion, work);
+  if (motion) frames.figures.moving_points = vision::moving_points(*tracks, *motion, recipe.moving).share();
+  return motion;
 }
 
 Result<MadeScene> field_of_surface(const VideoModel& model, const std::vector<FrameDepth>& maps,
@@ -313,37 +320,6 @@ std::vector<Note> notes_of(const Frames& frames, const VideoReconstruction& vide
 
 }  // namespace
 
-std::vector<Parameter> parameters_of(FollowingOptions& o) {
-  return {{"most_frames",
-           &o.most_frames,
-           {0, 1},
-           "",
-           "Share of the frames that must share points with the next one"},
-          {"times_least",
-           &o.times_least,
-           {1, 20},
-           "",
-           "Points that they must share, in points that a pose needs"}};
-}
-
-std::vector<Parameter> parameters_of(VideoRecipe& recipe) {
-  std::vector<Parameter> out;
-  append_parameters(out, "frames", vision::parameters_of(recipe.frames));
-  append_parameters(out, "tracks", vision::parameters_of(recipe.tracks));
-  append_parameters(out, "following", parameters_of(recipe.following));
-  append_parameters(out, "photos", vision::parameters_of(recipe.photos));
-  append_parameters(out, "motion", vision::parameters_of(recipe.motion));
-  append_parameters(out, "filter", vision::parameters_of(recipe.filter));
-  append_parameters(out, "depth", vision::parameters_of(recipe.depth));
-  append_parameters(out, "model", parameters_of(recipe.model));
-  append_parameters(out, "shapes", parameters_of(recipe.shapes));
-  append_parameters(out, "corrected", parameters_of(recipe.corrected));
-  append_parameters(out, "growth", parameters_of(recipe.growth));
-  append_parameters(out, "scale", parameters_of(recipe.scale));
-  append_parameters(out, "advice", parameters_of(recipe.advice));
-  return out;
-}
-
 Result<MadeScene> field_from_video(const std::vector<VideoFrame>& given, const vision::VideoCamera& camera,
                                    const VideoRecipe& recipe, const Work& work) {
   auto frames = frames_of(given, recipe, work);
@@ -368,6 +344,7 @@ Result<MadeScene> field_from_video(const std::vector<VideoFrame>& given, const v
         "no surface looks the same from several directions: record it again, more slowly and in more light");
   VideoReconstruction video = reconstruction_of(*frames, *motion, depth->maps);
   video.metric = depth->scale.metres_per_unit.has_value();
+  video.reduction = recipe.reduction;
   judge(model, recipe.advice, video);
   flatten_ground(depth->maps, model, recipe.model);
   crop(depth->maps, model);

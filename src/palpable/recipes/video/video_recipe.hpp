@@ -17,6 +17,7 @@
 #include "palpable/recipes/video/video_scale.hpp"
 #include "palpable/sculpt/points/depth_fusion.hpp"
 #include "palpable/vision/motion/depth/video_depth.hpp"
+#include "palpable/vision/motion/structure/moving_points.hpp"
 #include "palpable/vision/motion/structure/recursive_motion.hpp"
 #include "palpable/vision/motion/tracks/photo_tracks.hpp"
 #include "palpable/vision/motion/tracks/usable_frames.hpp"
@@ -53,6 +54,15 @@ struct FollowingOptions {
 };
 std::vector<Parameter> parameters_of(FollowingOptions& options);
 
+/// What of a fused surface becomes a field; see FusedDepthRecipe.
+struct VideoSurfaceOptions {
+  double least_part = 0.05;
+  /// The surface of two houses in 256 voxels has 230 000; nine photographs of a chair without texture beside
+  /// it gave a million, and a field that was not done after four minutes of processor time.
+  int most_triangles = 400000;
+};
+std::vector<Parameter> parameters_of(VideoSurfaceOptions& options);
+
 /// How a video of a model becomes a field.
 struct VideoRecipe {
   VideoMotion motion_method = VideoMotion::batch;
@@ -61,6 +71,8 @@ struct VideoRecipe {
   std::optional<int> until;
   /// Without it the scale is that of a printed marker, if one is seen, else arbitrary.
   std::optional<KnownLength> length;
+  /// Pixels of the frames per pixel of the video; only passed on.
+  double reduction = 1.0;
   vision::UsableFrameOptions frames;
   vision::TrackOptions tracks;
   FollowingOptions following;
@@ -68,8 +80,11 @@ struct VideoRecipe {
   vision::PhotoMatchOptions photos;
   vision::BatchMotionOptions motion;
   vision::FilterMotionOptions filter;
+  /// Which points move by themselves.
+  vision::MovingPointOptions moving;
   vision::VideoDepthOptions depth;
   VideoModelOptions model;
+  VideoSurfaceOptions fused;
   ModelShapesOptions shapes;
   CorrectedModelOptions corrected;
   /// How a growing model is shown to `grown`.
@@ -102,6 +117,8 @@ struct VideoReconstruction {
   /// Points on the observed surfaces.
   PointCloud structure;
   bool metric = false;
+  /// Pixels of the frames per pixel of the video.
+  double reduction = 1.0;
   Pinhole camera;
   Transform<SceneFrame, WorldFrame> scene_from_world;
   VideoFigures figures;

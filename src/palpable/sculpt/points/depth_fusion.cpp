@@ -93,8 +93,9 @@ class VoxelAccumulator {
     ++measured_;
   }
 
+  bool measured() const { return measured_ > 0; }
   float value(std::size_t maps) const {
-    if (measured_ > 0) return static_cast<float>(sum_m_ / measured_);
+    if (measured()) return static_cast<float>(sum_m_ / measured_);
     const bool solid = near_behind_ || 2 * behind_ > maps;
     return static_cast<float>(solid ? -truncation_m_ : truncation_m_);
   }
@@ -116,6 +117,17 @@ class VoxelAccumulator {
   std::size_t behind_ = 0;
   bool near_behind_ = false;
 };
+
+/// Makes voxels of a column that no map measured solid below a surface. `measured`: for each voxel of the
+/// column, upwards, which begins at `column`.
+void fill_below_surfaces(const std::vector<bool>& measured, float truncation_m, float* column) {
+  bool below_surface = false;
+  for (std::size_t z = measured.size(); z-- > 0;) {
+    if (column[z] < 0.0F) below_surface = true;
+    if (measured[z] && column[z] >= 0.0F) below_surface = false;
+    if (!measured[z] && below_surface) column[z] = -truncation_m;
+  }
+}
 
 /// Blocks that contain solid voxels, and their neighbours, so that blocks cover both sides of the surface.
 std::vector<LevelSet::Block> blocks_of(const FusedDistances& fused, const std::array<int, 3>& count) {
@@ -194,17 +206,27 @@ Result<LevelSet> fused_depth(std::span<const DepthView> views, const FusionOptio
     return v >= least_m - truncation_m && v <= most_m + truncation_m;
   };
   parallel_for(work, fused.size[0], 1, [&](int begin, int end) {
+    std::vector<bool> measured;
     for (int x = begin; x < end && !work.cancelled(); ++x) {
-      for (int y = 0; y < fused.size[1]; ++y)
+      for (int y = 0; y < fused.size[1]; ++y) {
+        measured.clear();
         for (int z = 0; z < fused.size[2]; ++z) {
           const Vec3 p = set.origin_m + voxel_m * Vec3{1.0 * x, 1.0 * y, 1.0 * z};
           VoxelAccumulator voxel(options, truncation_m, fill_m);
-          if (in_side(p.x, box->least_m.x, box->most_m.x) && in_side(p.y, box->least_m.y, box->most_m.y) &&
-              in_side(p.z, box->least_m.z, box->most_m.z))
+          const bool inside = in_side(p.x, box->least_m.x, box->most_m.x) &&
+                              in_side(p.y, box->least_m.y, box->most_m.y) &&
+                              in_side(p.z, box->least_m.z, box->most_m.z);
+          if (inside)
             for (const PosedMap& map : maps) voxel.add(map, p);
           fused.distance_m[fused.index(x, y, z)] = voxel.value(maps.size());
           fused.variance_m2[fused.index(x, y, z)] = voxel.variance_m2();
+          // Beyond the seen volume there is nothing to fill.
+          measured.push_back(!inside || voxel.measured());
         }
+        if (options.unseen == Unseen::solid_below_surfaces)
+          fill_below_surfaces(measured, static_cast<float>(truncation_m),
+                              &fused.distance_m[fused.index(x, y, 0)]);
+      }
       work.report(0.9 * static_cast<double>(++done) / fused.size[0], "fusing the depth maps");
     }
   });

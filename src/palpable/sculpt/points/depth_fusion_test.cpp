@@ -121,6 +121,26 @@ TEST(FusedDepth, FillsBehindWhatOneViewSawAndLeavesTheRestEmpty) {
   EXPECT_GT((*solid)->at({0.0, 0.0, 0.03}, hint).distance_m, 0.0);
 }
 
+TEST(FusedDepth, FillsWhatNobodySawBelowASurfaceIfAsked) {
+  // From above, and by two cameras that see nothing: what is in the ball is behind it for one of three.
+  Seen seen = ball_from({3.1415927, 1.5707963, 1.5707963}, 0.0);
+  for (const std::size_t k : {1U, 2U})
+    for (float& z : seen.maps[k].depth_m.values()) z = std::numeric_limits<float>::quiet_NaN();
+  const auto distance_m = [&](Unseen unseen, Vec3 p) {
+    FusionOptions options;
+    options.resolution = 64;
+    options.unseen = unseen;
+    const auto set = fused_depth(seen.views, options, Work{});
+    const auto solid = solid_from_contour(*surface_of_level_set(*set, Work{}));
+    DistanceSource::Hint hint;
+    return (*solid)->at(p, hint).distance_m;
+  };
+  const Vec3 under{0.0, 0.0, 0.015}, above{0.0, 0.0, 0.055}, beside{0.048, 0.0, 0.04};
+  EXPECT_GT(distance_m(Unseen::empty, under), 0.0);
+  EXPECT_LT(distance_m(Unseen::solid_below_surfaces, under), 0.0);
+  for (const Vec3& p : {above, beside}) EXPECT_GT(distance_m(Unseen::solid_below_surfaces, p), 0.0);
+}
+
 TEST(FusedDepth, IsTheSameForAnyNumberOfThreads) {
   const Seen seen = ball_from(kRound, 0.001);
   FusionOptions options;

@@ -99,6 +99,7 @@ recipes::VideoRecipe recipe_of(const VideoInput& video, const MakeOptions& optio
   recipes::VideoRecipe recipe = options.recipes.video;
   recipe.fusion = options.recipes.fusion;
   recipe.field = options.recipes.field;
+  recipe.reduction = video.reduction;
   if (recipe.length)
     for (vision::ImagePoint* at : {&recipe.length->from, &recipe.length->to})
       at->x = (at->x + 0.5) * video.reduction - 0.5, at->y = (at->y + 0.5) * video.reduction - 0.5;

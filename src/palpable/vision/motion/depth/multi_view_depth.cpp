@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/motion/depth/multi_view_depth.hpp"
 
+#include "palpable/core/numbers/vectorize.hpp"
 #include "palpable/vision/image/census.hpp"
 #include "palpable/vision/image/luma.hpp"
 #include "palpable/vision/stereo/cost/least_cost.hpp"
@@ -88,7 +89,8 @@ int steps_needed(const Sweep& sweep, const Pinhole& camera, const MultiViewOptio
 
 // The costs of a pixel in another picture at each inverse depth; kUnseen outside it.
 constexpr std::uint16_t kUnseen = 0xFFFF;
-void costs_in_other(const Sweep& sweep, std::size_t other, int x, int y, std::uint16_t* out) {
+PALPABLE_VECTORIZE void costs_in_other(const Sweep& sweep, std::size_t other, int x, int y,
+                                       std::uint16_t* out) {
   const MatchView& there = sweep.others[other];
   const Eigen::Vector3d start =
       sweep.epipolar[other].start(x, y) + sweep.inverse_depth(0) * sweep.epipolar[other].per_inverse_depth;

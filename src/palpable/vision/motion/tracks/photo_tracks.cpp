@@ -2,29 +2,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/motion/tracks/photo_tracks.hpp"
 
+#include "palpable/core/numbers/disjoint_sets.hpp"
+#include "palpable/core/numbers/vectorize.hpp"
 #include "palpable/vision/image/opencv_image.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
 
-#include <Eigen/Dense>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/features2d.hpp>
 
 namespace palpable::vision {
 namespace {
 
-using Descriptors = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+// Of a SIFT descriptor, and the unit of its stored values: products of two descriptors are at most kUnit².
+constexpr std::size_t kLength = 128;
+constexpr double kUnit = 4096.0;
 
 struct Features {
   std::vector<cv::Point2f> places;
-  /// One row each, of length 1.
-  Descriptors descriptors;
+  /// kLength values each, of length kUnit.
+  std::vector<std::int16_t> descriptors;
+
+  const std::int16_t* descriptor(std::size_t i) const { return descriptors.data() + i * kLength; }
 };
 
 using Match = std::pair<int, int>;
@@ -37,45 +41,60 @@ Features features_of(const Raster<std::uint8_t>& picture, const PhotoMatchOption
   cv::SIFT::create(options.most_features)
       ->detectAndCompute(grey_view_of(picture), cv::noArray(), points, values);
   Features out;
-  out.descriptors.resize(values.rows, values.cols);
   for (int i = 0; i < values.rows; ++i) {
     out.places.push_back(points[static_cast<std::size_t>(i)].pt);
-    const Eigen::Map<const Eigen::RowVectorXf> row(values.ptr<float>(i), values.cols);
-    out.descriptors.row(i) = (row / std::max(1e-6F, row.lpNorm<1>())).cwiseSqrt();
+    const float* row = values.ptr<float>(i);
+    const float sum = std::max(1e-6F, std::accumulate(row, row + kLength, 0.0F));
+    for (std::size_t k = 0; k < kLength; ++k)
+      out.descriptors.push_back(
+          static_cast<std::int16_t>(std::lround(kUnit * std::sqrt(static_cast<double>(row[k] / sum)))));
   }
   return out;
 }
 
-// For each row the column of the greatest product, -1 where the ratio test fails.
-std::vector<int> best_columns(const Eigen::MatrixXf& products, double ratio) {
-  std::vector<int> out(static_cast<std::size_t>(products.rows()), -1);
-  const auto distance = [](float product) {
-    return std::sqrt(std::max(0.0, 2.0 - 2.0 * static_cast<double>(product)));
-  };
-  for (Eigen::Index i = 0; i < products.rows(); ++i) {
-    float best = -1.0F, next = -1.0F;
-    int at = -1;
-    for (Eigen::Index j = 0; j < products.cols(); ++j) {
-      const float product = products(i, j);
-      if (product > best)
-        next = best, best = product, at = static_cast<int>(j);
-      else
-        next = std::max(next, product);
-    }
-    if (distance(best) < ratio * distance(next)) out[static_cast<std::size_t>(i)] = at;
+// The products of one descriptor with `count` others. In whole numbers this takes a fifth of the time.
+PALPABLE_VECTORIZE void products(const std::int16_t* one, const std::int16_t* others, std::size_t count,
+                                 std::int32_t* out) {
+  for (std::size_t j = 0; j < count; ++j) {
+    std::int32_t sum = 0;
+    for (std::size_t k = 0; k < kLength; ++k) sum += one[k] * others[j * kLength + k];
+    out[j] = sum;
   }
-  return out;
 }
+
+// The two greatest products of a descriptor, and which one gives the greatest.
+struct Nearest {
+  std::int32_t best = -1, next = -1;
+  int at = -1;
+
+  void add(std::int32_t product, std::size_t index) {
+    if (product > best)
+      next = best, best = product, at = static_cast<int>(index);
+    else
+      next = std::max(next, product);
+  }
+  bool passes(double ratio) const {
+    const auto distance = [](std::int32_t product) {
+      return std::sqrt(std::max(0.0, 2.0 - 2.0 * product / (kUnit * kUnit)));
+    };
+    return distance(best) < ratio * distance(next);
+  }
+};
 
 std::vector<Match> mutual_matches(const Features& a, const Features& b, const PhotoMatchOptions& options) {
   std::vector<Match> out;
   if (a.places.size() < 2 || b.places.size() < 2) return out;
-  const Eigen::MatrixXf products = a.descriptors * b.descriptors.transpose();
-  const std::vector<int> there = best_columns(products, options.ratio),
-                         back = best_columns(products.transpose(), options.ratio);
-  for (std::size_t i = 0; i < there.size(); ++i)
-    if (there[i] >= 0 && back[static_cast<std::size_t>(there[i])] == static_cast<int>(i))
-      out.emplace_back(static_cast<int>(i), there[i]);
+  std::vector<Nearest> there(a.places.size()), back(b.places.size());
+  std::vector<std::int32_t> row(b.places.size());
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    products(a.descriptor(i), b.descriptors.data(), row.size(), row.data());
+    for (std::size_t j = 0; j < row.size(); ++j) there[i].add(row[j], j), back[j].add(row[j], i);
+  }
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    const Nearest& other = back[static_cast<std::size_t>(there[i].at)];
+    if (other.at == static_cast<int>(i) && there[i].passes(options.ratio) && other.passes(options.ratio))
+      out.emplace_back(static_cast<int>(i), there[i].at);
+  }
   return out;
 }
 
@@ -95,22 +114,6 @@ std::vector<Match> checked_matches(const Features& a, const Features& b, const P
   return static_cast<int>(out.size()) < options.least_matches ? std::vector<Match>{} : out;
 }
 
-// Sets of features of the same point: disjoint sets with path halving.
-class PointSets {
- public:
-  explicit PointSets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
 struct PicturePair {
   std::size_t first = 0, second = 0;
   std::vector<Match> matches;
@@ -119,7 +122,8 @@ struct PicturePair {
 std::vector<PointTrack> joined(const std::vector<Features>& features, const std::vector<PicturePair>& pairs) {
   std::vector<std::size_t> begin(features.size() + 1, 0);
   for (std::size_t i = 0; i < features.size(); ++i) begin[i + 1] = begin[i] + features[i].places.size();
-  PointSets sets(begin.back());
+  // Features of the same point.
+  DisjointSets sets(begin.back());
   for (const PicturePair& pair : pairs)
     for (const auto& [i, j] : pair.matches)
       sets.join(begin[pair.first] + static_cast<std::size_t>(i),

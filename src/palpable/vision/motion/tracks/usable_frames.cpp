@@ -6,7 +6,10 @@
 #include "palpable/vision/image/opencv_image.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
+#include <numeric>
 
 #include <opencv2/imgproc.hpp>
 
@@ -40,7 +43,36 @@ bool is_blurred(const std::vector<double>& sharpness, std::size_t frame, const U
   return sharpness[frame] < options.least_sharpness * quantile_of(around, 0.5);
 }
 
+// The grey level difference between places `step_x`, `step_y` apart that one of 200 exceeds.
+int strong_difference(const Raster<std::uint8_t>& frame, int step_x, int step_y) {
+  std::array<std::size_t, 256> counts{};
+  for (int y = 0; y + step_y < frame.height(); ++y)
+    for (int x = 0; x + step_x < frame.width(); ++x)
+      ++counts[static_cast<std::size_t>(std::abs(frame(x + step_x, y + step_y) - frame(x, y)))];
+  const std::size_t all = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+  constexpr std::size_t kOneOf = 200;
+  std::size_t above = 0;
+  for (int level = 255; level > 0; --level)
+    if ((above += counts[static_cast<std::size_t>(level)]) > all / kOneOf) return level;
+  return 0;
+}
+
+double median_edge_width_px(std::span<const Raster<std::uint8_t>> frames, const std::vector<int>& kept) {
+  std::vector<double> widths;
+  for (const int i : kept) widths.push_back(edge_width_px(frames[static_cast<std::size_t>(i)]));
+  return widths.empty() ? 0.0 : quantile_of(widths, 0.5);
+}
+
 }  // namespace
+
+double edge_width_px(const Raster<std::uint8_t>& frame) {
+  constexpr int kFar = 8;
+  const auto width = [&](int x, int y) {
+    const int near = strong_difference(frame, x, y), far = strong_difference(frame, kFar * x, kFar * y);
+    return near > 0 ? std::clamp(static_cast<double>(far) / near, 1.0, static_cast<double>(kFar)) : 1.0;
+  };
+  return std::max(width(1, 0), width(0, 1));
+}
 
 std::vector<Parameter> parameters_of(UsableFrameOptions& o) {
   return {{"least_sharpness",
@@ -81,6 +113,7 @@ Result<UsableFrames> usable_frames(std::span<const Raster<std::uint8_t>> frames,
       out.soft += sharpness[i] < options.least_sharpness * sharpest_tenth ? 1 : 0;
     }
   }
+  out.edge_width_px = median_edge_width_px(frames, out.kept);
   return out;
 }
 

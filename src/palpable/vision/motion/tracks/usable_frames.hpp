@@ -34,7 +34,15 @@ struct UsableFrames {
   /// Frames that are kept, since those around them are no better, but that the sharpest tenth of all frames
   /// exceeds as far as a frame that is left out.
   int soft = 0;
+  /// Median of edge_width_px() over the frames that are kept; 0 without frames.
+  double edge_width_px = 0.0;
 };
+
+/// How many pixels the strongest edges of a picture are wide, 1 … 8, in the direction in which they are
+/// wider: the difference of grey levels across 8 px as a multiple of that across one, each exceeded by one of
+/// 200 places. About 2 for a sharp picture; a blur that extends over 8 px or more cannot be told from one
+/// of 8. 1 for a picture without edges. Unlike other measures it does not need a sharp frame to compare with.
+double edge_width_px(const Raster<std::uint8_t>& frame);
 
 /// Leaves out blurred frames and copies. Sharpness is the variance of the Laplacian (Pech-Pacheco et al.
 /// 2000) over that of the grey levels. Frames are 8-bit grey, all of one size. Polls cancel. Errors: usage
