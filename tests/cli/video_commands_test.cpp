@@ -130,6 +130,43 @@ TEST_F(Videos, GiveEveryOutputTogether) {
   EXPECT_NEAR(size[2].get<double>(), 0.07, 0.03);
 }
 
+// A patterned glove in front of a picture.
+void add_glove(int left, int top, Raster<Rgb8>& picture) {
+  for (int y = 0; y < 90; ++y)
+    for (int x = 0; x < 110; ++x)
+      if (std::hypot((x - 55) / 55.0, (y - 45) / 45.0) < 1) {
+        const auto level = static_cast<std::uint8_t>(40 + 200 * texture_at(0.0015 * x, 0.0015 * y, 9));
+        picture(left + x, top + y) = {level, level, level};
+      }
+}
+
+// Each pixel is the mean of those up to `half` pixels beside it.
+Raster<Rgb8> blurred(const Raster<Rgb8>& sharp, int half) {
+  Raster<Rgb8> out(sharp.width(), sharp.height());
+  for (int y = 0; y < out.height(); ++y)
+    for (int x = 0; x < out.width(); ++x) {
+      int sum = 0;
+      for (int k = -half; k <= half; ++k) sum += sharp(std::clamp(x + k, 0, out.width() - 1), y).r;
+      const auto level = static_cast<std::uint8_t>(sum / (2 * half + 1));
+      out(x, y) = {level, level, level};
+    }
+  return out;
+}
+
+TEST_F(Videos, InWhichAHandMovesAndThatAreBlurredThroughoutSaySo) {
+  constexpr int kFrames = 14, kBlur_px = 4;
+  const std::filesystem::path input = video(kFrames);
+  for (int i = 0; i < kFrames; ++i) {
+    Raster<Rgb8> picture = picture_from(on_arc(-0.35 + 0.05 * i), {0, 0, 0.02});
+    add_glove(4 + 4 * i, 4 + 3 * i, picture);
+    (void)formats::write_png(input / (std::to_string(100 + i) + ".png"), blurred(picture, kBlur_px));
+  }
+  const Outcome made = palpable(make(input.string()));
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.err, HasSubstr("Something moved while you filmed, such as a hand"));
+  EXPECT_THAT(made.err, HasSubstr("All pictures are blurred"));
+}
+
 TEST_F(Videos, WithoutDepthGetAReasonAndNothingIsWritten) {
   struct Case {
     int frames;

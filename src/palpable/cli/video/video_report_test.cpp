@@ -53,7 +53,8 @@ TEST(VideoReport, ShowsEveryStageWithAlternativeTextsAndTheAdvice) {
        {"model &lt;1&gt;.mp4", "<h2>What to do better</h2>", "The left side was never seen",
         "alt=\"Picture 5 of the video", "alt=\"Two plots of the camera",
         "alt=\"The model from above, 60 x 60 x 40 mm", "alt=\"The model, 60 x 60 x 40 mm", "A note.",
-        "3 of 3", "<h2>How the model grew</h2>", "<h2>The true size</h2>", "data-frame=\"5\"", "1.00 mm for the superquadrics alone, 0.25 mm after"})
+        "3 of 3", "<h2>How the model grew</h2>", "<h2>The true size</h2>", "data-frame=\"5\"",
+        "1.00 mm for the superquadrics alone, 0.25 mm after"})
     EXPECT_THAT(*page, HasSubstr(part));
 }
 
