@@ -49,11 +49,9 @@ MadeLaw make(const LawInput& in) {
                             value_or_preset(p, kCentreWeight)};
   if (averaging.neighbour_weight + averaging.centre_weight <= 0.0)
     return {usage_error("the weights of the law averaged must not both be 0")};
-  return make_on_relief(in, [&](models::RefinedRelief surface, MaterialMap materials, std::uint64_t family) {
-    using Surface = models::RefinedRelief;
-    return made_law(AveragedLaw<Surface>(std::make_shared<const Surface>(std::move(surface)),
-                                         std::move(materials), averaging),
-                    family);
+  return make_on_relief(in, [&](std::shared_ptr<const models::Relief> surface, MaterialMap materials,
+                                std::uint64_t family) {
+    return made_law(AveragedLaw<models::Relief>(std::move(surface), std::move(materials), averaging), family);
   });
 }
 

@@ -68,14 +68,17 @@ MaterialMap materials_of(const models::Scene& scene, const Relief& relief, const
   return {contacts, scene.labels, relief.size_x_m(), relief.size_y_m()};
 }
 
-Result<models::RefinedRelief> dilated_surface(const models::Scene& of, double radius_m, DilatedRelief* kept,
-                                              const Work& work) {
-  const std::shared_ptr<const Relief>& relief = models::relief_of(of);
-  if (radius_m == 0.0) return models::RefinedRelief(relief);
-  if (kept != nullptr && kept->of == relief && kept->radius_m == radius_m) return *kept->surface;
-  auto surface = of.is_live_frame ? models::coarse_surface_of_ball(*relief, radius_m, work)
-                                  : models::surface_of_ball(*relief, radius_m, models::FinerFit{}, work);
-  if (surface && kept != nullptr) *kept = {relief, radius_m, *surface};
+Result<std::shared_ptr<const Relief>> dilated_surface(const std::shared_ptr<const Relief>& relief,
+                                                      double radius_m, DilatedRelief* kept,
+                                                      const Work& work) {
+  if (radius_m == 0.0) return relief;
+  if (kept != nullptr && kept->of == relief && kept->radius_m == radius_m) return kept->surface;
+  auto values = models::dilate_by_ball(*relief, radius_m, work);
+  if (work.cancelled()) return Work::interrupted();
+  auto dilated = Relief::from_samples(std::move(values), relief->pixel_m());
+  if (!dilated) return dilated.error();
+  auto surface = std::make_shared<const Relief>(std::move(*dilated));
+  if (kept != nullptr) *kept = {relief, radius_m, surface};
   return surface;
 }
 
@@ -86,12 +89,7 @@ void read_pages(const void* data, std::size_t bytes) noexcept {
 void read_pages(const Relief& relief) noexcept {
   read_pages(relief.samples_m().data(), relief.samples_m().count() * sizeof(float));
 }
-void read_pages(const models::RefinedRelief& relief) noexcept {
-  read_pages(*relief.relief());
-  if (relief.cells() != nullptr)
-    relief.cells()->each_array([](const void* data, std::size_t bytes) { read_pages(data, bytes); });
-}
-void read_pages(const models::BoundedRelief& relief) noexcept { read_pages(relief.surface()); }
+void read_pages(const models::BoundedRelief& relief) noexcept { read_pages(relief.relief()); }
 void read_pages(const models::BoundaryMap& map) noexcept {
   read_pages(map.averaged().data(), map.averaged().count() * sizeof(*map.averaged().data()));
 }
@@ -103,7 +101,7 @@ void read_pages(const models::DenseField& field) noexcept {
   read_pages(field.values().data(), field.values().size() * sizeof(float));
 }
 void read_pages(const models::ReliefDepth& depth) noexcept {
-  depth.each_surface([](const auto& surface) { read_pages(surface); });
+  depth.each_surface([](const Relief& surface) { read_pages(surface); });
 }
 void read_pages(const models::OccupancyGrid& grid) noexcept { grid.touch_pages(); }
 

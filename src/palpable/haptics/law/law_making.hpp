@@ -51,15 +51,15 @@ std::uint64_t content_hash(const models::DistanceField& field);
 MaterialMap materials_of(const models::Scene& scene, const models::Relief& relief,
                          const LawParameters& parameters);
 
-/// The relief `of` a scene for a point; dilated for a ball: exactly, or, for a frame of a live source,
-/// quickly. Errors: interrupted.
-Result<models::RefinedRelief> dilated_surface(const models::Scene& of, double radius_m, DilatedRelief* kept,
-                                              const Work& work);
+/// The relief itself for a point; dilated for a ball. The slope of the dilated relief does not exceed the
+/// relief's. Errors: interrupted.
+Result<std::shared_ptr<const models::Relief>> dilated_surface(
+    const std::shared_ptr<const models::Relief>& relief, double radius_m, DilatedRelief* kept,
+    const Work& work);
 
 /// Reads every page of a model once.
 void read_pages(const void* data, std::size_t bytes) noexcept;
 void read_pages(const models::Relief& relief) noexcept;
-void read_pages(const models::RefinedRelief& relief) noexcept;
 void read_pages(const models::BoundedRelief& relief) noexcept;
 void read_pages(const models::BoundaryMap& map) noexcept;
 void read_pages(const models::DistanceField& field) noexcept;
@@ -124,7 +124,7 @@ template <class Make>
 MadeLaw make_on_relief(const LawInput& in, Make&& make) {
   const std::shared_ptr<const models::Relief>& relief = models::relief_of(in.scene);
   const double radius_m = in.parameters.radius_m.value_or(0.0);
-  auto surface = dilated_surface(in.scene, radius_m, in.kept, in.work);
+  auto surface = dilated_surface(relief, radius_m, in.kept, in.work);
   if (!surface) return {surface.error()};
   const std::uint64_t family =
       mixed(mixed(static_cast<std::uint64_t>(in.parameters.law), content_hash(*relief)), radius_m);

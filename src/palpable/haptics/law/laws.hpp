@@ -6,7 +6,6 @@
 #include "palpable/core/work.hpp"
 #include "palpable/haptics/law/law.hpp"
 #include "palpable/haptics/law/touchable.hpp"
-#include "palpable/models/relief/refined_relief.hpp"
 #include "palpable/models/scene/scene.hpp"
 
 #include <memory>
@@ -39,7 +38,7 @@ std::string too_large_ball_words(double radius_m, const models::Scene& scene, La
 struct DilatedRelief {
   std::shared_ptr<const models::Relief> of;
   double radius_m = 0.0;
-  std::optional<models::RefinedRelief> surface;
+  std::shared_ptr<const models::Relief> surface;
 };
 
 /// Creates the Touchable of a scene and a law, with the pull of the scene's guide, for the servo loop.

@@ -173,22 +173,6 @@ TEST(Laws, AreInterruptedWhileTheBallRollsOverTheRelief) {
   EXPECT_EQ(fractions.back(), 1.0);
 }
 
-TEST(Laws, RollABallExactlyExceptOnFramesOfALiveSource) {
-  Raster<float> groove(60, 40);
-  for (int y = 0; y < groove.height(); ++y)
-    for (int x = 0; x < groove.width(); ++x) groove(x, y) = 2e-4F * static_cast<float>(std::abs(x - 30));
-  models::Scene scene = scene_of(std::move(groove), 2e-4);
-  LawParameters p;
-  p.radius_m = 0.001;
-  DilatedRelief exact;
-  ASSERT_TRUE(make_touchable(scene, p, &exact));
-  EXPECT_NE(exact.surface->cells(), nullptr);
-  scene.is_live_frame = true;
-  DilatedRelief quick;
-  ASSERT_TRUE(make_touchable(scene, p, &quick));
-  EXPECT_EQ(quick.surface->cells(), nullptr);
-}
-
 TEST(Laws, RefuseASceneWithoutAModel) {
   const auto refused = make_touchable(models::Scene{}, LawParameters{});
   ASSERT_FALSE(refused);

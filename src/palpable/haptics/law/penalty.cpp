@@ -21,14 +21,15 @@ MadeLaw make(const LawInput& in) {
           PenaltyLaw<S>(surface, std::move(materials), value_or_preset(in.parameters, kRadius), shading),
           family);
     });
-  return make_on_relief(in, [&](models::RefinedRelief surface, MaterialMap materials, std::uint64_t family) {
-    using models::ReliefDepth;
-    auto depth = ReliefDepth::under(std::move(surface), Work{});
-    if (!depth) return MadeLaw{depth.error()};
-    return made_law(PenaltyLaw<ReliefDepth>(std::make_shared<const ReliefDepth>(*std::move(depth)),
-                                            std::move(materials), 0.0, shading),
-                    family);
-  });
+  return make_on_relief(
+      in, [&](std::shared_ptr<const models::Relief> surface, MaterialMap materials, std::uint64_t family) {
+        using models::ReliefDepth;
+        auto depth = ReliefDepth::under(std::move(surface), Work{});
+        if (!depth) return MadeLaw{depth.error()};
+        return made_law(PenaltyLaw<ReliefDepth>(std::make_shared<const ReliefDepth>(*std::move(depth)),
+                                                std::move(materials), 0.0, shading),
+                        family);
+      });
 }
 
 }  // namespace

@@ -24,12 +24,13 @@ MadeLaw make_proxy(const LawInput& in) {
                                        std::move(textures)),
                       family);
     });
-  return make_on_relief(in, [&](models::RefinedRelief surface, MaterialMap materials, std::uint64_t family) {
-    using Bounded = models::BoundedRelief;
-    return made_law(ProxyLaw<Bounded>(std::make_shared<const Bounded>(std::move(surface)),
-                                      std::move(materials), std::move(textures)),
-                    family);
-  });
+  return make_on_relief(
+      in, [&](std::shared_ptr<const models::Relief> surface, MaterialMap materials, std::uint64_t family) {
+        using Bounded = models::BoundedRelief;
+        return made_law(ProxyLaw<Bounded>(std::make_shared<const Bounded>(std::move(surface)),
+                                          std::move(materials), std::move(textures)),
+                        family);
+      });
 }
 
 constexpr LawDescription kProxyLaw{.law = Law::proxy,

@@ -168,10 +168,9 @@ Ground walled_ground(const models::Scene& scene, double friction, double radius_
   p.static_friction = friction;
   DilatedRelief dilated;
   const auto law = make_touchable(scene, p, &dilated);
-  const models::RefinedRelief surface =
-      radius_m > 0.0 ? *dilated.surface : models::RefinedRelief(models::relief_of(scene));
-  return {*law, [surface](Vec3 at) { return at.z - surface.sample(at.x, at.y).z_m; },
-          [top_m = surface.relief()->highest_m()](Vec3 a, Vec3 b) {
+  const auto surface = radius_m > 0.0 ? dilated.surface : models::relief_of(scene);
+  return {*law, [surface](Vec3 at) { return at.z - surface->sample(at.x, at.y).z_m; },
+          [top_m = surface->highest_m()](Vec3 a, Vec3 b) {
             // Walls stand at 4 mm and every 8 mm.
             const double wall = 0.008 * std::round((0.5 * (a.x + b.x) - 0.004) / 0.008) + 0.004;
             return (a.x < wall) != (b.x < wall) && std::max(a.z, b.z) < top_m - 0.003;

@@ -18,26 +18,14 @@ FieldSample over(const HeightSample& surface, double z_m, double rate) {
   return {rate * (z_m - surface.z_m), {-rate * surface.dzdx, -rate * surface.dzdy, rate}};
 }
 
-/// Control values of a spline that is nowhere above the surface, also in its finer cells.
-Raster<float> lowered_samples(const RefinedRelief& surface) {
-  const Raster<float>& samples_m = surface.relief()->samples_m();
-  Raster<float> lowered_m = samples_m;
-  if (surface.cells() == nullptr) return lowered_m;
-  for (const FinerCells::CellBounds& cell : surface.cells()->bounds())
-    for (int y = cell.y - 1; y <= cell.y + 2; ++y)
-      for (int x = cell.x - 1; x <= cell.x + 2; ++x)
-        lowered_m(x, y) = std::min(lowered_m(x, y), samples_m(x, y) - cell.lowered_m);
-  return lowered_m;
-}
-
 }  // namespace
 
-Result<ReliefDepth> ReliefDepth::under(RefinedRelief relief, const Work& work) {
-  ReliefDepth depth(std::move(relief));
-  const double steepest = depth.relief_.steepest_slope();
+Result<ReliefDepth> ReliefDepth::under(std::shared_ptr<const Relief> relief, const Work& work) {
+  ReliefDepth depth;
+  depth.relief_ = std::move(relief);
+  const double steepest = depth.relief_->steepest_slope();
   depth.steepest_rate_ = 1.0 / std::sqrt(1.0 + steepest * steepest);
-  const Relief* above = depth.relief_.relief().get();
-  Raster<float> least_m = lowered_samples(depth.relief_);
+  const Relief* above = depth.relief_.get();
   double depth_m = 0.0;
   depth.erosions_.reserve(kErosions);
   for (int k = 0; k < kErosions; ++k) {
@@ -46,8 +34,8 @@ Result<ReliefDepth> ReliefDepth::under(RefinedRelief relief, const Work& work) {
     Raster<float> values = erode_by_ball(*above, further_m, work);
     // An erosion lowers the surface by at least the radius; so the spline must do so too.
     for (std::size_t i = 0; i < values.count(); ++i)
-      values.data()[i] = std::min(values.data()[i], least_m.data()[i] - static_cast<float>(further_m));
-    least_m = values;
+      values.data()[i] =
+          std::min(values.data()[i], above->samples_m().data()[i] - static_cast<float>(further_m));
     auto surface = Relief::from_samples(std::move(values), above->pixel_m());
     if (!surface) return surface.error();
     depth_m += further_m;
@@ -59,7 +47,7 @@ Result<ReliefDepth> ReliefDepth::under(RefinedRelief relief, const Work& work) {
 
 FieldSample ReliefDepth::sample(Point<SceneFrame> place) const noexcept {
   const Vec3 place_m = place.v;
-  HeightSample upper = relief_.sample(place_m.x, place_m.y);
+  HeightSample upper = relief_->sample(place_m.x, place_m.y);
   if (place_m.z >= upper.z_m) return over(upper, place_m.z, steepest_rate_);
   double upper_depth_m = 0.0;
   for (const Erosion& erosion : erosions_) {
@@ -82,7 +70,7 @@ FieldSample ReliefDepth::sample(Point<SceneFrame> place) const noexcept {
 
 std::size_t ReliefDepth::memory_bytes() const {
   std::size_t bytes = sizeof(*this);
-  each_surface([&](const auto& surface) { bytes += surface.memory_bytes(); });
+  each_surface([&](const Relief& surface) { bytes += surface.memory_bytes(); });
   return bytes;
 }
 

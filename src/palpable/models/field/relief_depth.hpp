@@ -4,10 +4,10 @@
 
 #include "palpable/core/work.hpp"
 #include "palpable/models/field/distance_surface.hpp"
-#include "palpable/models/relief/refined_relief.hpp"
+#include "palpable/models/relief/relief.hpp"
 
 #include <cstddef>
-#include <utility>
+#include <memory>
 #include <vector>
 
 namespace palpable::models {
@@ -21,20 +21,20 @@ namespace palpable::models {
 /// Immutable; any thread.
 class ReliefDepth {
  public:
-  /// Takes six times the memory of the relief.
-  static Result<ReliefDepth> under(RefinedRelief relief, const Work& work);
+  /// Takes six times the memory of the relief. `relief` must not be null.
+  static Result<ReliefDepth> under(std::shared_ptr<const Relief> relief, const Work& work);
 
   /// Minus the depth, and its gradient, at any finite position. Tick path.
   FieldSample sample(Point<SceneFrame> place) const noexcept;
 
-  double cell_m() const noexcept { return relief_.pixel_m(); }
+  double cell_m() const noexcept { return relief_->pixel_m(); }
   /// The greatest depth at which the value is a distance.
   double deepest_m() const noexcept { return erosions_.back().depth_m; }
   std::size_t memory_bytes() const;
   /// Calls visit(surface) with the relief and each of its erosions.
   template <class Visit>
   void each_surface(const Visit& visit) const {
-    visit(relief_);
+    visit(*relief_);
     for (const Erosion& erosion : erosions_) visit(erosion.surface);
   }
 
@@ -43,9 +43,9 @@ class ReliefDepth {
     Relief surface;
     double depth_m;
   };
-  explicit ReliefDepth(RefinedRelief relief) : relief_(std::move(relief)) {}
+  ReliefDepth() = default;
 
-  RefinedRelief relief_;
+  std::shared_ptr<const Relief> relief_;
   std::vector<Erosion> erosions_;
   /// Ratio of distance to height on the steepest slope.
   double steepest_rate_ = 1.0;

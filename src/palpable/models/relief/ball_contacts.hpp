@@ -29,11 +29,6 @@ class BallContacts {
   /// Large ones leave out blocks of samples that are too low, which takes little more time than a small ball.
   void find_row(int y, std::span<ContactOffset> found) const;
 
-  /// The samples below a centre at (x, y) where the surface between the samples may touch the ball: those at
-  /// which it would be at most `slack` (in sample distances) lower than at the contact, and no lower than at
-  /// their eight neighbours. `found` contains any contact near here, or nothing, and gets the result.
-  void find_all(int x, int y, float slack, std::vector<ContactOffset>& found) const;
-
  private:
   /// The highest sample in each block of `side` x `side` samples.
   struct Level {
@@ -46,24 +41,17 @@ class BallContacts {
     /// The lowest point of the ball.
     float best = 0.0F;
     ContactOffset at;
-    /// Where not null, gets all that are at most `slack` lower.
-    std::vector<ContactOffset>* others = nullptr;
-    float slack = 0.0F;
   };
   void try_each(int y, std::span<ContactOffset> found) const;
   void descend(std::size_t level, int i, int j, Search& search) const;
-  void descend_from(ContactOffset first, Search& search) const;
-  float lowest_point(int x, int y, ContactOffset at) const;
-  void try_all(int x, int y, float slack, std::vector<ContactOffset>& found) const;
   const Raster<float>& highest(std::size_t level) const {
     return level == 0 ? heights_ : levels_[level - 1].highest;
   }
 
   const Raster<float>& heights_;
   double reach_;
-  /// For a small ball: the height of its surface above its lowest point, for (2 r + 1)^2 samples below it.
-  Raster<float> above_;
-  /// Each of blocks of blocks of the one before.
+  bool is_small_;
+  /// Each of blocks of blocks of the one before; none for a small ball.
   std::vector<Level> levels_;
 };
 

@@ -35,8 +35,7 @@ SurfaceBounds bounds_of(const Raster<float>& values, int x0, int x1, int y0, int
 
 }  // namespace
 
-HeightBounds::HeightBounds(const Raster<float>& control_values,
-                           std::span<const FinerCells::CellBounds> finer) {
+HeightBounds::HeightBounds(const Raster<float>& control_values) {
   const int w = control_values.width();
   const int h = control_values.height();
   const Level finest{0, (w + kBlock_px - 1) / kBlock_px, (h + kBlock_px - 1) / kBlock_px};
@@ -50,12 +49,6 @@ HeightBounds::HeightBounds(const Raster<float>& control_values,
       blocks_.push_back(bounds_of(control_values, std::max(0, x - 1), std::min(w - 1, x + kBlock_px + 1),
                                   std::max(0, y - 1), std::min(h - 1, y + kBlock_px + 1)));
     }
-  for (const FinerCells::CellBounds& cell : finer) {
-    SurfaceBounds& block =
-        blocks_[static_cast<std::size_t>(cell.y / kBlock_px) * static_cast<std::size_t>(finest.width) +
-                static_cast<std::size_t>(cell.x / kBlock_px)];
-    block = larger(block, {cell.highest, cell.steepest});
-  }
   add_coarser_levels(finest);
 }
 
@@ -98,14 +91,5 @@ SurfaceBounds HeightBounds::over(double x0_px, double y0_px, double x1_px, doubl
       blocks_.data() + level.begin + static_cast<std::size_t>(j1) * static_cast<std::size_t>(level.width);
   return larger(larger(upper[i0], upper[i1]), larger(lower[i0], lower[i1]));
 }
-
-BoundedRelief::BoundedRelief(RefinedRelief surface)
-    : surface_(std::move(surface)),
-      bounds_(surface_.relief()->samples_m(), surface_.cells() != nullptr
-                                                  ? surface_.cells()->bounds()
-                                                  : std::span<const FinerCells::CellBounds>{}),
-      middle_x_px_(0.5 * (surface_.relief()->samples_m().width() - 1)),
-      middle_y_px_(0.5 * (surface_.relief()->samples_m().height() - 1)),
-      pixels_per_m_(1.0 / surface_.pixel_m()) {}
 
 }  // namespace palpable::models

@@ -3,14 +3,12 @@
 #pragma once
 
 #include "palpable/core/picture/raster.hpp"
-#include "palpable/models/relief/finer_cells.hpp"
-#include "palpable/models/relief/refined_relief.hpp"
 #include "palpable/models/relief/relief.hpp"
 
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
-#include <span>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -27,9 +25,8 @@ struct SurfaceBounds {
 class HeightBounds {
  public:
   HeightBounds() = default;
-  /// The spline's control values, at least one; and the bounds of its finer cells.
-  explicit HeightBounds(const Raster<float>& control_values,
-                        std::span<const FinerCells::CellBounds> finer = {});
+  /// The spline's control values, at least one.
+  explicit HeightBounds(const Raster<float>& control_values);
 
   /// The bounds over x0 <= x <= x1, y0 <= y <= y1 in pixels (sample centres at integers, any finite values);
   /// the slope in height per pixel. Reads at most four blocks. Tick path.
@@ -51,8 +48,7 @@ class HeightBounds {
   std::vector<Level> levels_;
 };
 
-/// A height field with bounds over rectangles (metres), by which a law checks a long path at once. Its
-/// pixel_m() is the step at which a law follows it: no ridge is narrower, but a crease may be sharper. Never
+/// A height field with bounds over rectangles (metres), by which a law checks a long path at once. Never
 /// allocates, locks or throws.
 template <class M>
 concept BoundedHeightField = CurvedHeightField<M> && requires(const M& m, double x_m, double y_m) {
@@ -63,15 +59,20 @@ concept BoundedHeightField = CurvedHeightField<M> && requires(const M& m, double
 /// A relief with bounds of its surface, which take a sixth of its memory. Immutable; any thread.
 class BoundedRelief {
  public:
-  explicit BoundedRelief(RefinedRelief surface);
+  explicit BoundedRelief(std::shared_ptr<const Relief> relief)
+      : relief_(std::move(relief)),
+        bounds_(relief_->samples_m()),
+        middle_x_px_(0.5 * (relief_->samples_m().width() - 1)),
+        middle_y_px_(0.5 * (relief_->samples_m().height() - 1)),
+        pixels_per_m_(1.0 / relief_->pixel_m()) {}
 
-  HeightSample sample(double x_m, double y_m) const noexcept { return surface_.sample(x_m, y_m); }
+  HeightSample sample(double x_m, double y_m) const noexcept { return relief_->sample(x_m, y_m); }
   CurvedSample curved_sample(double x_m, double y_m) const noexcept {
-    return surface_.curved_sample(x_m, y_m);
+    return relief_->curved_sample(x_m, y_m);
   }
-  [[gnu::always_inline]] void prefetch(double x_m, double y_m) const noexcept { surface_.prefetch(x_m, y_m); }
-  double steepest_slope() const noexcept { return surface_.steepest_slope(); }
-  double pixel_m() const noexcept { return surface_.pixel_m(); }
+  [[gnu::always_inline]] void prefetch(double x_m, double y_m) const noexcept { relief_->prefetch(x_m, y_m); }
+  double steepest_slope() const noexcept { return relief_->steepest_slope(); }
+  double pixel_m() const noexcept { return relief_->pixel_m(); }
   /// The bounds over the rectangle between two opposite corners, any finite values. Tick path.
   SurfaceBounds bounds_over(double x0_m, double y0_m, double x1_m, double y1_m) const noexcept {
     const double left = middle_x_px_ + std::min(x0_m, x1_m) * pixels_per_m_;
@@ -82,11 +83,11 @@ class BoundedRelief {
     bounds.steepest *= static_cast<float>(pixels_per_m_);
     return bounds;
   }
-  const RefinedRelief& surface() const noexcept { return surface_; }
-  std::size_t memory_bytes() const { return surface_.memory_bytes() + bounds_.memory_bytes(); }
+  const Relief& relief() const noexcept { return *relief_; }
+  std::size_t memory_bytes() const { return relief_->memory_bytes() + bounds_.memory_bytes(); }
 
  private:
-  RefinedRelief surface_;
+  std::shared_ptr<const Relief> relief_;
   HeightBounds bounds_;
   double middle_x_px_;
   double middle_y_px_;

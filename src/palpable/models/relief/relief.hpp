@@ -66,10 +66,6 @@ class Relief {
   /// The same with the exact second derivatives, at little more cost. Tick path.
   CurvedSample curved_sample(double x_m, double y_m) const noexcept;
 
-  /// The block of samples on which the surface at (x_m, y_m) depends. `copy` holds it at the border. Tick
-  /// path.
-  SplinePlace place_at(double x_m, double y_m, std::array<float, 16>& copy) const noexcept;
-
   /// Prefetches the samples for a later query at this position, without waiting. Tick path.
   void prefetch(double x_m, double y_m) const noexcept;
 
@@ -86,6 +82,7 @@ class Relief {
 
  private:
   Relief() = default;
+  SplinePlace place_at(double x_m, double y_m, std::array<float, 16>& copy) const noexcept;
   SplinePlace border_place(double x_px, double y_px, std::array<float, 16>& copy) const noexcept;
 
   Raster<float> height_m_;
@@ -100,19 +97,6 @@ class Relief {
   double lowest_m_ = 0.0;
   double highest_m_ = 0.0;
 };
-
-/// A spline's value as a sample of a height field: slopes are per metre, and y is upwards.
-inline HeightSample height_sample_of(const SplineValue& value, double per_m) noexcept {
-  return {value.z, value.right * per_m, -value.down * per_m};
-}
-inline CurvedSample curved_sample_of(const SplineValue& value, double per_m) noexcept {
-  return {value.z,
-          value.right * per_m,
-          -value.down * per_m,
-          value.right_right * (per_m * per_m),
-          -value.right_down * (per_m * per_m),
-          value.down_down * (per_m * per_m)};
-}
 
 // Inline, since a call with its result in memory would cost a third of a query.
 inline SplinePlace Relief::place_at(double x_m, double y_m, std::array<float, 16>& copy) const noexcept {
@@ -145,12 +129,20 @@ inline SplinePlace Relief::place_at(double x_m, double y_m, std::array<float, 16
 
 inline HeightSample Relief::sample(double x_m, double y_m) const noexcept {
   std::array<float, 16> copy;
-  return height_sample_of(SplineBlock(place_at(x_m, y_m, copy)).evaluate(), pixels_per_m_);
+  const SplineValue value = SplineBlock(place_at(x_m, y_m, copy)).evaluate();
+  return {value.z, value.right * pixels_per_m_, -value.down * pixels_per_m_};
 }
 
 inline CurvedSample Relief::curved_sample(double x_m, double y_m) const noexcept {
   std::array<float, 16> copy;
-  return curved_sample_of(SplineBlock(place_at(x_m, y_m, copy)).evaluate_with_curvature(), pixels_per_m_);
+  const SplineValue value = SplineBlock(place_at(x_m, y_m, copy)).evaluate_with_curvature();
+  const double s = pixels_per_m_;
+  return {value.z,
+          value.right * s,
+          -value.down * s,
+          value.right_right * (s * s),
+          -value.right_down * (s * s),
+          value.down_down * (s * s)};
 }
 
 }  // namespace palpable::models

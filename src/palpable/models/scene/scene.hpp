@@ -75,9 +75,6 @@ struct Scene {
   /// A way along which laws pull the hand while it touches the surface; null: none. Not part of a scene's
   /// file.
   std::shared_ptr<const RouteGuide> guide;
-  /// Whether it is a frame of a live source, which the next one soon replaces: what is made of it for touch
-  /// is made quickly rather than exactly. Not part of a scene's file.
-  bool is_live_frame = false;
   Provenance source;
   /// The maker's title (one line) and description, which are spoken and shown before the scene is touched.
   /// UTF-8; both may be empty.

@@ -85,7 +85,6 @@ Result<std::unique_ptr<LiveFeed>> LiveFeed::open(std::unique_ptr<LiveSource> sou
 void LiveFeed::begin_with(std::shared_ptr<const models::Relief> relief) {
   auto scene = std::make_shared<models::Scene>();
   scene->model = std::move(relief);
-  scene->is_live_frame = true;
   scene->source.method = "live depth";
   scene->title = "Live pictures of a depth camera";
   refresh_picture(*scene);

@@ -36,13 +36,13 @@ int between(std::mt19937_64& random, int low, int high) {
 /// A hand that moves at random above, through and under the surface.
 class RandomHand {
  public:
-  RandomHand(std::uint64_t seed, const models::RefinedRelief& surface, double fastest_m_per_s)
+  RandomHand(std::uint64_t seed, const models::Relief& surface, double fastest_m_per_s)
       : random_(seed),
         fastest_(fastest_m_per_s),
-        half_x_m_(0.48 * surface.relief()->size_x_m()),
-        half_y_m_(0.48 * surface.relief()->size_y_m()),
-        low_m_(surface.relief()->lowest_m() - 0.001),
-        high_m_(surface.relief()->highest_m() + 0.003) {
+        half_x_m_(0.48 * surface.size_x_m()),
+        half_y_m_(0.48 * surface.size_y_m()),
+        low_m_(surface.lowest_m() - 0.001),
+        high_m_(surface.highest_m() + 0.003) {
     place_.x = between(random_, -half_x_m_, half_x_m_);
     place_.y = between(random_, -half_y_m_, half_y_m_);
     place_.z = std::min(high_m_, surface.sample(place_.x, place_.y).z_m + between(random_, 0.0, 0.003));
@@ -83,7 +83,7 @@ class RandomHand {
 };
 
 /// The surface's greatest height along the straight path between two points.
-double top_between(const models::RefinedRelief& surface, Vec3 from, Vec3 to) {
+double top_between(const models::Relief& surface, Vec3 from, Vec3 to) {
   const Vec3 way = to - from;
   const int steps = 1 + static_cast<int>(4.0 * std::hypot(way.x, way.y) / surface.pixel_m());
   double top_m = 0.0;
@@ -96,7 +96,7 @@ double top_between(const models::RefinedRelief& surface, Vec3 from, Vec3 to) {
 
 /// Whether a path connects two points over ground nowhere higher than `ceiling_m`, within 3 mm of the
 /// straight path: a breadth-first search on a grid of half pixels.
-bool path_leads_around(const models::RefinedRelief& surface, Vec3 from, Vec3 to, double ceiling_m) {
+bool path_leads_around(const models::Relief& surface, Vec3 from, Vec3 to, double ceiling_m) {
   constexpr double kRound_m = 0.003;
   const double step_m = 0.5 * surface.pixel_m();
   const double left_m = std::min(from.x, to.x) - kRound_m;
@@ -129,7 +129,7 @@ bool path_leads_around(const models::RefinedRelief& surface, Vec3 from, Vec3 to,
 
 /// Whether the first share `end` of the straight path from the proxy's last position to the hand is in free
 /// air.
-bool is_clear(const models::RefinedRelief& surface, Vec3 from, Vec3 hand, double end) {
+bool is_clear(const models::Relief& surface, Vec3 from, Vec3 hand, double end) {
   constexpr double kTolerance_m = 1e-6;
   const Vec3 way = end * (hand - from);
   const int steps = 1 + static_cast<int>(4.0 * std::hypot(way.x, way.y) / surface.pixel_m());
@@ -143,7 +143,7 @@ bool is_clear(const models::RefinedRelief& surface, Vec3 from, Vec3 hand, double
 /// Whether a proxy jumped through an obstacle: between the two points the surface rises above both by more
 /// than half of its height over the ground, no path leads around it, and the straight path to the hand was
 /// blocked. (The proxy may go around a spike within a tick, but not around a wall.)
-bool jumps_through(const models::RefinedRelief& surface, Vec3 from, Vec3 to, Vec3 hand) {
+bool jumps_through(const models::Relief& surface, Vec3 from, Vec3 to, Vec3 hand) {
   if (std::hypot(to.x - from.x, to.y - from.y) <= surface.pixel_m()) return false;
   constexpr double kLeast_m = 0.0005;
   const double ends_m = std::max(from.z, to.z);
@@ -225,7 +225,7 @@ Result<void> check(const TrajectoryStudyOptions& o) {
 
 /// One ground with one law, which many trajectories share.
 struct Variant {
-  models::RefinedRelief surface;
+  std::shared_ptr<const models::Relief> surface;
   std::shared_ptr<const haptics::Touchable> touchable;
 };
 
@@ -243,7 +243,7 @@ Result<Variant> variant_of(int ground, const TrajectoryStudyOptions& options, st
   haptics::DilatedRelief dilated;
   auto touchable = haptics::make_touchable(scene, p, &dilated);
   if (!touchable) return touchable.error();
-  if (*p.radius_m > 0.0) return Variant{*dilated.surface, *touchable};
+  if (*p.radius_m > 0.0) return Variant{dilated.surface, *touchable};
   return Variant{*relief, *touchable};
 }
 
@@ -276,9 +276,8 @@ Result<std::shared_ptr<const models::Relief>> obstacle_relief(std::uint64_t seed
   return std::make_shared<const models::Relief>(std::move(*relief));
 }
 
-TrajectoryFindings follow_trajectory(const haptics::Touchable& touchable,
-                                     const models::RefinedRelief& surface, std::uint64_t seed,
-                                     const TrajectoryStudyOptions& options) {
+TrajectoryFindings follow_trajectory(const haptics::Touchable& touchable, const models::Relief& surface,
+                                     std::uint64_t seed, const TrajectoryStudyOptions& options) {
   TrajectoryFindings findings;
   haptics::TouchState state;
   RandomHand hand(seed, surface, options.fastest_m_per_s);
@@ -325,7 +324,7 @@ Result<TrajectoryFindings> study_trajectories(const TrajectoryStudyOptions& opti
       for (int k = from; k < to && !work.cancelled(); ++k) {
         const std::int64_t number = first + k;
         TrajectoryFindings one = follow_trajectory(
-            *variant->touchable, variant->surface,
+            *variant->touchable, *variant->surface,
             work.seed * 0x9E3779B97F4A7C15ULL + static_cast<std::uint64_t>(number), options);
         for (LargeStep& step : one.largest) step.trajectory = number;
         add(one, options.listed, part);

@@ -4,7 +4,6 @@
 
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
-#include "palpable/models/relief/refined_relief.hpp"
 #include "palpable/models/relief/relief.hpp"
 
 #include <cstdint>
@@ -93,8 +92,7 @@ Result<TrajectoryFindings> study_trajectories(const TrajectoryStudyOptions& opti
 
 /// One trajectory of options.ticks ticks; its number is left 0. `surface` is the surface that holds the
 /// proxy: the relief, or the relief dilated by the ball.
-TrajectoryFindings follow_trajectory(const haptics::Touchable& touchable,
-                                     const models::RefinedRelief& surface, std::uint64_t seed,
-                                     const TrajectoryStudyOptions& options);
+TrajectoryFindings follow_trajectory(const haptics::Touchable& touchable, const models::Relief& surface,
+                                     std::uint64_t seed, const TrajectoryStudyOptions& options);
 
 }  // namespace palpable::study

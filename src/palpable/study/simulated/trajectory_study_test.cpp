@@ -80,7 +80,7 @@ TEST(TrajectoryStudy, DetectsALawThatLetsTheHandThrough) {
   TrajectoryStudyOptions options;
   options.fastest_m_per_s = 5.0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    const auto one = follow_trajectory(law, relief, seed, options);
+    const auto one = follow_trajectory(law, *relief, seed, options);
     sum.let_through += one.let_through;
     sum.jumped_through += one.jumped_through;
     sum.large_steps += one.large_steps;
@@ -114,7 +114,7 @@ RC_GTEST_PROP(ProxyLaw, LetsNoStrokeThroughAnyGroundWithAnyFrictionOrBall, ()) {
   options.ticks = 300;
   options.stiffness_N_per_m = *p.stiffness_N_per_m;
   options.fastest_m_per_s = 0.01 * *rc::gen::inRange(1, 101);
-  const auto found = follow_trajectory(**haptics::make_touchable(scene, p), relief, stroke, options);
+  const auto found = follow_trajectory(**haptics::make_touchable(scene, p), *relief, stroke, options);
   RC_ASSERT(found.let_through == 0);
   RC_ASSERT(found.jumped_through == 0);
   RC_ASSERT(found.proxy_below_surface == 0);
