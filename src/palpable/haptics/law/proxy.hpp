@@ -48,6 +48,7 @@ class ProxyLaw : public ContactLaw<Surface> {
     output.stored_J = 0.0;
     if (!output.contact) {
       state.memory.texture.share = 0.0;
+      if (proxy.crossed_m > 0.0) add_crossing(hand, contact, proxy, output);
       return output;
     }
     const Vec3 stretched = proxy.place_m - hand.position.v;
@@ -81,6 +82,18 @@ class ProxyLaw : public ContactLaw<Surface> {
   }
 
  private:
+  /// A crest that the hand cut within this tick, and over which the proxy slid to the hand: a contact at the
+  /// place where the hand entered it. The spring was compressed by no more than the depth of the cut, and
+  /// acts against the hand's way.
+  static void add_crossing(const Hand& hand, const Contact& contact, const SurfaceProxy& proxy,
+                           LawOutput& output) noexcept {
+    output.contact = true;
+    output.proxy.v = proxy.crossed_at_m;
+    output.force_N.v = contact.stiffness_N_per_m * proxy.crossed_m * unit(output.proxy.v - hand.position.v);
+    output.spring_N = output.force_N;
+    output.stored_J = 0.5 * contact.stiffness_N_per_m * proxy.crossed_m * proxy.crossed_m;
+  }
+
   Textures textures_;
 };
 

@@ -111,10 +111,13 @@ void wander(std::span<const Ground> grounds, const Room& room, std::mt19937_64& 
       is_free = ground->height_over(last + (static_cast<double>(k) / kBetween) * (p - last)) > kMargin_m;
     findings.pushed_in_air += is_free && force_N > 0.0 ? 1 : 0;
     is_free = is_free || (!inside && !output.contact);
-    // Releasing a hand into free air at once is not counted as a kick.
+    // Releasing a hand into free air at once is not counted as a kick, nor if its path cut a crest: then the
+    // spring is weaker than the distance to the place of that contact.
     const double moved_m = norm(p - last) + norm(output.proxy - before.proxy);
     const double step_N = norm(output.force_N - before.force_N);
-    if (n > 0 && !changes && output.contact && step_N > 1.05 * kStrokeStiffness_N_per_m * moved_m + 1e-6)
+    const bool is_held = force_N > 0.99 * kStrokeStiffness_N_per_m * norm(output.proxy.v - p);
+    if (n > 0 && !changes && output.contact && is_held &&
+        step_N > 1.05 * kStrokeStiffness_N_per_m * moved_m + 1e-6)
       ++findings.kicked;
     before = output;
     last = p;

@@ -36,6 +36,11 @@ struct SurfaceProxy {
   /// The previous tick moved the proxy against friction: the dynamic coefficient applies.
   bool slipping = false;
 
+  /// How deep the hand was in this tick, if its path cut a crest over which the proxy slid to the hand, which
+  /// is in the air; else 0. And where it entered it.
+  double crossed_m = 0.0;
+  Vec3 crossed_at_m;
+
   bool holds_the_hand() const noexcept { return phase == Phase::touching; }
 
   /// Puts the proxy in contact on the surface, of which `s` is the sample at x_m, y_m.

@@ -5,11 +5,13 @@
 #include "palpable/core/frame.hpp"
 #include "palpable/haptics/proxy/hand_over.hpp"
 #include "palpable/haptics/proxy/surface_flight.hpp"
+#include "palpable/haptics/proxy/surface_path.hpp"
 #include "palpable/models/relief/nearest_step.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 namespace palpable::haptics {
 
@@ -35,49 +37,21 @@ class ProxyFollower {
 
   /// Moves the proxy by one tick; `hand` is the hand's position, finite.
   void follow(Point<SceneFrame> hand, SurfaceProxy& proxy) const noexcept {
-    const Vec3 hand_m = hand.v;
-    if (proxy.phase == SurfaceProxy::Phase::fresh) begin(hand_m, proxy);
-    const double moved_m = norm(hand_m - proxy.hand_m);
-    const double longest_m = std::max(surface_.pixel_m(), 0.5 * moved_m);
-    proxy.hand_m = hand_m;
-    int evaluations = kEvaluations + static_cast<int>(std::min(kPerPixel * moved_m / surface_.pixel_m(),
-                                                               1.0 * kMaxEvaluations));
+    if (proxy.phase == SurfaceProxy::Phase::fresh) begin(hand.v, proxy);
     const SurfaceProxy before = proxy;
-    // A slide may leave the surface, and the free path may meet it again, as between the walls of a narrow
-    // valley.
-    bool met = false;
-    Reach reach = Reach::whole_way;
-    Vec3 flown_from = proxy.place_m;
-    for (;;) {
-      if (proxy.phase == SurfaceProxy::Phase::free) {
-        flown_from = proxy.place_m;
-        met = fly(hand_m, longest_m, reach, proxy, evaluations) == Flown::met;
-        if (!met) break;
-      }
-      const Vec3 from = proxy.place_m;
-      const Slid slid = longest_m > surface_.pixel_m()
-                            ? slide<Steps::longer>(hand_m, longest_m, proxy, evaluations)
-                            : slide<Steps::pixels>(hand_m, longest_m, proxy, evaluations);
-      // If every attempt to continue is blocked, the proxy stays in contact.
-      if (slid == Slid::rests || (met && evaluations <= 0)) return;
-      const bool moved = proxy.place_m != from;
-      const bool is_under = is_below(hand_m);
-      if (is_under && (moved || slid == Slid::unfinished)) return;
-      if (passes_over({from.z, proxy.place_m.z, hand_m.z}, most_over_m(longest_m))) return;
-      // Only a hand in free air must be reached in this tick.
-      reach = is_under ? Reach::short_way : Reach::whole_way;
-      const SurfaceProxy there = proxy;
-      proxy.phase = SurfaceProxy::Phase::free;
-      proxy.clearance_m = 0.0;
-      if (!moved) continue;
-      // It moves on to another surface point only in the next tick. Otherwise it would climb over a wall and
-      // come down behind it in one tick.
-      flown_from = proxy.place_m;
-      if (fly(hand_m, longest_m, reach, proxy, evaluations) != Flown::met) break;
-      proxy = there;
-      return;
-    }
-    if (proxy.place_m != hand_m) hold(hand_m, before, flown_from, longest_m, proxy);
+    const double moved_m = norm(hand.v - proxy.hand_m);
+    proxy.hand_m = hand.v;
+    proxy.crossed_m = 0.0;
+    Tick tick;
+    tick.hand_m = hand.v;
+    tick.longest_m = std::max(surface_.pixel_m(), 0.5 * moved_m);
+    tick.evaluations = kEvaluations + static_cast<int>(std::min(kPerPixel * moved_m / surface_.pixel_m(),
+                                                                1.0 * kMaxEvaluations));
+    if (!reaches_hand(before, proxy, tick)) return;
+    // The proxy is free, at the hand. Did the hand cut the surface on its way? If it was under the surface,
+    // after it left that.
+    if (!before.holds_the_hand() && !tick.met) return;
+    note_crossing(before, proxy, tick);
   }
 
   /// Takes over the proxy of another surface: it moves straight down, or, if it is below this surface, to the
@@ -110,8 +84,124 @@ class ProxyFollower {
   /// 1 + slope^2 above which a step is at most a pixel: half-way up a wall a longer one might pass over its
   /// top.
   static constexpr double kSteep2 = 2.0;
+  /// A contact within this distance of a place is at this place.
+  static constexpr double kReturned_m = 1e-5;
+  /// The difference from a parabola, as a share of what the distance loses, from which a step is examined.
+  static constexpr double kUneven = 0.5;
+  /// Steps shorter than this share of a pixel are not checked for crests.
+  static constexpr double kSure_px = 0.01;
   /// At this distance from its final position the proxy rests: 0.05 mN at 500 N/m.
   static constexpr double kTolerance_m = 1e-7;
+
+  /// What the parts of a tick share.
+  struct Tick {
+    Vec3 hand_m;
+    double longest_m = 0.0;
+    int evaluations = 0;
+    bool met = false;
+    /// Where the flight along the hand's path met it first, if it did.
+    models::PathEntry entry;
+    /// The proxy when it last left the surface.
+    std::optional<SurfaceProxy> left;
+  };
+
+  /// Moves the proxy towards the hand, as far as the surface lets it; true if it is free and at the hand
+  /// then.
+  bool reaches_hand(const SurfaceProxy& before, SurfaceProxy& proxy, Tick& tick) const noexcept {
+    const Vec3 hand_m = tick.hand_m;
+    const double longest_m = tick.longest_m;
+    // A slide may leave the surface, and the free path may meet it again, as between the walls of a narrow
+    // valley.
+    bool met = false;
+    Reach reach = Reach::whole_way;
+    Vec3 flown_from = proxy.place_m;
+    for (;;) {
+      if (proxy.phase == SurfaceProxy::Phase::free) {
+        flown_from = proxy.place_m;
+        SurfaceFlight<Surface> flight(surface_, proxy, hand_m);
+        met = flight.fly(reach, tick.evaluations) == Flown::met;
+        if (!met) break;
+        if (!tick.met) tick.entry = flight.entry();
+        tick.met = true;
+      }
+      const Vec3 from = proxy.place_m;
+      const Slid slid = longest_m > surface_.pixel_m()
+                            ? slide<Steps::longer>(hand_m, longest_m, proxy, tick.evaluations)
+                            : slide<Steps::pixels>(hand_m, longest_m, proxy, tick.evaluations);
+      // If every attempt to continue is blocked, the proxy stays in contact.
+      if (slid == Slid::rests || (met && tick.evaluations <= 0)) return false;
+      const bool moved = proxy.place_m != from;
+      const bool is_under = is_below(hand_m);
+      if (is_under && (moved || slid == Slid::unfinished)) return false;
+      if (passes_over({from.z, proxy.place_m.z, hand_m.z}, most_over_m(longest_m))) return false;
+      // Only a hand in free air must be reached in this tick.
+      reach = is_under ? Reach::short_way : Reach::whole_way;
+      tick.left = proxy;
+      proxy.phase = SurfaceProxy::Phase::free;
+      proxy.clearance_m = 0.0;
+      if (!moved) continue;
+      // It moves on to another surface point only in the next tick. Otherwise it would climb over a wall and
+      // come down behind it in one tick.
+      flown_from = proxy.place_m;
+      if (fly(hand_m, reach, proxy, tick.evaluations) != Flown::met) break;
+      proxy = *tick.left;
+      return false;
+    }
+    if (proxy.place_m == hand_m) return true;
+    hold(hand_m, before, flown_from, longest_m, proxy);
+    return false;
+  }
+
+  /// For a proxy that is free, at a hand in the air whose path in this tick may have cut the surface: the
+  /// contact of the cut. A proxy that was in contact goes back to where the hand entered, and may be held.
+  [[gnu::noinline]] void note_crossing(const SurfaceProxy& before, SurfaceProxy& proxy,
+                                       Tick& tick) const noexcept {
+    const SurfacePath<Surface> path(surface_, before.hand_m, tick.hand_m);
+    int cells = 2 * SurfacePath<Surface>::kMostCells;
+    if (before.holds_the_hand()) {
+      const double out = is_below(before.hand_m) ? path.leaves_at(0.0, cells) : 0.0;
+      const Vec3 way = path.way();
+      const double shrinks_m = std::hypot(way.x, way.y) * surface_.steepest_slope() + std::max(0.0, -way.z);
+      tick.entry = path.follow(out, shrinks_m, cells).entry;
+      if (!tick.entry.is_found) return;
+    }
+    const models::PathPart cut{tick.entry.part.from, path.leaves_at(tick.entry.part.to, cells)};
+    Vec3 at_m = path.at(cut.from);
+    if (before.holds_the_hand()) {
+      // A hand that comes back through a wall to its proxy was held until then, where the proxy is.
+      const Vec3 left_m = tick.left->place_m;
+      if (!returns_to(at_m, proxy, tick)) at_m = left_m;
+      if (!reaches_hand(before, proxy, tick)) return;
+    }
+    at_m.z = std::max(at_m.z, surface_.sample(at_m.x, at_m.y).z_m);
+    proxy.crossed_at_m = at_m;
+    proxy.crossed_m = std::min(depth_of(path, cut, -tick.entry.below_m), norm(at_m - tick.hand_m));
+  }
+
+  /// How deep a path is in a part of it that is below the surface: at least `deepest_m`, and at three places.
+  /// No place of a chord is farther from the air than half its length.
+  double depth_of(const SurfacePath<Surface>& path, const models::PathPart& cut,
+                  double deepest_m) const noexcept {
+    const double length = cut.to - cut.from;
+    for (const double share : {0.25, 0.5, 0.75}) {
+      const Vec3 p = path.at(cut.from + share * length);
+      deepest_m = std::max(deepest_m, surface_.sample(p.x, p.y).z_m - p.z);
+    }
+    return std::min(deepest_m, 0.5 * length * norm(path.way()));
+  }
+
+  /// Leads the proxy from where it left the surface in this tick to the place where the hand cut it again;
+  /// false if it meets the surface before.
+  [[gnu::noinline]] bool returns_to(Vec3 entry_m, SurfaceProxy& proxy, Tick& tick) const noexcept {
+    proxy = *tick.left;
+    proxy.phase = SurfaceProxy::Phase::free;
+    proxy.clearance_m = 0.0;
+    if (fly(entry_m, Reach::whole_way, proxy, tick.evaluations) == Flown::met)
+      return norm(proxy.place_m - entry_m) < kReturned_m;
+    const Vec3 at = proxy.place_m;
+    proxy.rest(at.x, at.y, surface_.curved_sample(at.x, at.y));
+    return true;
+  }
 
   /// Heights along a path: at its start, its maximum, and at its end.
   struct Climb {
@@ -165,9 +255,8 @@ class ProxyFollower {
 
   bool is_below(Vec3 p) const noexcept { return p.z < surface_.sample(p.x, p.y).z_m; }
 
-  Flown fly(Vec3 hand_m, double longest_m, Reach reach, SurfaceProxy& proxy,
-            int& evaluations) const noexcept {
-    return SurfaceFlight<Surface>(surface_, proxy, hand_m, most_over_m(longest_m)).fly(reach, evaluations);
+  Flown fly(Vec3 to_m, Reach reach, SurfaceProxy& proxy, int& evaluations) const noexcept {
+    return SurfaceFlight<Surface>(surface_, proxy, to_m).fly(reach, evaluations);
   }
 
   /// Called if a flight stopped on its way to the hand, since a tick has no more evaluations. If the hand is
@@ -208,6 +297,23 @@ class ProxyFollower {
     if (static_cast<double>(bounds.highest) <= place.z + length_m) return;
     dx *= surface_.pixel_m() / length_m;
     dy *= surface_.pixel_m() / length_m;
+  }
+
+  /// Whether a step passes over a crest that would hold a proxy back: then the squared distance to the hand
+  /// falls, grows and falls again. It is examined only where the distances and their changes at the two ends
+  /// are not nearly those of a parabola, whose changes sum to twice the difference.
+  bool passes_crest(Vec3 place, const models::CurvedSample& s, Vec3 next, const models::CurvedSample& there,
+                    Vec3 hand_m) const noexcept {
+    const Vec3 step = next - place;
+    const Vec3 d = hand_m - place;
+    const Vec3 e = hand_m - next;
+    const double falls = squared_norm(d) - squared_norm(e);
+    const double at_start = step.x * (d.x + d.z * s.dzdx) + step.y * (d.y + d.z * s.dzdy);
+    const double at_end = step.x * (e.x + e.z * there.dzdx) + step.y * (e.y + e.z * there.dzdy);
+    const double least2 = kSure_px * kSure_px * surface_.pixel_m() * surface_.pixel_m();
+    return std::abs(at_start + at_end - falls) > kUneven * falls &&
+           step.x * step.x + step.y * step.y > least2 &&
+           !keeps_approaching(surface_, place, step.x, step.y, hand_m);
   }
 
   /// Whether the hand is in free air beside the crest on which the proxy is (offset `d`, sample `s`):
@@ -270,7 +376,8 @@ class ProxyFollower {
       const bool over_a_top = kSteps == Steps::longer &&
                               dx * dx + dy * dy > surface_.pixel_m() * surface_.pixel_m() &&
                               s.dzdx * dx + s.dzdy * dy > 0.0 && next.dzdx * dx + next.dzdy * dy < 0.0;
-      if (over_a_top || squared_norm(hand_m - Vec3{x, y, next.z_m}) >= whole2) {
+      if (over_a_top || squared_norm(hand_m - Vec3{x, y, next.z_m}) >= whole2 ||
+          passes_crest(place, s, {x, y, next.z_m}, next, hand_m)) {
         // Too far: the surface is curved. Steps shorter than the tolerance are not tried.
         shorter *= 0.25;
         if (dx * dx + dy * dy < kTolerance_m * kTolerance_m) {

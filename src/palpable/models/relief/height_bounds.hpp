@@ -29,7 +29,8 @@ class HeightBounds {
   explicit HeightBounds(const Raster<float>& control_values);
 
   /// The bounds over x0 <= x <= x1, y0 <= y <= y1 in pixels (sample centres at integers, any finite values);
-  /// the slope in height per pixel. Reads at most four blocks. Tick path.
+  /// the slope in height per pixel. Reads at most four blocks. Tick
+  /// path.
   SurfaceBounds over(double x0_px, double y0_px, double x1_px, double y1_px) const noexcept;
 
   std::size_t memory_bytes() const noexcept { return blocks_.size() * sizeof(SurfaceBounds); }
@@ -48,12 +49,15 @@ class HeightBounds {
   std::vector<Level> levels_;
 };
 
-/// A height field with bounds over rectangles (metres), by which a law checks a long path at once. Never
-/// allocates, locks or throws.
+/// A height field with bounds over rectangles (metres), by which a law checks a long path at once, and with
+/// its exact height under a path in each cell. Never allocates, locks or throws.
 template <class M>
-concept BoundedHeightField = CurvedHeightField<M> && requires(const M& m, double x_m, double y_m) {
+concept BoundedHeightField = CurvedHeightField<M> && requires(const M& m, double x_m, double y_m, Vec3 p) {
   { m.bounds_over(x_m, y_m, x_m, y_m) } -> std::same_as<SurfaceBounds>;
-  requires noexcept(m.bounds_over(x_m, y_m, x_m, y_m));
+  { m.cell_walk(p, p) } -> std::same_as<CellWalk>;
+  { m.path_heights(p, p) } -> std::same_as<PathHeights>;
+  requires noexcept(m.bounds_over(x_m, y_m, x_m, y_m))&& noexcept(m.cell_walk(p, p))&& noexcept(
+      m.path_heights(p, p));
 };
 
 /// A relief with bounds of its surface, which take a sixth of its memory. Immutable; any thread.
@@ -70,6 +74,8 @@ class BoundedRelief {
   CurvedSample curved_sample(double x_m, double y_m) const noexcept {
     return relief_->curved_sample(x_m, y_m);
   }
+  PathHeights path_heights(Vec3 a, Vec3 b) const noexcept { return relief_->path_heights(a, b); }
+  CellWalk cell_walk(Vec3 a, Vec3 b) const noexcept { return relief_->cell_walk(a, b); }
   [[gnu::always_inline]] void prefetch(double x_m, double y_m) const noexcept { relief_->prefetch(x_m, y_m); }
   double steepest_slope() const noexcept { return relief_->steepest_slope(); }
   double pixel_m() const noexcept { return relief_->pixel_m(); }

@@ -5,6 +5,8 @@
 #include "palpable/core/frame.hpp"
 #include "palpable/core/picture/raster.hpp"
 #include "palpable/core/result.hpp"
+#include "palpable/core/vec3.hpp"
+#include "palpable/models/relief/path_heights.hpp"
 #include "palpable/models/relief/spline_block.hpp"
 
 #include <array>
@@ -65,6 +67,16 @@ class Relief {
 
   /// The same with the exact second derivatives, at little more cost. Tick path.
   CurvedSample curved_sample(double x_m, double y_m) const noexcept;
+
+  /// The height of the straight path from a to b above the surface, both in one cell or on its border (of
+  /// cell_walk()). Tick path.
+  PathHeights path_heights(Vec3 a, Vec3 b) const noexcept;
+
+  /// Steps from cell to cell along the path from a to b, any finite values.
+  CellWalk cell_walk(Vec3 a, Vec3 b) const noexcept {
+    return {middle_x_px_ + a.x * pixels_per_m_, middle_y_px_ - a.y * pixels_per_m_,
+            (b.x - a.x) * pixels_per_m_, (a.y - b.y) * pixels_per_m_};
+  }
 
   /// Prefetches the samples for a later query at this position, without waiting. Tick path.
   void prefetch(double x_m, double y_m) const noexcept;
@@ -143,6 +155,19 @@ inline CurvedSample Relief::curved_sample(double x_m, double y_m) const noexcept
           value.right_right * (s * s),
           -value.right_down * (s * s),
           value.down_down * (s * s)};
+}
+
+inline PathHeights Relief::path_heights(Vec3 a, Vec3 b) const noexcept {
+  std::array<float, 16> copy;
+  const Vec3 half = 0.5 * (b - a);
+  SplinePlace place = place_at(a.x + half.x, a.y + half.y, copy);
+  const double right = half.x * pixels_per_m_;
+  const double down = -half.y * pixels_per_m_;
+  const double end_right = place.right + right;
+  const double end_down = place.down + down;
+  place.right -= right;
+  place.down -= down;
+  return PathHeights(SplineBlock(place).path_above(end_right, end_down, a.z, b.z - a.z));
 }
 
 }  // namespace palpable::models

@@ -53,6 +53,38 @@ class SplineBlock {
     return {double{base_} + s[0], s[1], s[2], 0.0, 0.0, 0.0};
   }
 
+  /// The height of a straight path above the surface, from the position to another one of the same cell (its
+  /// fractions; both may be beyond the border by rounding): a polynomial of degree 6, by its Bernstein
+  /// coefficients, the last one twice. The path begins at `from_z` and rises by `rise`. By blossoming
+  /// (Ramshaw 1989): first the bicubic patch over the rectangle of which the path is the diagonal, then the
+  /// diagonal.
+  std::array<float, 8> path_above(double right, double down, double from_z, double rise) const noexcept {
+    constexpr Float4 kThrees{1.0F, 3.0F, 3.0F, 1.0F};
+    const std::array<Float4, 4> across = bezier_weights(right_, splat(static_cast<float>(right)));
+    const std::array<Float4, 4> downwards = bezier_weights(down_, splat(static_cast<float>(down)));
+    const Float4 row0 = kThrees * bezier_row<0>(downwards, across);
+    const Float4 row1 = 3.0F * kThrees * bezier_row<1>(downwards, across);
+    const Float4 row2 = 3.0F * kThrees * bezier_row<2>(downwards, across);
+    const Float4 row3 = kThrees * bezier_row<3>(downwards, across);
+    // The product of the Bernstein polynomials i and j of degree 3 is a multiple of number i + j of degree 6.
+    const Float4 zero{};
+    const Float4 low =
+        (row0 + __builtin_shufflevector(row1, zero, 4, 0, 1, 2)) +
+        (__builtin_shufflevector(row2, zero, 4, 4, 0, 1) + __builtin_shufflevector(row3, zero, 4, 4, 4, 0));
+    const Float4 high =
+        __builtin_shufflevector(row1, zero, 3, 4, 4, 4) +
+        (__builtin_shufflevector(row2, zero, 2, 3, 4, 4) + __builtin_shufflevector(row3, zero, 1, 2, 3, 3));
+    const Float4 from = splat(static_cast<float>(from_z - double{base_}));
+    const auto step = static_cast<float>(rise / 6.0);
+    const std::array<Float4, 2> above{
+        from + Float4{0.0F, 1.0F, 2.0F, 3.0F} * step -
+            low * Float4{1.0F, 1.0F / 6.0F, 1.0F / 15.0F, 1.0F / 20.0F},
+        from + Float4{4.0F, 5.0F, 6.0F, 6.0F} * step - high * Float4{1.0F / 15.0F, 1.0F / 6.0F, 1.0F, 1.0F}};
+    std::array<float, 8> coefficients;
+    std::memcpy(coefficients.data(), above.data(), sizeof(coefficients));
+    return coefficients;
+  }
+
   SplineValue evaluate_with_curvature() const noexcept {
     const Float4 values = combined(weights(down_));
     const Float4 slopes = combined(slope_weights(down_));
@@ -87,6 +119,31 @@ class SplineBlock {
   }
   static Float4 curvature_weights(Float4 t) noexcept {
     return Float4{1.0F, -2.0F, 1.0F, 0.0F} + Float4{-1.0F, 3.0F, -3.0F, 1.0F} * t;
+  }
+
+  /// The weights of each control value (first index) in the four Bezier points of the cubic between two
+  /// positions: the blossoms of the weights above.
+  static std::array<Float4, 4> bezier_weights(Float4 from, Float4 to) noexcept {
+    constexpr float k = 1.0F / 6.0F;
+    const Float4 a{from[0], from[0], from[0], to[0]};
+    const Float4 b{from[0], from[0], to[0], to[0]};
+    const Float4 c{from[0], to[0], to[0], to[0]};
+    const Float4 sum = a + b + c;
+    const Float4 pairs = a * b + (a + b) * c;
+    const Float4 all = a * b * c;
+    const Float4 one = splat(1.0F);
+    return {splat(k) * (one - sum + pairs - all), splat(k) * (splat(4.0F) - 2.0F * pairs + 3.0F * all),
+            splat(k) * (one + sum + pairs - 3.0F * all), splat(k) * all};
+  }
+
+  /// Row `j` of the patch's Bezier points.
+  template <int j>
+  Float4 bezier_row(const std::array<Float4, 4>& downwards,
+                    const std::array<Float4, 4>& across) const noexcept {
+    const Float4 row = (spread<j>(downwards[0]) * rows_[0] + spread<j>(downwards[1]) * rows_[1]) +
+                       (spread<j>(downwards[2]) * rows_[2] + spread<j>(downwards[3]) * rows_[3]);
+    return (spread<0>(row) * across[0] + spread<1>(row) * across[1]) +
+           (spread<2>(row) * across[2] + spread<3>(row) * across[3]);
   }
 
   Float4 combined(Float4 w) const noexcept {

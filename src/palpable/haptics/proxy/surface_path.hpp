@@ -1,0 +1,174 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/vec3.hpp"
+#include "palpable/models/relief/height_bounds.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace palpable::haptics {
+
+/// A straight path over or through a height field, judged exactly: in each cell that it passes, its height
+/// above the surface is a polynomial (models::PathHeights). Nothing is sampled, so nothing is missed between
+/// two places. Tick path.
+template <models::BoundedHeightField Surface>
+class SurfacePath {
+ public:
+  /// Cuts that are nowhere deeper may be missed, except at the path's end.
+  static constexpr float kIgnored_m = 1e-6F;
+  /// Most cells of a path in one tick: 4 mm over pixels of 0.05 mm, diagonally.
+  static constexpr int kMostCells = 160;
+
+  /// How far a path was followed. Where no entry is found, it is clear to `clear_to` and at least `above_m`
+  /// above the surface there.
+  struct Followed {
+    models::PathEntry entry;
+    double clear_to = 0.0;
+    double above_m = 0.0;
+  };
+
+  SurfacePath(const Surface& surface, Vec3 from, Vec3 to) noexcept
+      : surface_(surface), from_(from), way_(to - from), to_(to) {
+    const double pixels = std::hypot(way_.x, way_.y) / surface.pixel_m();
+    stretch_ = pixels > kStretch ? kStretch / pixels : 1.0;
+  }
+
+  Vec3 at(double share) const noexcept { return share < 1.0 ? from_ + share * way_ : to_; }
+  Vec3 way() const noexcept { return way_; }
+  Vec3 to() const noexcept { return to_; }
+
+  /// Follows the path from the share `from`, where it is above the surface, until it enters it. `shrinks_m`:
+  /// a bound of what its height above the surface loses over the whole path. `cells` is reduced by the cells
+  /// and blocks that are looked at; without any left the path is followed no farther.
+  Followed follow(double from, double shrinks_m, int& cells) const noexcept {
+    Followed followed{{}, from, 0.0};
+    while (followed.clear_to < 1.0 && cells > 0) {
+      const models::PathPart part{followed.clear_to, std::min(1.0, followed.clear_to + stretch_)};
+      if (stretch_ < 1.0 && is_above_all(part, followed, cells)) continue;
+      walk(
+          part, 1.0F, cells,
+          [&](const models::PathHeights& heights, double share) {
+            followed.clear_to = share;
+            followed.above_m = double{heights.last()};
+            const double spare_m = followed.above_m - shrinks_m * (1.0 - share);
+            if (spare_m <= 0.0) return false;
+            followed.clear_to = 1.0;
+            followed.above_m = spare_m;
+            return true;
+          },
+          followed.entry);
+      if (followed.entry.is_found) break;
+    }
+    return followed;
+  }
+
+  /// The share from which the path, below the surface at the share `from`, is above it; 1 if it is nowhere,
+  /// or `cells` do not suffice.
+  double leaves_at(double from, int& cells) const noexcept {
+    models::PathEntry exit;
+    walk(
+        {from, 1.0}, -1.0F, cells, [](const models::PathHeights&, double) { return false; }, exit);
+    return exit.is_found ? exit.part.to : 1.0;
+  }
+
+ private:
+  /// Pixels of path whose blocks of bounds are looked at together: longer ones are too coarse.
+  static constexpr double kStretch = 16.0;
+
+  bool is_above_all(const models::PathPart& part, Followed& followed, int& cells) const noexcept {
+    --cells;
+    const Vec3 a = at(part.from);
+    const Vec3 b = at(part.to);
+    const double above_m =
+        std::min(a.z, b.z) - static_cast<double>(surface_.bounds_over(a.x, a.y, b.x, b.y).highest);
+    if (above_m <= 0.0) return false;
+    followed.clear_to = part.to;
+    followed.above_m = above_m;
+    return true;
+  }
+
+  /// Goes through the cells of a part, until `sign` times the path's height above the surface falls below
+  /// zero, or `done` returns true.
+  template <class Done>
+  void walk(const models::PathPart& part, float sign, int& cells, Done done,
+            models::PathEntry& entry) const noexcept {
+    const Vec3 a = at(part.from);
+    const Vec3 way = at(part.to) - a;
+    const double length = part.to - part.from;
+    models::CellWalk steps = surface_.cell_walk(a, a + way);
+    for (double begin = 0.0; begin < 1.0 && cells > 0; --cells) {
+      const double end = steps.next();
+      const models::PathHeights heights = surface_.path_heights(a + begin * way, a + end * way).times(sign);
+      entry = heights.entry(sign > 0.0F ? kIgnored_m : 0.0F);
+      if (entry.is_found) {
+        const double scale = length * (end - begin);
+        const double first = part.from + length * begin;
+        entry.part = {first + scale * entry.part.from, first + scale * entry.part.to};
+        return;
+      }
+      begin = end;
+      if (done(heights, end < 1.0 ? part.from + length * end : part.to)) return;
+    }
+  }
+
+  const Surface& surface_;
+  Vec3 from_;
+  Vec3 way_;
+  Vec3 to_;
+  double stretch_ = 1.0;
+};
+
+/// Whether a step on the surface from `place` by dx, dy keeps approaching the hand, up to its end or up to
+/// the nearest place on its way: then no crest lies between that would hold a proxy back. The derivative of
+/// the squared distance along the step is a polynomial of degree 11 in each cell; if its Bernstein
+/// coefficients show a place from which the distance may fall after it grew, the answer is no. Tick path.
+template <models::BoundedHeightField Surface>
+[[gnu::noinline]] bool keeps_approaching(const Surface& surface, Vec3 place, double dx, double dy,
+                                         Vec3 hand_m) noexcept {
+  using models::PathHeights;
+  // The share of a coefficient that rounding may make.
+  constexpr double kRounding = 1e-5;
+  constexpr std::size_t kDegree = 2 * PathHeights::kCount - 3;
+  constexpr std::array<double, PathHeights::kCount> kSixth{1, 6, 15, 20, 15, 6, 1};
+  constexpr std::array<double, PathHeights::kCount - 1> kFifth{1, 5, 10, 10, 5, 1};
+  constexpr std::array<double, kDegree + 1> kEleventh{1, 11, 55, 165, 330, 462, 462, 330, 165, 55, 11, 1};
+  const Vec3 a{place.x, place.y, hand_m.z};
+  const Vec3 way{dx, dy, 0.0};
+  models::CellWalk steps = surface.cell_walk(a, a + way);
+  bool has_grown = false;
+  for (double begin = 0.0; begin < 1.0;) {
+    const double end = steps.next();
+    const Vec3 from = a + begin * way;
+    const Vec3 piece = (end - begin) * way;
+    // The hand's height above the surface below the piece.
+    const auto above = surface.path_heights(from, from + piece).coefficients();
+    std::array<double, kDegree + 1> grows{};
+    // Unrolled, so that the sums stay in registers.
+#pragma GCC unroll 8
+    for (std::size_t j = 0; j + 1 < PathHeights::kCount; ++j) {
+      const double rises = kFifth[j] * 6.0 * (double{above[j + 1]} - double{above[j]});
+#pragma GCC unroll 8
+      for (std::size_t i = 0; i < PathHeights::kCount; ++i)
+        grows[i + j] += kSixth[i] * double{above[i]} * rises;
+    }
+    const double nears = dot(hand_m - from, piece);
+    const double bends = squared_norm(piece) / kDegree;
+    double most = 0.0;
+    for (std::size_t k = 0; k <= kDegree; ++k) {
+      grows[k] = grows[k] / kEleventh[k] - nears + bends * static_cast<double>(k);
+      most = std::max(most, std::abs(grows[k]));
+    }
+    for (const double rate : grows) {
+      if (has_grown && rate < -kRounding * most) return false;
+      has_grown = has_grown || rate > kRounding * most;
+    }
+    begin = end;
+  }
+  return true;
+}
+
+}  // namespace palpable::haptics
