@@ -160,8 +160,8 @@ class Inverse3::Link {
   /// Messages since the last position.
   std::atomic<unsigned> since_position_{0};
   bool writing_ = false;
-  /// The last command that was begun had a force.
-  bool pushes_ = false;
+  /// A command with a force was begun. A zero that was sent after it may not have been read, so it stays set.
+  bool has_pushed_ = false;
   /// Commands that were sent and not yet answered.
   int awaited_ = 0;
   std::string command_;
@@ -285,7 +285,7 @@ void Inverse3::Link::send() {
   const Vec3 force = in_flight_.valid ? in_flight_.force_N : Vec3{};
   command_ = inverse3_command(device_id_, force, options_.form, std::exchange(first_, false));
   writing_ = true;
-  pushes_ = force != Vec3{};
+  has_pushed_ = has_pushed_ || force != Vec3{};
   ++awaited_;
   socket_.async_write(asio::buffer(command_), [this](beast::error_code error, std::size_t) {
     writing_ = false;
@@ -301,7 +301,7 @@ void Inverse3::Link::lose(const std::string& how) {
   // A service that still writes into this connection would be held up by it, and answer no other.
   beast::error_code ignored;
   socket_.next_layer().close(ignored);
-  if (!pushes_) return;
+  if (!has_pushed_) return;
   constexpr int kAttempts = 10;
   const auto free = inverse3_command(device_id_, {}, options_.form, true);
   for (int n = 0; n < kAttempts && !send_anew(options_.port, free); ++n) {

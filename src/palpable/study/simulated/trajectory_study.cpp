@@ -161,6 +161,13 @@ struct Moment {
   haptics::LawOutput output;
 };
 
+/// Whether the contact is a crest that the hand cut within the tick: it is in the air again, and the spring
+/// is weaker than the distance to the place of the contact (docs/laws.md).
+bool is_cut(const Moment& now, double stiffness_N_per_m) {
+  const double whole_N = stiffness_N_per_m * norm(now.output.proxy.v - now.hand_m);
+  return now.output.contact && norm(now.output.force_N) < 0.99 * whole_N;
+}
+
 /// Classifies one change of the force.
 void classify_step(const Moment& before, const Moment& now, const TrajectoryStudyOptions& options,
                    LargeStep step, Vec3& written_N, TrajectoryFindings& findings) {
@@ -175,8 +182,8 @@ void classify_step(const Moment& before, const Moment& now, const TrajectoryStud
                                    .force_N.v);
   if (step.proxy_moved_m <= 2.0 * step.hand_moved_m) {
     findings.step_beyond_hand_motion += beyond ? 1 : 0;
-    findings.step_beyond_both_motions +=
-        step.force_step_N > k * (step.hand_moved_m + step.proxy_moved_m) + kTolerance_N ? 1 : 0;
+    const bool beyond_both = step.force_step_N > k * (step.hand_moved_m + step.proxy_moved_m) + kTolerance_N;
+    findings.step_beyond_both_motions += beyond_both && !is_cut(now, options.stiffness_N_per_m) ? 1 : 0;
     return;
   }
   if (!beyond) return;

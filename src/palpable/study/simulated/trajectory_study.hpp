@@ -69,7 +69,8 @@ struct TrajectoryFindings {
   /// Ticks with a force that is not finite.
   std::int64_t not_finite = 0;
   /// Ticks in which the proxy moved at most twice as far as the hand, and the force changed by more than
-  /// stiffness times the movement of both, plus 5 %.
+  /// stiffness times the movement of both, plus 5 %; without those whose contact is a crest that the hand cut
+  /// within the tick, a release into the air.
   std::int64_t step_beyond_both_motions = 0;
   /// The same with the movement of the hand alone.
   std::int64_t step_beyond_hand_motion = 0;
