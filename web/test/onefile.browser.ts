@@ -134,6 +134,21 @@ describe.skipIf(!possible)('a page that is a file', () => {
     await page.context().close();
   });
 
+  it('shows its picture from above', async () => {
+    const { page } = await open(at('relief.html'));
+    await running(page);
+    const shown = () =>
+      page.evaluate(() => {
+        const canvas = document.querySelector<HTMLCanvasElement>('#stage canvas')!;
+        const { data } = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height);
+        return data.filter((_, i) => i % 4 !== 3).reduce((sum, value) => sum + value, 0);
+      });
+    const withPicture = await shown();
+    await page.selectOption('#surface', 'clay');
+    await expect.poll(shown, { timeout: 10_000 }).not.toBe(withPicture);
+    await page.context().close();
+  });
+
   it('is touched by several fingers', async () => {
     const { page } = await open(at('relief.html'), { hasTouch: true, isMobile: true, viewport: { width: 320, height: 640 } });
     await running(page);
@@ -188,6 +203,16 @@ describe.skipIf(!possible)('a page that is a file', () => {
     const scene = text.indexOf('id="data-scene">') + 'id="data-scene">'.length + 4000;
     writeFileSync(at('damaged.html'), `${text.slice(0, scene)}AAAAAAAAAAAA${text.slice(scene + 12)}`);
     const { page } = await open(at('damaged.html'));
+    await page.getByRole('alert').filter({ hasText: 'This file is damaged' }).waitFor();
+    await page.context().close();
+  });
+
+  it('says that it is damaged when the browser refuses its program', async () => {
+    const text = readFileSync(at('relief.html'), 'utf8');
+    const script = text.indexOf('<script type="module">') + 2000;
+    expect(script).toBeGreaterThan(2000);
+    writeFileSync(at('refused.html'), `${text.slice(0, script)}${text[script] === 'x' ? 'y' : 'x'}${text.slice(script + 1)}`);
+    const { page } = await open(at('refused.html'));
     await page.getByRole('alert').filter({ hasText: 'This file is damaged' }).waitFor();
     await page.context().close();
   });

@@ -13,6 +13,7 @@ export class LocalProgram implements Program {
   private touch: TouchModule | null = null;
   /** When the touch was last advanced; null at rest. */
   private advancedAt: number | null = null;
+  private delivers = false;
 
   /** `opened`: the touch with its scene; it is rejected with the sentence to show. */
   constructor(
@@ -58,12 +59,21 @@ export class LocalProgram implements Program {
     if (moves) requestAnimationFrame(() => this.advance());
   }
 
+  /** A frame may make the page send a message, whose answers wait until the page has finished with that frame. */
   private deliver(touch: TouchModule): void {
-    for (const frame of touch.frames()) {
-      const read = typeof frame === 'string' ? readMessage(frame) : readRaster(frame);
-      if (typeof read === 'string') return this.receiver.closed({ sentence: `The page's parts do not fit together: ${read}.`, final: true });
-      if ('kind' in read && !('type' in read)) this.receiver.raster(read);
-      else this.receiver.message(read as ToPage);
+    if (this.delivers) return;
+    this.delivers = true;
+    try {
+      for (const frame of touch.frames()) this.deliverFrame(frame);
+    } finally {
+      this.delivers = false;
     }
+  }
+
+  private deliverFrame(frame: string | ArrayBuffer): void {
+    const read = typeof frame === 'string' ? readMessage(frame) : readRaster(frame);
+    if (typeof read === 'string') this.receiver.closed({ sentence: `The page's parts do not fit together: ${read}.`, final: true });
+    else if ('kind' in read && !('type' in read)) this.receiver.raster(read);
+    else this.receiver.message(read as ToPage);
   }
 }

@@ -10,6 +10,7 @@
 #include "palpable/models/relief/relief_shaping.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <string>
 #include <utility>
@@ -126,6 +127,7 @@ Rolled rolled(const models::Scene& scene, const device::HandOptions& options, bo
     while (events.take()) {
     }
   }
+  EXPECT_TRUE(std::isnan(tick.counts().since_zero_force_max_J)) << "the sum alone shows nothing";
   return {tick.counts().made_max_J, tick.counts().made_max_without_controller_J};
 }
 

@@ -133,7 +133,8 @@ struct TickCounts {
   double made_max_J = 0.0;
   double made_max_without_controller_J = 0.0;
   /// The most work on the hand since the written force was last zero (ShownWork), J: with what the hand
-  /// itself delivered in the same contact before a stall, so not all of it was generated.
+  /// itself delivered in the same contact before a stall, so not all of it was generated. NaN while no tick
+  /// was of a contact law: for others the work alone shows nothing.
   double since_zero_force_max_J = 0.0;
   /// Greatest energy that the rise limit withheld from a spring, J. The wall is weaker by that until the hand
   /// leaves it.
