@@ -26,6 +26,10 @@ constexpr auto kFirstAnswer = std::chrono::seconds(1);
 constexpr int kFirstAnswers = 5;
 constexpr auto kBeforeTorques = std::chrono::milliseconds(100);
 
+/// The first angles are those at home on a board that takes them from the setup; one that was moved
+/// meanwhile, or keeps older ones, is at most a workspace away: both links together.
+constexpr double kFarthestFromHome_deg = 120.0;
+
 /// Links turn less than this between two answers that follow each other.
 constexpr double kMostTurned_deg = 45.0;
 
@@ -148,7 +152,7 @@ bool TwoDiy::begin(std::array<float, 2> first_deg) noexcept {
   const double by_motor = off_by(first_deg, home(first), home(second));
   const double by_port = first.port == 1 ? by_motor : off_by(first_deg, home(second), home(first));
   ordered_by_motor_ = by_motor < by_port;
-  if (std::min(by_motor, by_port) > kMostTurned_deg) return false;
+  if (std::min(by_motor, by_port) > kFarthestFromHome_deg) return false;
   follow(first_deg);
   return has_place_;
 }

@@ -190,9 +190,12 @@ void expect_refused(const OtherPort::Answer& answer) {
   }
 }
 
-/// An answer with the angles at home, in the order of the ports.
-OtherPort::Bytes home_answer(const TwoDiyVariant& variant) {
+/// An answer with the angles at home, in the order of the ports; or with both links opened farther.
+OtherPort::Bytes home_answer(const TwoDiyVariant& variant, float opened_deg = 0.0F) {
   std::array<float, 2> angles{variant.joints[0].home_deg, variant.joints[1].home_deg};
+  const std::size_t wider = angles[0] > angles[1] ? 0 : 1;
+  angles[wider] += opened_deg;
+  angles[1 - wider] -= opened_deg;
   if (variant.joints[0].port != 1) std::swap(angles[0], angles[1]);
   OtherPort::Bytes bytes(TwoDiyAnswers::kLength, kTwoDiyId);
   std::memcpy(bytes.data() + 1, angles.data(), sizeof angles);
@@ -246,6 +249,14 @@ TEST(TwoDiyPort, IsABoardIfItAnswersByTheAnglesAtHome) {
   const OtherPort port([&, greeted = false](const OtherPort::Bytes& received) mutable {
     if (!std::exchange(greeted, true)) return OtherPort::Bytes{'h', 'e', 'l', 'l', 'o'};
     return asks_for_angles(received) ? home_answer(variant) : OtherPort::Bytes();
+  });
+  EXPECT_TRUE(TwoDiy::open(port.path(), variant, 1000.0));
+}
+
+TEST(TwoDiyPort, IsABoardIfItsHandleWasMovedFromHome) {
+  const TwoDiyVariant& variant = kTwoDiyVariants[0];
+  const OtherPort port([&](const OtherPort::Bytes& received) {
+    return asks_for_angles(received) ? home_answer(variant, 30.0F) : OtherPort::Bytes();
   });
   EXPECT_TRUE(TwoDiy::open(port.path(), variant, 1000.0));
 }
