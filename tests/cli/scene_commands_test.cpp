@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -247,6 +248,23 @@ TEST_F(SceneCommands, ExportWritesNpzAndPng) {
   EXPECT_EQ(png.exit_code, 0);
   EXPECT_GT(png.json()["metres_per_step"], 0.0);
   EXPECT_EQ(palpable({"export", in("a.palp"), "-o", in("a.xyz")}).exit_code, 2);
+}
+
+TEST_F(SceneCommands, ExportSaysWhatASceneIsExportedAsAndWhatAnOptionIsFor) {
+  const Outcome wrong = palpable({"export", in("a.palp"), "-o", in("a.vdb")});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("a relief is exported as .stl, .glb, .svg, .npz, .png or .html"));
+  const Outcome unread = palpable({"export", in("a.palp"), "-o", in("a.html"), "--grid", "64"});
+  EXPECT_EQ(unread.exit_code, 2);
+  EXPECT_TRUE(is_one_sentence(unread.err));
+  EXPECT_THAT(unread.err, HasSubstr("--grid is for a field as .vdb or .npz, not for a relief as .html"));
+  for (const std::vector<std::string>& option :
+       {std::vector<std::string>{"--width", "100"}, {"--lines", "raised"}, {"--braille-rows", "20"}}) {
+    std::vector<std::string> command{"export", in("a.palp"), "-o", in("unread.svg")};
+    command.insert(command.end(), option.begin(), option.end());
+    EXPECT_EQ(palpable(command).exit_code, 2) << option[0];
+  }
+  EXPECT_FALSE(std::filesystem::exists(in("unread.svg")));
 }
 
 TEST_F(SceneCommands, MakeIsDeterministic) {
