@@ -13,6 +13,7 @@ find_package(PNG REQUIRED)
 find_package(OpenEXR REQUIRED CONFIG)
 find_package(TIFF REQUIRED)
 find_package(assimp REQUIRED)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(ZLIB REQUIRED)
 # Of libosmium, which is headers: its readers of XML and PBF need it and zlib.
 find_package(EXPAT REQUIRED)

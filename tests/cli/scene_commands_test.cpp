@@ -1,5 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include "palpable/formats/scene/scene_file.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -254,22 +256,90 @@ TEST_F(SceneCommands, ExportSaysWhatASceneIsExportedAsAndWhatAnOptionIsFor) {
   const Outcome wrong = palpable({"export", in("a.palp"), "-o", in("a.vdb")});
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_THAT(wrong.err, HasSubstr("a relief is exported as .stl, .glb, .svg, .npz, .png or .html"));
-  const Outcome unread = palpable({"export", in("a.palp"), "-o", in("a.html"), "--grid", "64"});
-  EXPECT_EQ(unread.exit_code, 2);
-  EXPECT_TRUE(is_one_sentence(unread.err));
-  EXPECT_THAT(unread.err, HasSubstr("--grid is for a field as .vdb or .npz, not for a relief as .html"));
+  const Outcome unread = palpable({"export", in("a.palp"), "-o", in("u.npz"), "--grid", "64"});
+  EXPECT_EQ(unread.exit_code, 0);
+  EXPECT_THAT(unread.err,
+              HasSubstr("--grid has no effect on a relief as .npz: it is for a field as .vdb or .npz."));
   for (const std::vector<std::string>& option :
        {std::vector<std::string>{"--width", "100"}, {"--lines", "raised"}, {"--braille-rows", "20"}}) {
-    std::vector<std::string> command{"export", in("a.palp"), "-o", in("unread.svg")};
+    std::vector<std::string> command{"export", in("a.palp"), "-o", in("u.svg")};
     command.insert(command.end(), option.begin(), option.end());
-    EXPECT_EQ(palpable(command).exit_code, 2) << option[0];
+    EXPECT_THAT(palpable(command).err, HasSubstr(option[0] + " has no effect"));
   }
-  EXPECT_FALSE(std::filesystem::exists(in("unread.svg")));
+  EXPECT_EQ(palpable({"export", in("a.palp"), "-o", in("u.svg"), "--interval", "1"}).err, "");
 }
 
 TEST_F(SceneCommands, MakeIsDeterministic) {
   ASSERT_EQ(palpable({"make", in("left.png"), in("right.png"), "-o", in("b.palp")}).exit_code, 0);
   EXPECT_EQ(read_text(in("a.palp")), read_text(in("b.palp")));
+}
+
+TEST_F(SceneCommands, AMadeSceneStatesHowAndIsMadeAgain) {
+  ASSERT_EQ(palpable({"make", in("left.png"), in("right.png"), "-o", in("first.palp"), "--size", "80x80x12",
+                      "--material", "0:friction=0.4", "--seed", "7", "--engrave"})
+                .exit_code,
+            0);
+  const auto source = palpable({"info", in("first.palp"), "--json"}).json()["source"];
+  EXPECT_EQ(source["command"][0], "make");
+  EXPECT_EQ(source["command"][1], in("left.png"));
+  for (const char* option : {"--size=80x80x12", "--material=0:friction=0.4", "--seed=7", "--engrave"})
+    EXPECT_THAT(source["command"], testing::Contains(option));
+  EXPECT_THAT(source["command"], testing::Not(testing::Contains(HasSubstr("first.palp"))));
+  ASSERT_EQ(source["files"].size(), 2U);
+  EXPECT_EQ(source["files"][0]["bytes"], std::filesystem::file_size(in("left.png")));
+  EXPECT_EQ(source["files"][0]["sha256"].get<std::string>().size(), 64U);
+  const Outcome again = palpable({"make", "--again", in("first.palp"), "-o", in("second.palp"), "--json"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(again.json()["identical"], true);
+  EXPECT_EQ(read_text(in("first.palp")), read_text(in("second.palp")));
+}
+
+TEST_F(SceneCommands, ASceneWhoseFilesMovedOrChangedIsMadeAgainOrRefused) {
+  const std::string elsewhere = in("moved/");
+  std::filesystem::create_directories(elsewhere);
+  std::filesystem::copy_file(in("left.png"), elsewhere + "l.png");
+  std::filesystem::copy_file(in("right.png"), elsewhere + "r.png");
+  ASSERT_EQ(palpable({"make", elsewhere + "l.png", elsewhere + "r.png", "-o", in("m.palp")}).exit_code, 0);
+  for (const char* name : {"l.png", "r.png"}) std::filesystem::rename(elsewhere + name, in(name));
+  const Outcome moved = palpable({"make", "--again", in("m.palp"), "-o", in("n.palp"), "--json"});
+  ASSERT_EQ(moved.exit_code, 0) << moved.err;
+  // Only its source names other places.
+  EXPECT_EQ(moved.json()["identical"], true);
+  EXPECT_EQ(palpable({"info", in("n.palp"), "--json"}).json()["source"]["command"][1], in("l.png"));
+  std::filesystem::rename(in("r.png"), elsewhere + "r.png");
+  const Outcome missing = palpable({"make", "--again", in("m.palp"), "-o", in("o.palp")});
+  EXPECT_EQ(missing.exit_code, 0) << "each file is looked for by itself";
+  std::filesystem::copy_file(in("left.png"), elsewhere + "r.png",
+                             std::filesystem::copy_options::overwrite_existing);
+  const Outcome changed = palpable({"make", "--again", in("m.palp"), "-o", in("p.palp")});
+  EXPECT_EQ(changed.exit_code, 3);
+  EXPECT_TRUE(is_one_sentence(changed.err));
+  EXPECT_THAT(changed.err, HasSubstr("has another content"));
+  EXPECT_FALSE(std::filesystem::exists(in("p.palp")));
+  EXPECT_EQ(palpable({"make", "--again", in("m.palp"), "-o", in("m.palp")}).exit_code, 2);
+  EXPECT_EQ(palpable({"make", "--again", in("m.palp"), "-o", in("q.palp"), "--engrave"}).exit_code, 2);
+}
+
+TEST_F(SceneCommands, ASceneCannotHaveAnotherFileWrittenThanTheNamedOne) {
+  auto file = formats::read_scene(in("a.palp"));
+  ASSERT_TRUE(file);
+  const std::string left = in("left.png"), right = in("right.png"), prey = in("prey.csv");
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"export", in("a.palp"), "--output=" + prey},
+        {"make", left, right, "--report=" + prey},
+        {"make", left, right, "--output=" + prey},
+        {"make", in("film.mp4"), "--poses", prey},
+        {"make", left, right, "--no-such-option"},
+        {"make"}}) {
+    file->scene.source.command = command;
+    file->scene.source.files.clear();
+    ASSERT_TRUE(formats::write_scene(in("hostile.palp"), file->scene));
+    const Outcome outcome = palpable({"make", "--again", in("hostile.palp"), "-o", in("h.palp")});
+    EXPECT_THAT(outcome.exit_code, testing::AnyOf(2, 3)) << outcome.err;
+    EXPECT_TRUE(is_one_sentence(outcome.err));
+    EXPECT_FALSE(std::filesystem::exists(prey));
+    EXPECT_FALSE(std::filesystem::exists(in("h.palp")));
+  }
 }
 
 TEST_F(SceneCommands, AnExportedHeightMapIsReadAsADepthMap) {

@@ -38,6 +38,11 @@ Options add_command(Program& program, const std::string& name, const std::string
 Options add_command_below(Program& program, const std::string& parent, const std::string& name,
                           const std::string& description, const std::string& examples, Action action);
 
+/// Runs a command line of this program within another command: "make", its arguments, …. How it reports is as
+/// in `from`; the seed is its own. It may write no file but its --output. Errors: usage for words that are no
+/// command line of this version or that name another output; those of the command.
+Result<Answer> run_command(const std::vector<std::string>& words, const CommonOptions& from);
+
 /// The help of a command ("score", "disparity"), or of the program. Errors: usage for an unknown command.
 Result<std::string> help_text(const Program& program, const std::vector<std::string>& words);
 

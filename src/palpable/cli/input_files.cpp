@@ -5,6 +5,7 @@
 #include "palpable/cli/output_files.hpp"
 #include "palpable/sources/depth/depth_picture.hpp"
 
+#include <algorithm>
 #include <climits>
 #include <system_error>
 #include <vector>
@@ -60,7 +61,7 @@ std::optional<InputFiles::Identity> InputFiles::identity_of(const fs::path& file
 
 void InputFiles::add(const fs::path& file, const std::string& folder) {
   // The first entry of a file stays: named files come before those of folders.
-  if (const auto identity = identity_of(file)) folders_.emplace(*identity, folder);
+  if (const auto identity = identity_of(file)) files_.emplace(*identity, Named{file, folder});
 }
 
 void InputFiles::add_word(const std::string& word) {
@@ -84,8 +85,17 @@ void InputFiles::add_argument(const std::string& argument) {
 
 std::optional<std::string> InputFiles::find(const fs::path& file) const {
   const auto identity = identity_of(file);
-  const auto found = identity ? folders_.find(*identity) : folders_.end();
-  return found == folders_.end() ? std::nullopt : std::optional(found->second);
+  const auto found = identity ? files_.find(*identity) : files_.end();
+  return found == files_.end() ? std::nullopt : std::optional(found->second.folder);
+}
+
+std::vector<fs::path> InputFiles::regular_files() const {
+  std::vector<fs::path> files;
+  std::error_code failed;
+  for (const auto& [identity, named] : files_)
+    if (fs::is_regular_file(named.name, failed)) files.push_back(named.name);
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 }  // namespace palpable::cli

@@ -30,6 +30,8 @@ class InputFiles {
   /// Whether `file` exists and is one of them: the folder that it was found in, or an empty text if it is
   /// named itself. Devices such as a terminal are none.
   std::optional<std::string> find(const std::filesystem::path& file) const;
+  /// The regular files among them, by the names that led to them, in the order of these names.
+  std::vector<std::filesystem::path> regular_files() const;
 
  private:
   using Identity = std::pair<dev_t, ino_t>;
@@ -38,7 +40,12 @@ class InputFiles {
   void add_argument(const std::string& argument);
   void add(const std::filesystem::path& file, const std::string& folder = {});
 
-  std::map<Identity, std::string> folders_;
+  struct Named {
+    std::filesystem::path name;
+    /// The folder that it was found in; empty for a file that is named itself.
+    std::string folder;
+  };
+  std::map<Identity, Named> files_;
 };
 
 }  // namespace palpable::cli

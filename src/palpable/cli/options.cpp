@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/options.hpp"
 
+#include "palpable/cli/input_files.hpp"
 #include "palpable/cli/output_files.hpp"
 #include "palpable/cli/suggest.hpp"
 #include "palpable/core/text/number_text.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -129,6 +131,34 @@ std::function<std::vector<std::string>()> Options::given() const {
       if (option->count() > 0) names.push_back(option->get_name());
     return names;
   };
+}
+
+std::function<std::vector<std::string>()> Options::repeated() const {
+  return [app = &app_, outputs = &outputs_] {
+    const std::vector<std::string> no_result{"--help", "--json", "--quiet", "--threads"};
+    std::vector<std::string> arguments, options;
+    for (const CLI::Option* option : app->get_options()) {
+      const auto& values = option->results();
+      const auto is_option = [option](const OutputOption& output) { return output.option == option; };
+      const bool is_output = std::any_of(outputs->begin(), outputs->end(), is_option);
+      if (option->get_positional()) {
+        arguments.insert(arguments.end(), values.begin(), values.end());
+      } else if (!is_output &&
+                 std::find(no_result.begin(), no_result.end(), option->get_name()) == no_result.end()) {
+        const bool is_flag = option->get_expected_max() == 0;
+        for (const std::string& value : values)
+          options.push_back(is_flag ? option->get_name() : option->get_name() + "=" + value);
+      }
+    }
+    arguments.insert(arguments.begin(), app->get_name());
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return arguments;
+  };
+}
+
+std::function<std::vector<std::filesystem::path>()> Options::input_files() const {
+  return
+      [app = &app_, outputs = &outputs_] { return InputFiles(input_words(*app, *outputs)).regular_files(); };
 }
 
 void Options::integer(const std::string& name, int& value, Range range, const std::string& help) {

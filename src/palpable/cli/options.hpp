@@ -5,6 +5,7 @@
 #include "palpable/core/result.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -75,6 +76,13 @@ class Options {
   /// Returns a function that lists, after parsing, the names of the options on the command line: "--size".
   /// The command must outlive it.
   std::function<std::vector<std::string>()> given() const;
+  /// Returns a function that gives, after parsing, the command line anew: the command, its arguments, then
+  /// its options as --name=value; without files that it writes, and without what does not change the result
+  /// (--json, --quiet, --threads). The command must outlive it.
+  std::function<std::vector<std::string>()> repeated() const;
+  /// Returns a function that lists, after parsing, the regular files that the command line names as inputs
+  /// (check_outputs()), in the order of their names. The command must outlive it.
+  std::function<std::vector<std::filesystem::path>()> input_files() const;
 
  private:
   CLI::App& app_;

@@ -127,13 +127,8 @@ Result<void> check_outputs(std::span<const OutputOption> outputs, const InputWor
   return {};
 }
 
-Result<void> check_outputs(const CLI::App& command, std::span<const OutputOption> all,
-                           const std::vector<fs::path>& more) {
-  std::vector<OutputOption> outputs;
-  for (const OutputOption& output : all)
-    if (output.command == &command) outputs.push_back(output);
+InputWords input_words(const CLI::App& command, std::span<const OutputOption> outputs) {
   InputWords inputs;
-  for (const fs::path& folder : more) inputs.arguments.push_back(folder.string());
   for (const CLI::Option* option : command.get_options()) {
     const bool is_flag = option->get_expected_max() == 0;
     const bool is_output = std::any_of(outputs.begin(), outputs.end(), [option](const OutputOption& output) {
@@ -143,6 +138,16 @@ Result<void> check_outputs(const CLI::App& command, std::span<const OutputOption
     auto& words = option->get_positional() ? inputs.arguments : inputs.words;
     words.insert(words.end(), option->results().begin(), option->results().end());
   }
+  return inputs;
+}
+
+Result<void> check_outputs(const CLI::App& command, std::span<const OutputOption> all,
+                           const std::vector<fs::path>& more) {
+  std::vector<OutputOption> outputs;
+  for (const OutputOption& output : all)
+    if (output.command == &command) outputs.push_back(output);
+  InputWords inputs = input_words(command, outputs);
+  for (const fs::path& folder : more) inputs.arguments.push_back(folder.string());
   return check_outputs(outputs, inputs);
 }
 

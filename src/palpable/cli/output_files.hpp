@@ -43,6 +43,9 @@ struct InputWords {
   std::vector<std::string> arguments;
 };
 
+/// Those of `command` as it was parsed; `outputs` may hold those of other commands too.
+InputWords input_words(const CLI::App& command, std::span<const OutputOption> outputs);
+
 /// Checks before any work that all outputs of a command can be written, and that none is an input. Inputs are
 /// all files that the words name, by themselves or in an address (replay:FILE?…, 0:texture=FILE,…); every
 /// file but a scene in a folder that an argument names (FOLDER, frames:FOLDER?…); and the sidecars of the

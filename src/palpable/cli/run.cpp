@@ -170,6 +170,29 @@ int parse_and_run(int argc, char** argv) {
 
 }  // namespace
 
+Result<Answer> run_command(const std::vector<std::string>& words, const CommonOptions& from) {
+  Program program;
+  add_commands(program);
+  program.common.command = words;
+  try {
+    // The library takes them from the last one on.
+    program.app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::ParseError& complaint) {
+    return explained(program.app, complaint);
+  }
+  const CLI::App& command = chosen_command(program.app);
+  for (const OutputOption& output : program.outputs)
+    if (output.command == &command && output.option->count() > 0 && output.option->get_name() != "--output")
+      return usage(fmt::format("{} writes a file, and only --output may", output.option->get_name()));
+  if (auto writable = check_outputs(command, program.outputs, samples_of(command)); !writable)
+    return std::move(writable).error();
+  program.common.json = from.json;
+  program.common.quiet = from.quiet;
+  program.common.threads = from.threads;
+  Console console(program.common);
+  return program.action(console);
+}
+
 Result<std::string> help_text(const Program& program, const std::vector<std::string>& words) {
   const CLI::App* app = &program.app;
   // The help of the program, not of the command `help`.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/arguments/scene_argument.hpp"
 #include "palpable/cli/command.hpp"
+#include "palpable/cli/commands/make_again.hpp"
 #include "palpable/cli/hints.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/formats/scene/scene_file.hpp"
@@ -21,6 +22,7 @@ struct CorrectArguments {
   double reach_mm = 10.0;
   double transition_mm = 5.0;
   bool everywhere = false;
+  MakingWords words;
 };
 
 Result<Answer> correct(const CorrectArguments& arguments, Console& console) {
@@ -44,6 +46,7 @@ Result<Answer> correct(const CorrectArguments& arguments, Console& console) {
   if (interrupted()) return Work::interrupted();
   models::Scene scene = std::move(corrected->made.scene);
   scene.source.inputs.push_back(arguments.measured);
+  if (const auto noted = add_making(arguments.words, scene, console.work()); !noted) return noted.error();
   if (const auto written = formats::write_scene(arguments.output, scene); !written) return written.error();
   Answer answer;
   answer.json = {{"output", arguments.output},
@@ -67,6 +70,7 @@ void add_correct(Program& program) {
                   "  palpable correct shapes.palp measured.ply -o corrected.palp\n"
                   "  palpable correct shapes.palp measured.ply -o corrected.palp --reach 4 --transition 3",
                   [arguments](Console& console) { return correct(*arguments, console); });
+  arguments->words = making_words(options);
   options.argument("SCENE", arguments->scene, "A .palp scene of a field");
   options.argument("MEASURED", arguments->measured,
                    "The measured surface, open or closed, in the metres of the input that the scene was made "

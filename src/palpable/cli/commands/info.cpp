@@ -180,6 +180,28 @@ void add_map(Answer& answer, const StreetMap& map) {
       names.size(), map.junctions.size(), map.areas.size(), map.width_px, map.height_px);
 }
 
+Json json_of(const models::Provenance& source) {
+  Json json{{"inputs", source.inputs},
+            {"method", source.method},
+            {"made_by", source.made_by},
+            {"command", source.command},
+            {"files", Json::array()}};
+  for (const models::SourceFile& file : source.files)
+    json["files"].push_back({{"name", file.name}, {"bytes", file.bytes}, {"sha256", file.sha256}});
+  return json;
+}
+
+/// How the scene was made and can be made again; empty if it does not state it.
+std::string making_words_of(const models::Provenance& source, const std::string& path) {
+  if (source.command.empty()) return {};
+  constexpr std::size_t kMostWords = 40;
+  const std::size_t shown = std::min(source.command.size(), kMostWords);
+  return fmt::format(
+      "  made with: palpable {}{} ({})\n  make it again: palpable make --again {} -o COPY.palp\n",
+      fmt::join(source.command.begin(), source.command.begin() + static_cast<std::ptrdiff_t>(shown), " "),
+      shown < source.command.size() ? " ..." : "", source.made_by, path);
+}
+
 Result<Answer> info(const std::string& path) {
   const auto file = read_scene_argument(path);
   if (!file) return file.error();
@@ -189,21 +211,19 @@ Result<Answer> info(const std::string& path) {
   const std::string kind = scene.map != nullptr ? "map" : models::kind_of(scene.model);
 
   Answer answer;
-  answer.json = {
-      {"format", file->version},
-      {"kind", kind},
-      {"size_m", {size.x, size.y, size.z}},
-      {"scene_from_input", matrix_of(scene.scene_from_input)},
-      {"scale", scene.scene_from_input.scale},
-      {"memory_bytes", memory},
-      {"file_bytes", file->file_bytes},
-      {"source",
-       {{"inputs", scene.source.inputs}, {"method", scene.source.method}, {"made_by", scene.source.made_by}}},
-      {"materials", Json::array()},
-      {"laws", laws_of(scene)},
-      {"title", scene.title},
-      {"description", scene.description},
-      {"warnings", scene.warnings}};
+  answer.json = {{"format", file->version},
+                 {"kind", kind},
+                 {"size_m", {size.x, size.y, size.z}},
+                 {"scene_from_input", matrix_of(scene.scene_from_input)},
+                 {"scale", scene.scene_from_input.scale},
+                 {"memory_bytes", memory},
+                 {"file_bytes", file->file_bytes},
+                 {"source", json_of(scene.source)},
+                 {"materials", Json::array()},
+                 {"laws", laws_of(scene)},
+                 {"title", scene.title},
+                 {"description", scene.description},
+                 {"warnings", scene.warnings}};
   for (const models::Material& material : scene.materials)
     answer.json["materials"].push_back(json_of(material));
   answer.json["law_descriptions"] = Json::array();
@@ -230,6 +250,7 @@ Result<Answer> info(const std::string& path) {
   else if (!scene.source.inputs.empty())
     answer.text +=
         fmt::format("  from {} ({})\n", fmt::join(scene.source.inputs, " and "), scene.source.method);
+  answer.text += making_words_of(scene.source, path);
   for (const models::Material& material : scene.materials) answer.text += words_of(material);
   return answer;
 }

@@ -7,12 +7,14 @@
 #include "palpable/cli/arguments/scene_argument.hpp"
 #include "palpable/cli/arguments/title_options.hpp"
 #include "palpable/cli/command.hpp"
+#include "palpable/cli/commands/make_again.hpp"
 #include "palpable/cli/hints.hpp"
 #include "palpable/cli/video/video_outputs.hpp"
 #include "palpable/draw/view/comparison_view.hpp"
 #include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/session/make/compare_details.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <functional>
@@ -29,6 +31,9 @@ struct MakeCommandArguments {
   TitleArguments title;
   std::string as_published;
   std::string output;
+  /// A saved scene that is to be made again.
+  std::string again;
+  MakingWords words;
   VideoOutputs video;
   /// For a video, whose poses are written.
   std::function<Result<void>()> check_poses;
@@ -94,7 +99,23 @@ Result<void> check_outputs_of_video(const MakeCommandArguments& arguments) {
   return check_video_outputs(arguments.video);
 }
 
+/// --again, which needs nothing but a file to write.
+Result<Answer> again(const MakeCommandArguments& arguments, Console& console) {
+  const auto given = arguments.make.given();
+  const auto is_allowed = [](const std::string& name) {
+    const std::vector<std::string> allowed{"--again", "--output", "--json", "--quiet", "--threads"};
+    return std::find(allowed.begin(), allowed.end(), name) != allowed.end();
+  };
+  if (const auto other = std::find_if_not(given.begin(), given.end(), is_allowed); other != given.end())
+    return Error{ErrorCode::usage,
+                 fmt::format("--again repeats how a scene was made: {} cannot be given too", *other),
+                 {}};
+  if (const auto named = check_scene_name(arguments.output); !named) return named.error();
+  return make_again(arguments.again, arguments.output, console);
+}
+
 Result<Answer> make(MakeCommandArguments arguments, Console& console) {
+  if (!arguments.again.empty()) return again(arguments, console);
   const auto published = published_as(arguments.as_published);
   if (!published) return published.error();
   if (*published) {
@@ -129,6 +150,10 @@ Result<Answer> make(MakeCommandArguments arguments, Console& console) {
   models::Scene scene = std::move(made->scene);
   if (const auto applied = apply_materials(arguments.material, scene); !applied) return applied.error();
   apply_title(*title, scene);
+  if (const auto noted = add_making(arguments.words, scene, console.work()); !noted) return noted.error();
+  // The poses of a video are written, so they are no input.
+  if (video)
+    std::erase_if(scene.source.command, [](const std::string& word) { return word.starts_with("--poses="); });
   // None of them appears before all of them are on the disk.
   AtomicFiles files;
   if (made->video)
@@ -169,9 +194,13 @@ void add_make(Program& program) {
       "  palpable make depth.png -o cloth.palp --kind depth --material "
       "0:texture=ridges,pitch=2,friction=0.4\n"
       "  palpable make house.obj -o house.palp --size 100x100x50 --title 'The town hall'\n"
-      "  palpable make model.mp4 -o model.palp --poses poses.csv --structure points.ply",
+      "  palpable make model.mp4 -o model.palp --poses poses.csv --structure points.ply\n"
+      "  palpable make --again room.palp -o copy.palp    with the same files and options",
       [arguments](Console& console) { return make(*arguments, console); });
   options.required_output("-o,--output", arguments->output, {}, "Scene to write (.palp)");
+  options.text("--again", arguments->again,
+               "Make a saved scene again, with the files and options that it states; nothing else is given");
+  arguments->words = making_words(options);
   add_make_options(options, arguments->make);
   arguments->check_poses = options.output_check("--poses", arguments->make.poses, {".csv"});
   add_video_outputs(options, arguments->video);

@@ -19,6 +19,21 @@ bool is_valid(const Transform<SceneFrame, models::InputFrame>& t) {
          within(t.translation_m.y) && within(t.translation_m.z) && t.scale > 0.0 && within(t.scale);
 }
 
+bool is_sha256(const std::string& text) {
+  constexpr std::size_t kDigits = 64;
+  return text.size() == kDigits && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+bool is_valid(const models::Provenance& source) {
+  const auto fits = [](const std::string& word) { return word.size() <= models::kMaxCommandWordBytes; };
+  return source.command.size() <= models::kMaxCommandWords &&
+         std::all_of(source.command.begin(), source.command.end(), fits) &&
+         source.files.size() <= models::kMaxSourceFiles &&
+         std::all_of(source.files.begin(), source.files.end(), [&](const models::SourceFile& file) {
+           return !file.name.empty() && fits(file.name) && is_sha256(file.sha256);
+         });
+}
+
 }  // namespace
 
 Result<void> check_scene(const models::Scene& scene) {
@@ -38,6 +53,10 @@ Result<void> check_scene(const models::Scene& scene) {
       std::any_of(scene.warnings.begin(), scene.warnings.end(),
                   [](const std::string& words) { return words.size() > models::kMaxWarningBytes; }))
     return invalid_input("a scene has at most 16 warnings of at most 1000 bytes");
+  if (!is_valid(scene.source))
+    return invalid_input(
+        "the command or the files that a scene was made from are too many, too long or no "
+        "SHA-256");
   const bool labelled = std::all_of(scene.labels.values().begin(), scene.labels.values().end(),
                                     [&](std::uint8_t label) { return label < scene.materials.size(); });
   if (!labelled) return invalid_input("the map of materials names one that the scene does not have");

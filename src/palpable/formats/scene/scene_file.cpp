@@ -140,11 +140,24 @@ Result<void> read_pictures(const json& description, ZipMembers& members, models:
   return {};
 }
 
+/// How it was made is absent in older files.
 void read_source(const json& description, models::Provenance& source) {
   const json& j = description.at("source");
   source.inputs = j.at("inputs").get<std::vector<std::string>>();
   source.method = j.at("method").get<std::string>();
   source.made_by = j.at("made_by").get<std::string>();
+  source.command = j.value("command", std::vector<std::string>());
+  for (const json& file : j.value("files", json::array()))
+    source.files.push_back({file.at("name").get<std::string>(), integer_from<std::uint64_t>(file.at("bytes")),
+                            file.at("sha256").get<std::string>()});
+}
+
+json source_json(const models::Provenance& source) {
+  json j{{"inputs", source.inputs}, {"method", source.method}, {"made_by", source.made_by}};
+  if (!source.command.empty()) j["command"] = source.command;
+  for (const models::SourceFile& file : source.files)
+    j["files"].push_back({{"name", file.name}, {"bytes", file.bytes}, {"sha256", file.sha256}});
+  return j;
 }
 
 /// How a solid lies, the maker's title and description, and warnings; absent in older files.
@@ -218,10 +231,7 @@ Result<Bytes> encode_scene(const models::Scene& scene, const ZipMembers& others)
       {"model", model},
       {"materials", json::array()},
       {"scene_from_input", to_json(scene.scene_from_input)},
-      {"source",
-       {{"inputs", scene.source.inputs},
-        {"method", scene.source.method},
-        {"made_by", scene.source.made_by}}}};
+      {"source", source_json(scene.source)}};
   if (models::is_field(scene.model) && scene.pose == models::SolidPose::flat) description["pose"] = "flat";
   if (!scene.title.empty()) description["title"] = scene.title;
   if (!scene.description.empty()) description["description"] = scene.description;

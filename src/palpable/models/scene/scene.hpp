@@ -38,13 +38,32 @@ std::string kind_of(const Model& model);
 /// Whether it is a distance field, adaptive or dense.
 bool is_field(const Model& model) noexcept;
 
-/// Where a scene came from; stored in its file so that a result is traceable.
+/// A file that a scene was made from, as it was then.
+struct SourceFile {
+  /// As the command line named it.
+  std::string name;
+  std::uint64_t bytes = 0;
+  /// 64 hexadecimal digits.
+  std::string sha256;
+};
+
+/// Where a scene came from; stored in its file so that a result is traceable and can be made again.
 struct Provenance {
   std::vector<std::string> inputs;
-  /// The method and its options, as in a command line.
+  /// The method and its options, in words.
   std::string method;
   std::string made_by;
+  /// The command line that made it, without the program and the files that it wrote: "make", "left.png", ….
+  /// Empty: not known.
+  std::vector<std::string> command;
+  /// The files that the command names and their sidecars; empty if the command is not known.
+  std::vector<SourceFile> files;
 };
+
+/// Most words of a scene's command and bytes of each, and most files.
+inline constexpr std::size_t kMaxCommandWords = 10000;
+inline constexpr std::size_t kMaxCommandWordBytes = 4096;
+inline constexpr std::size_t kMaxSourceFiles = 10000;
 
 /// Longest title and description that a scene may have, bytes of UTF-8.
 inline constexpr std::size_t kMaxTitleBytes = 200;

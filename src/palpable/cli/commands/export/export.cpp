@@ -74,16 +74,19 @@ Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
   const Work work = console.work();
   const auto start = read_file_start(arguments.scene, 8);
   if (!start) return start.error();
+  const auto check = [&](Exported what) -> Result<void> {
+    if (auto checked = check_export(what, arguments.output); !checked) return checked;
+    if (const auto unread = note_on_unread(what, arguments.output, arguments.given())) console.note(*unread);
+    return {};
+  };
   if (has_magic(*start, "PALPREC")) {
-    if (auto checked = check_export(Exported::recording, arguments.output, arguments.given()); !checked)
-      return std::move(checked).error();
+    if (auto checked = check(Exported::recording); !checked) return std::move(checked).error();
     return run_export_recording(arguments, work);
   }
   const auto file = read_scene_argument(arguments.scene);
   if (!file) return file.error();
   const models::Scene& scene = file->scene;
-  if (auto checked = check_export(exported_kind(scene), arguments.output, arguments.given()); !checked)
-    return std::move(checked).error();
+  if (auto checked = check(exported_kind(scene)); !checked) return std::move(checked).error();
   if (std::filesystem::path(arguments.output).extension() == ".html")
     return export_page(scene, arguments.output);
   if (is_map_drawing(scene, arguments.output))

@@ -112,28 +112,32 @@ std::vector<std::string> export_suffixes() {
   return suffixes;
 }
 
-Result<void> check_export(Exported what, const std::filesystem::path& output,
-                          const std::vector<std::string>& given) {
+Result<void> check_export(Exported what, const std::filesystem::path& output) {
+  std::vector<std::string_view> suffixes;
+  for (const Format& format : kFormats)
+    if (format.what == what) suffixes.push_back(format.suffix);
+  if (std::find(suffixes.begin(), suffixes.end(), output.extension().string()) != suffixes.end()) return {};
   const Kind& kind = kind_of(what);
+  return Error{ErrorCode::usage,
+               fmt::format("{} {} exported as {}", kind.one, kind.is, alternatives(suffixes)),
+               output.string()};
+}
+
+std::optional<std::string> note_on_unread(Exported what, const std::filesystem::path& output,
+                                          const std::vector<std::string>& given) {
   const std::string suffix = output.extension().string();
-  const auto format = std::find_if(kFormats.begin(), kFormats.end(),
-                                   [&](const Format& f) { return f.what == what && f.suffix == suffix; });
-  if (format == kFormats.end()) {
-    std::vector<std::string_view> suffixes;
-    for (const Format& f : kFormats)
-      if (f.what == what) suffixes.push_back(f.suffix);
-    return Error{ErrorCode::usage,
-                 fmt::format("{} {} exported as {}", kind.one, kind.is, alternatives(suffixes)),
-                 output.string()};
-  }
-  for (const std::string& option : given) {
-    const std::string uses = uses_of(option);
-    if (!uses.empty() && !reads(*format, option))
-      return Error{ErrorCode::usage,
-                   fmt::format("{} is for {}, not for {} as {}", option, uses, kind.one, suffix),
-                   output.string()};
-  }
-  return {};
+  const auto is_read = [&](std::string_view option) {
+    return std::any_of(kFormats.begin(), kFormats.end(), [&](const Format& format) {
+      return format.what == what && format.suffix == suffix && reads(format, option);
+    });
+  };
+  std::vector<std::string> sentences;
+  for (const std::string& option : given)
+    if (const std::string uses = uses_of(option); !uses.empty() && !is_read(option))
+      sentences.push_back(fmt::format("{} has no effect on {} as {}: it is for {}.", option,
+                                      kind_of(what).one, suffix, uses));
+  if (sentences.empty()) return std::nullopt;
+  return fmt::format("{}", fmt::join(sentences, " "));
 }
 
 }  // namespace palpable::cli
