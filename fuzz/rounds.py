@@ -3,12 +3,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the fuzzers of the preset `fuzz` in turn: fuzz/rounds.py [FUZZER…] [--seconds N] [--rounds N] [--totals FILE.json].
 
-In each round every fuzzer runs for N seconds of processor time, so that a busy machine costs patience only. It starts from its corpus in
+In each round every fuzzer runs for N seconds of processor time, so that a busy machine costs patience only, the one that ran least
+first. It starts from its corpus in
 fuzz/corpus and from what earlier runs kept in build/fuzz/corpus, where the inputs that failed are put too. A run over the time limit
 counts only if the input, tried again alone, takes that much processor time. --totals names a file that keeps processor time, runs and
-findings of every fuzzer over several calls of this script. Prints each finding at once and a table at the end, or when it is interrupted
+findings of every fuzzer over several calls of this script, as fuzz/ledger.json, to which each session adds: the processor time of the
+present parser, that is of the sources in the folders whose headers the fuzzer includes (without tests; those of core do not count if
+there are others), with the commit at which it last ran; when they have changed, it begins again, and what was before is `earlier_s`. Prints each finding at once and a table at the end, or when it is interrupted
 (Ctrl-C, SIGTERM). The exit code is 1 if something was found."""
 import argparse
+import hashlib
 import json
 import os
 import pathlib
@@ -25,6 +29,8 @@ SLOW_S = 10
 # Wall time of one input, for the fuzzer's own clock.
 PATIENCE_S = 120
 MEMORY_MB = 2048
+# What the decoder programs run, beside the folder of their jobs.
+OF_DECODERS = ("sources/calibration", "sources/map", "sources/picture", "sources/solid")
 # The signals that arrived.
 interrupted = []
 
@@ -43,6 +49,27 @@ def children_s():
     return used.ru_utime + used.ru_stime
 
 
+def parser_files(name):
+    """A fuzzer's own source and those of its parser."""
+    source = ROOT / "fuzz" / f"{name}_fuzz.cpp"
+    headers = re.findall(r'#include "palpable/([^"]+)/[^/"]+"', source.read_text())
+    folders = {folder for folder in headers if not folder.startswith("core")} or set(headers)
+    if "sources/decoder" in folders:
+        folders.update(OF_DECODERS)
+    return [source] + [file for folder in sorted(folders) for file in sorted((ROOT / "src/palpable" / folder).glob("*.[ch]pp"))
+                       if not file.stem.endswith("_test")]
+
+
+def parser_of(name):
+    """A short hash of the sources of a fuzzer's parser."""
+    return hashlib.sha256(b"\0".join(file.read_bytes() for file in parser_files(name))).hexdigest()[:12]
+
+
+def commit():
+    run = subprocess.run(["git", "-C", ROOT, "rev-parse", "--short=8", "HEAD"], capture_output=True, text=True)
+    return run.stdout.strip() or "unknown"
+
+
 class Fuzzer:
     def __init__(self, program):
         self.program = program
@@ -50,6 +77,10 @@ class Fuzzer:
         self.kept = BUILD / "corpus" / self.name
         self.corpus = ROOT / "fuzz" / "corpus" / self.name
         self.log = self.kept.with_name(self.name + ".log")
+
+    def is_old(self):
+        """Whether its parser was changed after it was built."""
+        return self.program.stat().st_mtime < max(file.stat().st_mtime for file in parser_files(self.name))
 
     def run(self, seconds):
         """Runs until it has used so much processor time or found something. Its runs, and the files that it found."""
@@ -103,20 +134,29 @@ class Totals:
         self.file = file
         self.of = json.loads(file.read_text()) if file and file.exists() else {}
 
+    def entry(self, name):
+        """Of the present parser."""
+        entry = self.of.setdefault(name, {"processor_s": 0.0, "runs": 0, "findings": [], "earlier_s": 0.0})
+        parser = parser_of(name)
+        if entry.setdefault("parser", parser) != parser:
+            entry.update(parser=parser, earlier_s=round(entry.get("earlier_s", 0.0) + entry["processor_s"], 1), processor_s=0.0, runs=0)
+        return entry
+
     def add(self, name, seconds, runs, found):
-        entry = self.of.setdefault(name, {"processor_s": 0.0, "runs": 0, "findings": []})
+        entry = self.entry(name)
         entry["processor_s"] = round(entry["processor_s"] + seconds, 1)
         entry["runs"] += runs
         entry["findings"] += found
+        entry["commit"] = commit()
         if self.file:
             beside = self.file.with_name(self.file.name + ".new")
-            beside.write_text(json.dumps(self.of, indent=1) + "\n")
+            beside.write_text(json.dumps(self.of, indent=1, sort_keys=True) + "\n")
             beside.replace(self.file)
 
     def print(self, names):
         print(f"{'fuzzer':18}{'processor min':>15}{'runs':>14}{'findings':>10}")
         for name in names:
-            entry = self.of.get(name, {"processor_s": 0.0, "runs": 0, "findings": []})
+            entry = self.entry(name)
             print(f"{name:18}{entry['processor_s'] / 60:15.1f}{entry['runs']:14}{len(entry['findings']):10}", flush=True)
 
 
@@ -147,13 +187,17 @@ def main():
     if unknown or not fuzzers:
         sys.exit(f"there is no fuzzer {' '.join(sorted(unknown))} in {BUILD / 'bin'}: ./test --fuzz 1 builds all of them")
     fuzzers = [fuzzer for fuzzer in fuzzers if not given.fuzzers or fuzzer.name in given.fuzzers]
+    for fuzzer in [fuzzer for fuzzer in fuzzers if fuzzer.is_old()]:
+        print(f"{fuzzer.name}: left out, since its parser was changed after it was built", flush=True)
+        fuzzers.remove(fuzzer)
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, interrupt)
     totals = Totals(given.totals)
     whole = True
-    for fuzzer in fuzzers * given.rounds:
-        if not interrupted:
-            whole = one_turn(fuzzer, given.seconds, totals) and whole
+    for _ in range(given.rounds):
+        for fuzzer in sorted(fuzzers, key=lambda fuzzer: totals.entry(fuzzer.name)["processor_s"]):
+            if not interrupted:
+                whole = one_turn(fuzzer, given.seconds, totals) and whole
     totals.print([fuzzer.name for fuzzer in fuzzers])
     sys.exit(130 if interrupted else 0 if whole else 1)
 

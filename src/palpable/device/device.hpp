@@ -45,9 +45,9 @@ struct Traits {
   double rotational_damping_Nm_s = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Errors: usage for degrees of freedom other than 2 and 3, a workspace, force or torque that is not finite
-/// or not above 0 (torque: only with has_torque), a negative delay, and for another property that is infinite
-/// or negative.
+/// Errors: usage for a value that no device has: degrees of freedom other than 2 and 3, a force above 250 N,
+/// a torque that is negative or, with has_torque, 0, a mass of 0 or above 100 kg, and the like. What may be
+/// unknown may be NaN.
 Result<void> check(const Traits& traits);
 
 enum class Status : std::uint8_t {

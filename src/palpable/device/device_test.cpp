@@ -29,7 +29,7 @@ TEST(Traits, ThatWouldLeaveAForceWithoutALimitAreRefused) {
   for (const double torque : {kNotANumber, kInfinite, 0.0, -1.0}) {
     Traits traits;
     traits.max_torque_Nm = torque;
-    EXPECT_TRUE(check(traits)) << torque;
+    EXPECT_EQ(check(traits).has_value(), torque == 0.0) << torque;
     traits.has_torque = true;
     EXPECT_FALSE(check(traits)) << torque;
   }
@@ -50,6 +50,27 @@ TEST(Traits, ThatNoHandCanMoveInAreRefused) {
   Traits late;
   late.delay_samples = -1;
   EXPECT_FALSE(check(late));
+}
+
+TEST(Traits, ThatNoDeviceHasAreRefused) {
+  const auto with = [](double Traits::*property, double value) {
+    Traits traits;
+    traits.*property = value;
+    return check(traits).has_value();
+  };
+  EXPECT_TRUE(with(&Traits::max_force_N, 40.0));
+  EXPECT_FALSE(with(&Traits::max_force_N, 1e6));
+  for (const double mass_kg : {-1.0, 0.0, 1e6, kInfinite}) EXPECT_FALSE(with(&Traits::mass_kg, mass_kg));
+  EXPECT_TRUE(with(&Traits::mass_kg, 0.05));
+  for (const auto property :
+       {&Traits::damping_Ns_per_m, &Traits::coulomb_friction_N, &Traits::position_resolution_m,
+        &Traits::inertia_kg_m2, &Traits::rotational_damping_Nm_s}) {
+    EXPECT_TRUE(with(property, 0.0));
+    EXPECT_FALSE(with(property, -1.0));
+    EXPECT_FALSE(with(property, 1e6));
+  }
+  EXPECT_FALSE(with(&Traits::rate_hz, 0.0));
+  EXPECT_FALSE(with(&Traits::rate_hz, 1e9));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "palpable/core/files/read_file.hpp"
 
 #include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/files/file_bytes.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -64,13 +65,16 @@ Result<File> open_for_reading(const std::filesystem::path& path) {
   return file;
 }
 
-/// Reads until the end of the file or until `limit` bytes are read. A pipe has no size, so the buffer is used
-/// step by step; what is only reserved takes no memory, and growing by copies would take twice as much.
+/// Reads until the end of the file or until `limit` bytes are there, after those that were read before. A
+/// pipe has no size, so the buffer is used step by step; what is only reserved takes no memory, and growing
+/// by copies would take twice as much.
 Result<std::vector<std::byte>> read_up_to(std::FILE* file, std::size_t limit,
-                                          const std::filesystem::path& path) {
+                                          const std::filesystem::path& path,
+                                          std::span<const std::byte> before = {}) {
   constexpr std::size_t kStep = std::size_t{1} << 20U;
   std::vector<std::byte> bytes;
   bytes.reserve(limit);
+  bytes.assign(before.begin(), before.end());
   while (bytes.size() < limit) {
     const std::size_t had = bytes.size();
     bytes.resize(std::min(limit, had + std::max(kStep, had)));
@@ -83,21 +87,70 @@ Result<std::vector<std::byte>> read_up_to(std::FILE* file, std::size_t limit,
   return bytes;
 }
 
+/// The same into a memory file.
+Result<SharedBytes> share_up_to(std::FILE* file, std::size_t limit, const std::filesystem::path& path,
+                                std::span<const std::byte> before) {
+  const auto unshared = [&path](Error error) {
+    error.message = "cannot be kept for its decoder: " + error.message;
+    error.place = path.string();
+    return error;
+  };
+  auto writer = SharedBytes::Writer::begin();
+  if (!writer) return unshared(std::move(writer).error());
+  // In the processor's cache.
+  std::vector<std::byte> buffer(std::size_t{256} << 10U);
+  std::span<const std::byte> part = before;
+  for (std::size_t taken = before.size();; taken += part.size()) {
+    if (auto put = writer->put(part); !put) return unshared(std::move(put).error());
+    const std::size_t wanted = std::min(buffer.size(), limit - taken);
+    part = std::span(buffer).first(wanted > 0 ? std::fread(buffer.data(), 1, wanted, file) : 0);
+    if (std::ferror(file) != 0) return unreadable(path, errno);
+    if (part.empty()) break;
+  }
+  auto shared = std::move(*writer).sealed();
+  if (!shared) return unshared(std::move(shared).error());
+  return shared;
+}
+
+/// How much of a file may be read.
+class Bound {
+ public:
+  /// Errors: a file that is larger than `max_bytes`. A pipe has no size.
+  static Result<Bound> of(std::optional<std::uintmax_t> size, std::uintmax_t max_bytes,
+                          const std::filesystem::path& path) {
+    const Bound bound(size ? max_bytes : std::min(max_bytes, kMaxPipeBytes), size);
+    if (size && *size > bound.max_bytes_) return bound.too_large(path);
+    return bound;
+  }
+  /// Reading one byte more than allowed detects a growing file and an endless pipe.
+  std::size_t limit() const { return static_cast<std::size_t>(size_.value_or(max_bytes_)) + 1; }
+  bool is_exceeded_by(std::size_t bytes) const { return bytes > max_bytes_; }
+  Error too_large(const std::filesystem::path& path) const {
+    const bool in_mebibytes = max_bytes_ >= std::uintmax_t{1} << 20U;
+    return invalid_input("is larger than the " + std::to_string(max_bytes_ >> (in_mebibytes ? 20U : 10U)) +
+                             (in_mebibytes ? " MiB" : " KiB") + " that are read",
+                         path.string());
+  }
+
+ private:
+  Bound(std::uintmax_t max_bytes, std::optional<std::uintmax_t> size) : max_bytes_(max_bytes), size_(size) {}
+  std::uintmax_t max_bytes_;
+  std::optional<std::uintmax_t> size_;
+};
+
+std::optional<std::uintmax_t> size_of(const std::filesystem::path& path) {
+  std::error_code no_size;
+  const std::uintmax_t size = std::filesystem::file_size(path, no_size);
+  return no_size ? std::nullopt : std::optional(size);
+}
+
 /// Reads all of a file of this size, or of a pipe, which has none. Errors: of reading; more than `max_bytes`.
 Result<std::vector<std::byte>> read_within(std::FILE* file, std::optional<std::uintmax_t> size,
                                            std::uintmax_t max_bytes, const std::filesystem::path& path) {
-  if (!size) max_bytes = std::min(max_bytes, kMaxPipeBytes);
-  const auto too_large = [&] {
-    const bool in_mebibytes = max_bytes >= std::uintmax_t{1} << 20U;
-    return invalid_input("is larger than the " + std::to_string(max_bytes >> (in_mebibytes ? 20U : 10U)) +
-                             (in_mebibytes ? " MiB" : " KiB") + " that are read",
-                         path.string());
-  };
-  if (size && *size > max_bytes) return too_large();
-  const auto limit = static_cast<std::size_t>(size.value_or(max_bytes));
-  // Reading one byte more than allowed detects a growing file and an endless pipe.
-  auto bytes = read_up_to(file, limit + 1, path);
-  if (bytes && bytes->size() > max_bytes) return too_large();
+  const auto bound = Bound::of(size, max_bytes, path);
+  if (!bound) return bound.error();
+  auto bytes = read_up_to(file, bound->limit(), path);
+  if (bytes && bound->is_exceeded_by(bytes->size())) return bound->too_large(path);
   return bytes;
 }
 
@@ -106,9 +159,31 @@ Result<std::vector<std::byte>> read_within(std::FILE* file, std::optional<std::u
 Result<std::vector<std::byte>> read_file(const std::filesystem::path& path, std::uintmax_t max_bytes) {
   auto file = open_for_reading(path);
   if (!file) return std::move(file).error();
-  std::error_code no_size;
-  const std::uintmax_t size = std::filesystem::file_size(path, no_size);
-  return read_within(file->get(), no_size ? std::nullopt : std::optional(size), max_bytes, path);
+  return read_within(file->get(), size_of(path), max_bytes, path);
+}
+
+Result<FileBytes> read_file_bytes(const std::filesystem::path& path,
+                                  bool (*for_a_child)(std::span<const std::byte> start),
+                                  std::uintmax_t max_bytes) {
+  const auto file = open_for_reading(path);
+  if (!file) return file.error();
+  const auto bound = Bound::of(size_of(path), max_bytes, path);
+  if (!bound) return bound.error();
+  constexpr std::size_t kStart = 4096;
+  const auto start = read_up_to(file->get(), std::min(kStart, bound->limit()), path);
+  if (!start) return start.error();
+  std::optional<FileBytes> whole;
+  if (for_a_child(*start)) {
+    auto shared = share_up_to(file->get(), bound->limit(), path, *start);
+    if (!shared) return std::move(shared).error();
+    whole.emplace(*std::move(shared));
+  } else {
+    auto bytes = read_up_to(file->get(), bound->limit(), path, *start);
+    if (!bytes) return std::move(bytes).error();
+    whole.emplace(*std::move(bytes));
+  }
+  if (bound->is_exceeded_by(whole->view().bytes().size())) return bound->too_large(path);
+  return *std::move(whole);
 }
 
 Result<std::vector<std::byte>> read_regular_file(const std::filesystem::path& path,

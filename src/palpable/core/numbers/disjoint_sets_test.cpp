@@ -16,5 +16,13 @@ TEST(DisjointSets, AreOneWhenTheyAreConnected) {
   EXPECT_NE(sets.find(2), sets.find(3));
 }
 
+TEST(DisjointSets, GiveTheLeastMemberOfEach) {
+  DisjointSets sets(6);
+  const std::uint32_t joined = sets.join(1, 4);
+  EXPECT_EQ(joined, sets.find(1));
+  sets.join(5, 4), sets.join(3, 2);
+  EXPECT_EQ(sets.firsts(), (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 1}));
+}
+
 }  // namespace
 }  // namespace palpable

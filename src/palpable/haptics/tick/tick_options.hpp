@@ -47,7 +47,8 @@ struct TickOptions {
   double max_rise_time_s = 0.0015;
 };
 
-/// Errors: usage for the first value outside its range, or NaN.
+/// Errors: usage for the first value that is not above 0, is NaN, or is far beyond what any device and hand
+/// need (a finite force above 250 N, a time above 60 s).
 Result<void> check(const TickOptions& options);
 
 }  // namespace palpable::haptics

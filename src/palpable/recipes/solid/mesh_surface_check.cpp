@@ -71,8 +71,6 @@ double coordinate_step(const Mesh& mesh) { return rounding_of(mesh).step(); }
 Result<void> check_surface(const Mesh& mesh) {
   // Of a height of a few rounding steps, or of this part of the triangle's side, nothing is known.
   constexpr double kSteps = 4.0, kThinnest = 1e-7;
-  // From here on, the distance from the origin may be the reason.
-  constexpr double kFar = 1e5;
   const Rounding rounding = rounding_of(mesh);
   std::optional<Vec3> first;
   double longest = 0.0, highest = 0.0;
@@ -83,9 +81,13 @@ Result<void> check_surface(const Mesh& mesh) {
     if (shape.height > kThinnest * shape.side) highest = std::max(highest, shape.height);
   });
   if (!first || highest > kSteps * rounding.step()) return {};
-  std::string why = longest > 0.0 ? "is a mesh without surface: the corners of each triangle are on one line"
-                                  : "is a mesh without surface: all its corners are at one place";
-  if (rounding.farthest >= kFar)
+  std::string why = "is a mesh without surface: ";
+  why += !(longest > 0.0) ? "all its corners are at one place"
+         : highest > 0.0  ? "the corners of each triangle are on one line, as far as its coordinates tell"
+                          : "the corners of each triangle are on one line";
+  // From this distance on, in comparison with the mesh, or without a size to compare, it may be the reason.
+  constexpr double kFar = 1e3;
+  if (rounding.farthest > kFar * (longest > 0.0 ? longest : 1.0))
     why += fmt::format("; {} from its origin its coordinates have steps of {}: move it to its origin",
                        figure(rounding.farthest), figure(rounding.step()));
   return invalid_input(std::move(why));

@@ -3,6 +3,7 @@
 #include "palpable/sculpt/solid/thin_walls.hpp"
 
 #include "palpable/core/check.hpp"
+#include "palpable/core/numbers/disjoint_sets.hpp"
 #include "palpable/sculpt/solid/nearest_in_balls.hpp"
 #include "palpable/sculpt/triangles/mesh_edges.hpp"
 #include "palpable/sculpt/triangles/open_sheets.hpp"

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/triangles/mesh_edges.hpp"
 
+#include "palpable/core/numbers/disjoint_sets.hpp"
+
 #include <utility>
 
 namespace palpable::sculpt {

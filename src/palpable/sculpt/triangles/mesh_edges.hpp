@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <vector>
 
@@ -16,28 +15,6 @@ namespace palpable::sculpt {
 inline std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
   return static_cast<std::uint64_t>(std::min(a, b)) << 32U | std::max(a, b);
 }
-
-/// Disjoint sets of the numbers 0 ... count - 1, each known by its least member.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count) : first_(count) { std::iota(first_.begin(), first_.end(), 0U); }
-  std::uint32_t find(std::uint32_t i) {
-    while (first_[i] != i) i = first_[i] = first_[first_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t one = find(a), other = find(b);
-    first_[std::max(one, other)] = std::min(one, other);
-  }
-  /// The least member of each number's set.
-  std::vector<std::uint32_t> firsts() {
-    for (std::uint32_t i = 0; i < first_.size(); ++i) first_[i] = find(i);
-    return first_;
-  }
-
- private:
-  std::vector<std::uint32_t> first_;
-};
 
 /// One triangle at an edge. `step` is +1 if the triangle uses the edge from its lower to its higher vertex,
 /// else -1.

@@ -3,6 +3,7 @@
 #include "palpable/sculpt/triangles/open_sheets.hpp"
 
 #include "palpable/core/check.hpp"
+#include "palpable/core/numbers/disjoint_sets.hpp"
 #include "palpable/sculpt/triangles/mesh_edges.hpp"
 #include "palpable/sculpt/triangles/triangle_tree.hpp"
 

@@ -2,100 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/check/check_recording.hpp"
 
-#include "palpable/device/recording/recording.hpp"
 #include "palpable/recipes/solid/field_recipe.hpp"
-#include "palpable/session/touch/export_recording.hpp"
-#include "palpable/session/touch/test_session.hpp"
+#include "palpable/session/check/test_recordings.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <string>
-#include <utility>
 #include <vector>
-
-#include <gtest/gtest.h>
-#include <unistd.h>
 
 namespace palpable::session {
 namespace {
-
-std::shared_ptr<const models::Scene> waves(double height_m) {
-  models::Scene scene = hilly_scene(height_m);
-  models::Material material;
-  material.texture.kind = models::TouchTexture::Kind::bumps;
-  material.texture.pitch_m = 0.002;
-  material.texture.height_m = 0.0001;
-  scene.materials = {material};
-  return std::make_shared<const models::Scene>(std::move(scene));
-}
-
-/// Tests run in parallel, each in its own process.
-std::filesystem::path in_temp(std::string_view name) {
-  return std::filesystem::path(testing::TempDir()) / (std::to_string(getpid()) + "-" + std::string(name));
-}
-
-HeadlessOptions recorded_touch_of(double seconds, std::string_view name) {
-  HeadlessOptions options = unprivileged(seconds);
-  options.device_url = "sim:?speed-mm=200&delay=1&seed=3";
-  options.recording = in_temp(name);
-  return options;
-}
-
-SceneMaker makes(std::vector<std::shared_ptr<const models::Scene>> scenes) {
-  return [scenes](const DeliverScene& deliver, const Work&) -> Result<void> {
-    for (const auto& scene : scenes) deliver(scene);
-    return {};
-  };
-}
-
-CheckReport checked(const std::filesystem::path& file,
-                    std::vector<std::shared_ptr<const models::Scene>> scenes) {
-  auto report = check_recording(file, {std::move(scenes), 100}, {});
-  EXPECT_TRUE(report) << report.error().sentence();
-  return report ? *std::move(report) : CheckReport{};
-}
-
-std::string said(const CheckReport& report) {
-  std::string text;
-  for (const Finding& finding : report.findings) text += sentence_of(finding) + "\n";
-  return text;
-}
-
-/// The same recording with its ticks modified by `change` and new checksums: a deliberate forgery.
-std::filesystem::path altered(const std::filesystem::path& file, std::string_view name,
-                              const std::function<void(device::Recording&)>& change) {
-  auto recording = *device::read_recording(file);
-  change(recording);
-  const auto copy = in_temp(name);
-  auto writer = *device::RecordingWriter::create(copy, recording.header_json);
-  for (const auto& scene : recording.scenes) EXPECT_TRUE(writer->write(scene));
-  EXPECT_TRUE(writer->write(recording.ticks));
-  EXPECT_TRUE(writer->finish(recording.lost));
-  return copy;
-}
-
-bool found(const CheckReport& report, FindingKind kind) {
-  return std::any_of(report.findings.begin(), report.findings.end(),
-                     [kind](const Finding& finding) { return finding.kind == kind; });
-}
-
-std::size_t first_in_contact(const device::Recording& recording) {
-  std::size_t n = recording.ticks.size() / 2;
-  while (n + 1 < recording.ticks.size() && !recording.ticks[n].has(haptics::flag::kContact)) ++n;
-  return n;
-}
-
-/// One touch of a second; each process of tests makes it once.
-const std::filesystem::path& one_touch() {
-  static const std::filesystem::path file = [] {
-    const auto options = recorded_touch_of(1.0, "one-touch.rec");
-    EXPECT_TRUE(touch_headless(makes({waves(0.010)}), options, {}));
-    return options.recording;
-  }();
-  return file;
-}
 
 TEST(CheckRecording, RecomputesEveryTickOfATouchToTheLastBit) {
   const auto report = checked(one_touch(), {waves(0.010)});
@@ -211,72 +127,6 @@ TEST(CheckRecording, FindsATimeThatWasChanged) {
   EXPECT_NE(said(report).find("contradict"), std::string::npos) << said(report);
 }
 
-/// What check, export and replay say about a file; each must refuse it.
-std::vector<std::string> refusals(const std::filesystem::path& file) {
-  std::vector<std::string> words;
-  const auto note = [&](const char* who, const auto& result) {
-    EXPECT_FALSE(result) << who;
-    if (result) return;
-    EXPECT_EQ(result.error().code, ErrorCode::invalid_input) << who;
-    words.push_back(result.error().message);
-  };
-  note("check", check_recording(file, {}, {}));
-  for (const char* output : {"refused.csv", "refused.npz"}) {
-    note("export", export_recording(file, in_temp(output), {}));
-    EXPECT_FALSE(std::filesystem::exists(in_temp(output)));
-  }
-  auto replayed = unprivileged(0.2);
-  replayed.device_url = "replay:" + file.string();
-  note("replay", touch_headless(makes({waves(0.010)}), replayed, {}));
-  return words;
-}
-
-TEST(CheckRecording, TimesThatAreNoneAreRefusedByEveryReaderInOneSentence) {
-  struct Forgery {
-    const char* words;
-    double t_s, dt_s;
-  };
-  constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
-  constexpr double kUnbounded = std::numeric_limits<double>::infinity();
-  for (const auto& forged : {Forgery{"times that are not finite at tick 40", 0.1, kNotANumber},
-                             {"times that are not finite at tick 40", 0.1, -kUnbounded},
-                             {"times that are not finite at tick 40", kUnbounded, 0.001},
-                             {"a negative period at tick 40", 0.1, -0.001},
-                             {"times that do not increase at tick 41", 1e9, 0.001},
-                             {"times that do not increase at tick 40", -1.0, 0.001}}) {
-    const auto file = altered(one_touch(), "times.rec", [&](device::Recording& recording) {
-      recording.ticks[40].dt_s = forged.dt_s;
-      if (forged.t_s != 0.1) recording.ticks[40].t_s = forged.t_s;
-    });
-    for (const std::string& words : refusals(file))
-      EXPECT_EQ(words, std::string("is a recording with ") + forged.words);
-  }
-}
-
-TEST(CheckRecording, AHeaderThatIsNoneIsRefusedByEveryReaderInOneSentence) {
-  struct Forgery {
-    const char* from;
-    const char* to;
-    const char* words;
-  };
-  for (const auto& forged : {Forgery{"\"max_force_N\":3.3", "\"max_force_N\":-3.3", "greatest force"},
-                             {"\"rate_hz\":1000.0", "\"rate_hz\":0.0", "a loop rate of 0.0"},
-                             {"\"ramp_up_s\":0.25", "\"ramp_up_s\":-1.0", "ramp up"},
-                             {"\"position_resolution_m\":", "\"position_resolution_m\":-", "resolution"},
-                             {"\"degrees_of_freedom\":3", "\"degrees_of_freedom\":[]", "traits"},
-                             {"\"seed\":", "\"seed\":-", "cannot be read"}}) {
-    const auto file = altered(one_touch(), "header.rec", [&](device::Recording& recording) {
-      const auto at = recording.header_json.find(forged.from);
-      ASSERT_NE(at, std::string::npos) << forged.from << recording.header_json;
-      recording.header_json.replace(at, std::string(forged.from).size(), forged.to);
-    });
-    const auto words = refusals(file);
-    ASSERT_FALSE(words.empty());
-    for (const std::string& one : words) EXPECT_EQ(one, words.front());
-    EXPECT_NE(words.front().find(forged.words), std::string::npos) << words.front();
-  }
-}
-
 TEST(CheckRecording, SaysThatAForceIsNotAFiniteNumberInWords) {
   const auto file = altered(one_touch(), "not-finite.rec", [](device::Recording& recording) {
     recording.ticks[first_in_contact(recording)].written_force_N.v.y = std::nan("");
@@ -284,18 +134,6 @@ TEST(CheckRecording, SaysThatAForceIsNotAFiniteNumberInWords) {
   const std::string text = said(checked(file, {waves(0.010)}));
   EXPECT_NE(text.find("not a finite number"), std::string::npos) << text;
   EXPECT_EQ(text.find("nan"), std::string::npos) << text;
-}
-
-TEST(CheckRecording, RefusesAHeaderWithAnInvalidRate) {
-  for (const std::string rate : {"0", "-1000", "1e300"}) {
-    const auto file = in_temp("rate.rec");
-    ASSERT_TRUE((*device::RecordingWriter::create(
-                     file, R"({"format":1,"made_by":"palpable","seed":1,"rate_hz":)" + rate + "}"))
-                    ->finish(0));
-    const auto report = check_recording(file, {}, {});
-    ASSERT_FALSE(report) << rate;
-    EXPECT_NE(report.error().message.find("rate"), std::string::npos) << report.error().message;
-  }
 }
 
 /// A touch in which the hand is pushed out with more force than it pressed with.

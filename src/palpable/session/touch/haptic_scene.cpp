@@ -170,19 +170,26 @@ void fit_to_bends(const models::Scene& scene, const device::Traits& device, doub
   const haptics::RollingFit wanted{law.slope_force_N.value_or(force->preset.value_or(0.0)),
                                    law.rolling_smoothing_m.value_or(smoothing->preset.value_or(0.0))};
   const double least_damping = damper->preset.value_or(0.0);
-  const double damping = std::max(least_damping, law.damping_Ns_per_m.value_or(least_damping));
+  const double wanted_damping = law.damping_Ns_per_m.value_or(least_damping);
+  const double damping = std::max(least_damping, wanted_damping);
   // Values out of range are rejected later by the law.
   const auto is_within = [](const haptics::LawParameter& of, double value) {
     return value >= of.min && value <= of.max;
   };
   if (!is_within(*force, wanted.slope_force_N) || !is_within(*smoothing, wanted.smoothing_m) ||
-      !is_within(*damper, law.damping_Ns_per_m.value_or(damping)))
+      !is_within(*damper, wanted_damping))
     return;
   const auto safe = haptics::safe_slopes(device, rate_hz, scale, damping, hand_damping_Ns_per_m);
   law.damping_Ns_per_m = safe.damping_Ns_per_m;
   const auto fit = haptics::fit_rolling(scene, wanted, {safe.max_stiffness_N_per_m, safe.max_force_N});
   law.slope_force_N = fit.slope_force_N;
   law.rolling_smoothing_m = fit.smoothing_m;
+  // With less damping no bend could be rendered: each is a spring (stability.hpp).
+  if (*law.damping_Ns_per_m > wanted_damping)
+    prepared.notices.push_back(
+        fmt::format("The damping {:.2g} N·s/m was raised to {:.2g} N·s/m: with less, a ball that rolls "
+                    "through bends would return more energy than it received.",
+                    wanted_damping, *law.damping_Ns_per_m));
   if (fit.smoothing_m > wanted.smoothing_m)
     prepared.notices.push_back(
         fmt::format("The ball rolls on a surface that is smoothed by {}: this loop and device cannot render "

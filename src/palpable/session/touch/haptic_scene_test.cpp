@@ -144,6 +144,24 @@ TEST_F(PreparingAScene, FitsTheForceOfTheRollingBallToDeviceAndSurface) {
   EXPECT_EQ(prepare(settings, kept).law.slope_force_N, 50.0);
 }
 
+TEST_F(PreparingAScene, SaysThatARollingBallIsDampedMoreThanWasAskedFor) {
+  KeptSurfaces kept;
+  TouchSettings settings;
+  settings.law.law = haptics::Law::rolling;
+  settings.law.slope_force_N = 0.1;
+  settings.law.damping_Ns_per_m = 0.0;
+  const auto damped = prepare(settings, kept);
+  EXPECT_GT(*damped.law.damping_Ns_per_m, 0.0);
+  ASSERT_EQ(damped.notices.size(), 1U);
+  EXPECT_NE(damped.notices.front().find("damping 0 N·s/m was raised"), std::string::npos)
+      << damped.notices.front();
+  settings.law.damping_Ns_per_m = damped.law.damping_Ns_per_m;
+  EXPECT_TRUE(prepare(settings, kept).notices.empty());
+  settings.limits = Limits::off;
+  settings.law.damping_Ns_per_m = 0.0;
+  EXPECT_EQ(prepare(settings, kept).law.damping_Ns_per_m, 0.0);
+}
+
 TEST_F(PreparingAScene, SmoothsWhatABallRollsOnWhereItsBendsAreTooSharpAndSaysSo) {
   KeptSurfaces kept;
   TouchSettings settings;

@@ -3,6 +3,7 @@
 #include "palpable/session/touch/recorder.hpp"
 
 #include "palpable/core/check.hpp"
+#include "palpable/session/touch/recorded_parts.hpp"
 
 #include <chrono>
 #include <condition_variable>
@@ -10,32 +11,30 @@
 #include <optional>
 #include <thread>
 #include <utility>
-#include <vector>
 
 namespace palpable::session {
 namespace {
 
 /// Interval at which the ring is emptied. A killed program loses at most this much of its recording.
 constexpr auto kInterval = std::chrono::milliseconds(50);
-/// Number of ticks that are written together. This bounds the memory after a long delay.
-constexpr std::size_t kTogether = 512;
 
 }  // namespace
 
 struct Recorder::Impl {
+  Impl(haptics::ServoLoop& recorded, std::unique_ptr<device::RecordingWriter> file)
+      : loop(recorded), writer(std::move(file)), parts([this] { return loop.take_recorded(); }) {}
   void run();
   void write_what_came();
 
-  haptics::ServoLoop* loop = nullptr;
+  haptics::ServoLoop& loop;
   std::unique_ptr<device::RecordingWriter> writer;
+  RecordedParts parts;
   std::mutex mutex;
   std::condition_variable rest;
   bool ending = false;
-  std::vector<device::RecordedScene> scenes;
   /// The first write error, until it is taken.
   std::optional<Error> fault;
-  // Used only by the thread.
-  std::vector<device::TouchSample> ticks;
+  /// Of the whole recording, once it is finished.
   Result<void> outcome;
   std::thread thread;
 };
@@ -51,29 +50,11 @@ void Recorder::Impl::run() {
 }
 
 void Recorder::Impl::write_what_came() {
-  const bool went_well = outcome.has_value();
-  do {
-    ticks.clear();
-    while (ticks.size() < kTogether)
-      if (const auto sample = loop->take_recorded())
-        ticks.push_back(*sample);
-      else
-        break;
-    // A scene is noted before the servo gets it. So all scenes of these ticks are noted now, but not before
-    // they were taken; and a scene is written before its ticks.
-    std::vector<device::RecordedScene> noted;
-    {
-      const std::lock_guard lock(mutex);
-      noted.swap(scenes);
-    }
-    for (const auto& scene : noted)
-      if (outcome) outcome = writer->write(scene);
-    if (outcome && !ticks.empty()) outcome = writer->write(ticks);
-  } while (ticks.size() == kTogether);
-  if (went_well && !outcome) {
-    const std::lock_guard lock(mutex);
-    fault = outcome.error();
-  }
+  const bool went_well = parts.outcome().has_value();
+  parts.write_to(*writer);
+  if (!went_well || parts.outcome()) return;
+  const std::lock_guard lock(mutex);
+  fault = parts.outcome().error();
 }
 
 Recorder::Recorder(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -84,20 +65,15 @@ Result<std::unique_ptr<Recorder>> Recorder::start(haptics::ServoLoop& loop, cons
   PALPABLE_CHECK(loop.is_recording());
   auto writer = device::RecordingWriter::create(file, header_json);
   if (!writer) return std::move(writer).error();
-  auto impl = std::make_unique<Impl>();
-  impl->loop = &loop;
-  impl->writer = std::move(*writer);
-  impl->scenes.push_back(scene);
+  auto impl = std::make_unique<Impl>(loop, std::move(*writer));
+  impl->parts.note(scene);
   impl->thread = std::thread([&it = *impl] { it.run(); });
   return std::unique_ptr<Recorder>(new Recorder(std::move(impl)));
 }
 
 Recorder::~Recorder() { static_cast<void>(finish()); }
 
-void Recorder::note(const device::RecordedScene& scene) {
-  const std::lock_guard lock(impl_->mutex);
-  impl_->scenes.push_back(scene);
-}
+void Recorder::note(const device::RecordedScene& scene) { impl_->parts.note(scene); }
 
 std::optional<Error> Recorder::take_fault() {
   const std::lock_guard lock(impl_->mutex);
@@ -107,7 +83,7 @@ std::optional<Error> Recorder::take_fault() {
 Result<void> Recorder::finish() {
   auto& it = *impl_;
   if (!it.thread.joinable()) return it.outcome;
-  it.loop->record(haptics::Recording::off);
+  it.loop.record(haptics::Recording::off);
   {
     const std::lock_guard lock(it.mutex);
     it.ending = true;
@@ -115,7 +91,8 @@ Result<void> Recorder::finish() {
   it.rest.notify_all();
   it.thread.join();
   it.write_what_came();
-  if (it.outcome) it.outcome = it.writer->finish(it.loop->recording_lost());
+  it.outcome = it.parts.outcome();
+  if (it.outcome) it.outcome = it.writer->finish(it.loop.recording_lost());
   return it.outcome;
 }
 

@@ -9,9 +9,6 @@
 
 namespace palpable::sources::decoder {
 
-/// Loads a job's plug-ins from the disk before the process is restricted.
-void prepare(isolated::Job job);
-
 /// Takes a reply in the layout of isolated/flat.hpp, part by part, so that a picture's samples are never kept
 /// as a whole.
 class ReplySink {
@@ -27,8 +24,20 @@ class ReplySink {
   virtual bool restart() = 0;
 };
 
-/// Runs a job and puts its reply: the decoded value or an error. False if the reply was not taken. It may
-/// crash or hang on a malicious file: only for the decoder process and the fuzzers.
-bool run(isolated::Job job, std::span<const std::byte> file, ReplySink& reply);
+/// Runs a job and puts its reply: the decoded value or an error. False if the reply was not taken, or the job
+/// is another program's. It may throw, crash or hang on a malicious file: only for the decoder programs and
+/// the fuzzers.
+using RunJob = bool (*)(isolated::Job job, std::span<const std::byte> file, ReplySink& reply);
+
+// One function per decoder program.
+bool run_calibration_job(isolated::Job job, std::span<const std::byte> file, ReplySink& reply);
+bool run_heif_job(isolated::Job job, std::span<const std::byte> file, ReplySink& reply);
+bool run_map_job(isolated::Job job, std::span<const std::byte> file, ReplySink& reply);
+bool run_mesh_job(isolated::Job job, std::span<const std::byte> file, ReplySink& reply);
+bool run_picture_job(isolated::Job job, std::span<const std::byte> file, ReplySink& reply);
+bool run_video_job(isolated::Job job, std::span<const std::byte> file, ReplySink& reply);
+
+/// Runs a job; an exception becomes an error in the reply.
+bool run_guarded(RunJob run, isolated::Job job, std::span<const std::byte> file, ReplySink& reply);
 
 }  // namespace palpable::sources::decoder

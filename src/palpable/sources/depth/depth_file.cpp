@@ -3,7 +3,7 @@
 #include "palpable/sources/depth/depth_file.hpp"
 
 #include "palpable/core/files/byte_reader.hpp"
-#include "palpable/core/files/read_file.hpp"
+#include "palpable/core/files/file_bytes.hpp"
 #include "palpable/formats/packing/npz.hpp"
 #include "palpable/sources/picture/file_marks.hpp"
 #include "palpable/sources/picture/picture.hpp"
@@ -49,7 +49,7 @@ Error bad_scale(const char* what, const std::filesystem::path& path) {
 
 }  // namespace
 
-Result<Raster<float>> decode_raster(std::span<const std::byte> file) {
+Result<Raster<float>> decode_raster(FileView file) {
   if (has_magic(file, "PK\x03\x04")) {
     const auto arrays = formats::decode_npz(file);
     return arrays ? raster_in(*arrays) : arrays.error();
@@ -64,9 +64,9 @@ Result<Raster<float>> decode_raster(std::span<const std::byte> file) {
 }
 
 Result<Raster<float>> read_raster(const std::filesystem::path& path) {
-  const auto file = read_file(path);
+  const auto file = read_file_bytes(path, is_decoded_in_child);
   if (!file) return file.error();
-  auto values = decode_raster(*file);
+  auto values = decode_raster(file->view());
   if (!values) values.error().place = path.string();
   return values;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/files/file_bytes.hpp"
 #include "palpable/core/picture/camera.hpp"
 #include "palpable/core/result.hpp"
 
@@ -19,7 +20,7 @@ namespace palpable::sources {
 /// picture with colours.
 Result<Raster<float>> read_raster(const std::filesystem::path& path);
 /// The same from memory; errors without a place.
-Result<Raster<float>> decode_raster(std::span<const std::byte> file);
+Result<Raster<float>> decode_raster(FileView file);
 
 struct DepthFile {
   DepthMap depth;

@@ -29,48 +29,62 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::pair<Job, std::string_view>, 13> kJobNames{
-    {{Job::obj, "obj"},
-     {Job::stl, "stl"},
-     {Job::glb, "glb"},
-     {Job::tiff, "tiff"},
-     {Job::webp, "webp"},
-     {Job::exr, "exr"},
-     {Job::exr_depth, "exr-depth"},
-     {Job::heif, "heif"},
-     {Job::heif_depth, "heif-depth"},
-     {Job::heif_announces_depth, "heif-announces-depth"},
-     {Job::opencv_calibration, "opencv-calibration"},
-     {Job::map_extract, "map-extract"},
-     {Job::video, "video"}}};
+/// A decoder program, and the environment variable that names another one in its place.
+struct Program {
+  const char* name;
+  const char* variable;
+};
+
+// One for each external library that takes long to load.
+constexpr Program kCalibration{"palpable-calibration-decoder", "PALPABLE_CALIBRATION_DECODER"};
+constexpr Program kHeif{"palpable-heif-decoder", "PALPABLE_HEIF_DECODER"};
+constexpr Program kMap{"palpable-map-decoder", "PALPABLE_MAP_DECODER"};
+constexpr Program kMesh{"palpable-mesh-decoder", "PALPABLE_MESH_DECODER"};
+constexpr Program kPicture{"palpable-picture-decoder", "PALPABLE_PICTURE_DECODER"};
+constexpr Program kVideo{"palpable-video-decoder", "PALPABLE_VIDEO_DECODER"};
+
+struct JobEntry {
+  Job job;
+  std::string_view name;
+  Program program;
+};
+
+/// In the order of Job.
+constexpr std::array<JobEntry, 13> kJobs{{{Job::obj, "obj", kMesh},
+                                          {Job::stl, "stl", kMesh},
+                                          {Job::glb, "glb", kMesh},
+                                          {Job::tiff, "tiff", kPicture},
+                                          {Job::webp, "webp", kPicture},
+                                          {Job::exr, "exr", kPicture},
+                                          {Job::exr_depth, "exr-depth", kPicture},
+                                          {Job::heif, "heif", kHeif},
+                                          {Job::heif_depth, "heif-depth", kHeif},
+                                          {Job::heif_announces_depth, "heif-announces-depth", kHeif},
+                                          {Job::opencv_calibration, "opencv-calibration", kCalibration},
+                                          {Job::map_extract, "map-extract", kMap},
+                                          {Job::video, "video", kVideo}}};
+
+const JobEntry& entry_of(Job job) { return kJobs[static_cast<std::size_t>(job)]; }
 
 constexpr std::uint64_t kMiB = std::uint64_t{1} << 20U;
 
 Error cannot_start(const std::string& why) {
-  return {ErrorCode::failed, fmt::format("cannot be read: {} cannot be started: {}", kDecoderName, why), {}};
+  return {ErrorCode::failed, "cannot be read: its decoder cannot be started: " + why, {}};
 }
 
 std::string reason_of(int number) { return std::generic_category().message(number); }
 
-/// A memory file; sealed, so that the other process cannot change it.
-Result<Descriptor> sealed_copy(std::span<const std::byte> file) {
-  Descriptor memory = passable(Descriptor(::memfd_create("palpable-input", MFD_CLOEXEC | MFD_ALLOW_SEALING)));
-  if (memory.number() < 0) return cannot_start(reason_of(errno));
-  while (!file.empty()) {
-    const ssize_t n = ::write(memory.number(), file.data(), file.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) return cannot_start(reason_of(errno));
-    file = file.subspan(static_cast<std::size_t>(n));
-  }
-  ::fcntl(memory.number(), F_ADD_SEALS, F_SEAL_WRITE | F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL);
-  return memory;
+/// For bytes that are in no memory file yet.
+Result<SharedBytes> copied(std::span<const std::byte> file) {
+  auto writer = SharedBytes::Writer::begin();
+  if (!writer) return std::move(writer).error();
+  if (auto put = writer->put(file); !put) return std::move(put).error();
+  return std::move(*writer).sealed();
 }
 
 Result<fs::path> decoder_program(Job job) {
-  const bool is_video = job == Job::video;
-  const char* name = is_video ? kVideoDecoderName : kDecoderName;
-  auto program =
-      helper_program(name, is_video ? "PALPABLE_VIDEO_DECODER" : "PALPABLE_DECODER", PALPABLE_DECODER_FOLDER);
+  const auto& [name, variable] = entry_of(job).program;
+  auto program = helper_program(name, variable, PALPABLE_DECODER_FOLDER);
   if (program) return program;
   return Error{ErrorCode::failed,
                fmt::format("cannot be read: the program {}, which reads this kind of file, is missing: {}",
@@ -135,11 +149,11 @@ Result<Reply> mapped(int reply, std::uint64_t most_bytes) {
 
 }  // namespace
 
-std::string_view name_of(Job job) { return kJobNames[static_cast<std::size_t>(job)].second; }
+std::string_view name_of(Job job) { return entry_of(job).name; }
 
 std::optional<Job> job_from(std::string_view name) {
-  for (const auto& [job, known] : kJobNames)
-    if (known == name) return job;
+  for (const JobEntry& entry : kJobs)
+    if (entry.name == name) return entry.job;
   return std::nullopt;
 }
 
@@ -195,12 +209,16 @@ Reply::~Reply() {
   if (begin_ != nullptr) ::munmap(const_cast<void*>(begin_), size_);
 }
 
-Result<Reply> decode(Job job, std::span<const std::byte> file, const Limits& limits) {
-  if (file.empty()) return invalid_input("is empty");
+Result<Reply> decode(Job job, FileView file, const Limits& limits) {
+  if (file.bytes().empty()) return invalid_input("is empty");
   const auto program = decoder_program(job);
   if (!program) return program.error();
-  auto input = sealed_copy(file);
-  if (!input) return input.error();
+  std::optional<SharedBytes> copy;
+  if (file.descriptor() < 0) {
+    auto made = copied(file);
+    if (!made) return cannot_start(made.error().message);
+    file = copy.emplace(*std::move(made));
+  }
   const Descriptor reply = passable(Descriptor(::memfd_create("palpable-reply", MFD_CLOEXEC)));
   if (reply.number() < 0) return cannot_start(reason_of(errno));
   auto pipe = make_pipe();
@@ -211,7 +229,7 @@ Result<Reply> decode(Job job, std::span<const std::byte> file, const Limits& lim
       *program,
       {std::string(kProtocolVersion), std::string(name_of(job)), std::to_string(limits.memory_bytes),
        std::to_string(limits.result_bytes), std::to_string(limits.processor_time.count())},
-      std::array{input->number(), reply.number(), its_end.number()});
+      std::array{file.descriptor(), reply.number(), its_end.number()});
   if (!process) return cannot_start(process.error().message);
   its_end.close();
   const bool in_time = wait_for_end(alive.number(), limits.time);
@@ -220,8 +238,8 @@ Result<Reply> decode(Job job, std::span<const std::byte> file, const Limits& lim
   return mapped(reply.number(), limits.result_bytes);
 }
 
-Result<Reply> decode(Job job, std::span<const std::byte> file) {
-  return decode(job, file, limits_of(job, file.size()));
+Result<Reply> decode(Job job, FileView file) {
+  return decode(job, file, limits_of(job, file.bytes().size()));
 }
 
 }  // namespace palpable::sources::isolated

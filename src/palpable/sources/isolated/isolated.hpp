@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/files/file_bytes.hpp"
 #include "palpable/core/result.hpp"
 
 #include <chrono>
@@ -13,7 +14,7 @@
 
 namespace palpable::sources::isolated {
 
-/// The jobs of the decoder process: kinds of files that external libraries parse.
+/// The jobs of the decoder programs: kinds of files that external libraries parse.
 enum class Job : std::uint8_t {
   obj,
   stl,
@@ -59,12 +60,12 @@ class Reply {
   std::size_t size_ = 0;
 };
 
-/// Decodes `file` in a separate process (`palpable-decoder`), which can open no files or network connections
-/// and ends with this process. Blocks until it has ended. Errors, without a place: invalid_input if the
-/// decoder rejected the file, crashed, or exceeded `limits`; failed if the program is missing or cannot be
-/// started. Any thread, also while a servo runs: the address space is not copied.
-Result<Reply> decode(Job job, std::span<const std::byte> file, const Limits& limits);
+/// Decodes `file` in a separate process (`palpable-mesh-decoder` and others), which can open no files or
+/// network connections and ends with this process. Blocks until it has ended. Errors, without a place:
+/// invalid_input if the decoder rejected the file, crashed, or exceeded `limits`; failed if the program is
+/// missing or cannot be started. Any thread, also while a servo runs: the address space is not copied.
+Result<Reply> decode(Job job, FileView file, const Limits& limits);
 /// The same with limits_of() this file.
-Result<Reply> decode(Job job, std::span<const std::byte> file);
+Result<Reply> decode(Job job, FileView file);
 
 }  // namespace palpable::sources::isolated

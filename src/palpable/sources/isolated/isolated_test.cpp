@@ -43,10 +43,10 @@ class WithDecoder {
                                             testing::UnitTest::GetInstance()->current_test_info()->name());
     std::ofstream(file_) << "#!/bin/sh\n" << script << "\n";
     fs::permissions(file_, fs::perms::owner_all);
-    ::setenv("PALPABLE_DECODER", file_.c_str(), 1);
+    ::setenv("PALPABLE_MESH_DECODER", file_.c_str(), 1);
   }
   ~WithDecoder() {
-    ::unsetenv("PALPABLE_DECODER");
+    ::unsetenv("PALPABLE_MESH_DECODER");
     fs::remove(file_);
   }
   WithDecoder(const WithDecoder&) = delete;
@@ -85,7 +85,7 @@ TEST(Isolated, ServesManyThreadsAtOnce) {
 
 TEST(Isolated, SaysWhatTheDecoderRefused) {
   EXPECT_THAT(message_of(decode_mesh(as_bytes("v 0 0 0\n"), "obj")), HasSubstr("mesh"));
-  EXPECT_FALSE(decode_mesh({}, "obj"));
+  EXPECT_FALSE(decode_mesh(std::span<const std::byte>(), "obj"));
 }
 
 TEST(Isolated, ACrashIsDamage) {
@@ -120,9 +120,9 @@ TEST(Isolated, EndlessWorkIsEnded) {
 }
 
 TEST(Isolated, AMissingOrDifferentDecoderIsReported) {
-  ::setenv("PALPABLE_DECODER", "/nowhere/palpable-decoder", 1);
+  ::setenv("PALPABLE_MESH_DECODER", "/nowhere/palpable-mesh-decoder", 1);
   const auto missing = decode_mesh(as_bytes(kTetrahedron), "obj");
-  ::unsetenv("PALPABLE_DECODER");
+  ::unsetenv("PALPABLE_MESH_DECODER");
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, ErrorCode::failed);
   const WithDecoder older("exit 10");

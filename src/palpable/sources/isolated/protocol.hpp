@@ -4,14 +4,12 @@
 
 #include <string_view>
 
-// The protocol between the two processes. Arguments of palpable-decoder: the version, the job's name, bytes
+// The protocol between the two processes. Arguments of a decoder program: the version, the job's name, bytes
 // of memory, bytes of the reply, seconds of processor time.
 namespace palpable::sources::isolated {
 
 /// Must change with every change of the constants below or of a reply's layout.
-inline constexpr std::string_view kProtocolVersion = "1";
-inline constexpr const char* kDecoderName = "palpable-decoder";
-inline constexpr const char* kVideoDecoderName = "palpable-video-decoder";
+inline constexpr std::string_view kProtocolVersion = "2";
 
 // Descriptors with which the decoder process starts; all others are closed.
 inline constexpr int kInputDescriptor = 3;

@@ -3,7 +3,6 @@
 #include "palpable/sources/picture/picture.hpp"
 
 #include "palpable/core/files/byte_reader.hpp"
-#include "palpable/core/files/read_file.hpp"
 #include "palpable/formats/picture/jpeg.hpp"
 #include "palpable/formats/picture/pfm.hpp"
 #include "palpable/formats/picture/png.hpp"
@@ -43,7 +42,7 @@ Error unknown_format(std::span<const std::byte> file) {
       "PFM, TGA)");
 }
 
-Result<Image> decode_as(PictureFormat format, std::span<const std::byte> file) {
+Result<Image> decode_as(PictureFormat format, FileView file) {
   switch (format) {
     case PictureFormat::png:
       return formats::decode_png(file);
@@ -96,7 +95,19 @@ std::optional<PictureFormat> picture_format_of(std::span<const std::byte> file) 
   return std::nullopt;
 }
 
-Result<Image> decode_picture(std::span<const std::byte> file) {
+bool is_decoded_in_child(std::span<const std::byte> start) {
+  switch (picture_format_of(start).value_or(PictureFormat::png)) {
+    case PictureFormat::tiff:
+    case PictureFormat::webp:
+    case PictureFormat::exr:
+    case PictureFormat::heif:
+      return true;
+    default:
+      return false;
+  }
+}
+
+Result<Image> decode_picture(FileView file) {
   const auto format = picture_format_of(file);
   if (!format) return unknown_format(file);
   auto image = decode_as(*format, file);
@@ -107,9 +118,9 @@ Result<Image> decode_picture(std::span<const std::byte> file) {
 }
 
 Result<Image> read_picture(const std::filesystem::path& path) {
-  const auto file = read_file(path);
+  const auto file = read_file_bytes(path, is_decoded_in_child);
   if (!file) return file.error();
-  auto image = decode_picture(*file);
+  auto image = decode_picture(file->view());
   if (!image) image.error().place = path.string();
   return image;
 }

@@ -77,7 +77,7 @@ void put_length(FlatWriter& reply, const std::optional<double>& value) {
 }
 
 template <class T>
-Result<T> in_child(Job job, std::span<const std::byte> file, Result<T> (*read)(std::span<const std::byte>)) {
+Result<T> in_child(Job job, FileView file, Result<T> (*read)(std::span<const std::byte>)) {
   const auto reply = decode(job, file);
   if (!reply) return reply.error();
   return read(reply->bytes());
@@ -158,18 +158,16 @@ Result<std::optional<PhotoDepth>> photo_depth_in(std::span<const std::byte> byte
   return std::optional(PhotoDepth{*std::move(values), coding, near_m, far_m});
 }
 
-Result<Image> decode_tiff(std::span<const std::byte> file) { return in_child(Job::tiff, file, image_in); }
-Result<Image> decode_webp(std::span<const std::byte> file) { return in_child(Job::webp, file, image_in); }
-Result<Image> decode_exr(std::span<const std::byte> file) { return in_child(Job::exr, file, image_in); }
-Result<Raster<float>> decode_exr_depth(std::span<const std::byte> file) {
-  return in_child(Job::exr_depth, file, raster_in);
-}
-Result<Image> decode_heif(std::span<const std::byte> file) { return in_child(Job::heif, file, image_in); }
-Result<std::optional<PhotoDepth>> depth_in_heif(std::span<const std::byte> file) {
+Result<Image> decode_tiff(FileView file) { return in_child(Job::tiff, file, image_in); }
+Result<Image> decode_webp(FileView file) { return in_child(Job::webp, file, image_in); }
+Result<Image> decode_exr(FileView file) { return in_child(Job::exr, file, image_in); }
+Result<Raster<float>> decode_exr_depth(FileView file) { return in_child(Job::exr_depth, file, raster_in); }
+Result<Image> decode_heif(FileView file) { return in_child(Job::heif, file, image_in); }
+Result<std::optional<PhotoDepth>> depth_in_heif(FileView file) {
   return in_child(Job::heif_depth, file, photo_depth_in);
 }
 
-bool heif_announces_depth(std::span<const std::byte> file) {
+bool heif_announces_depth(FileView file) {
   const auto answer = decode(Job::heif_announces_depth, file);
   if (!answer) return false;
   FlatReader reply(answer->bytes());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/files/file_bytes.hpp"
 #include "palpable/core/picture/image.hpp"
 #include "palpable/core/picture/raster.hpp"
 #include "palpable/core/result.hpp"
@@ -30,13 +31,13 @@ Result<Image> image_in(std::span<const std::byte> reply);
 Result<Raster<float>> raster_in(std::span<const std::byte> reply);
 Result<std::optional<PhotoDepth>> photo_depth_in(std::span<const std::byte> reply);
 
-Result<Image> decode_tiff(std::span<const std::byte> file);
-Result<Image> decode_webp(std::span<const std::byte> file);
-Result<Image> decode_exr(std::span<const std::byte> file);
-Result<Raster<float>> decode_exr_depth(std::span<const std::byte> file);
-Result<Image> decode_heif(std::span<const std::byte> file);
-Result<std::optional<PhotoDepth>> depth_in_heif(std::span<const std::byte> file);
+Result<Image> decode_tiff(FileView file);
+Result<Image> decode_webp(FileView file);
+Result<Image> decode_exr(FileView file);
+Result<Raster<float>> decode_exr_depth(FileView file);
+Result<Image> decode_heif(FileView file);
+Result<std::optional<PhotoDepth>> depth_in_heif(FileView file);
 /// Also false for an unreadable file; reading it gives the error.
-bool heif_announces_depth(std::span<const std::byte> file);
+bool heif_announces_depth(FileView file);
 
 }  // namespace palpable::sources::isolated

@@ -3,6 +3,7 @@
 #include "palpable/sources/solid/mesh_check.hpp"
 
 #include "palpable/core/files/byte_reader.hpp"
+#include "palpable/sources/solid/text_words.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -18,23 +19,6 @@ namespace palpable::sources {
 namespace {
 
 constexpr std::size_t kStlHeader = 84, kStlTriangle = 50;
-
-/// The next word of a line; empty at its end.
-std::string_view next_word(std::string_view& line) {
-  constexpr std::string_view kSpace = " \t\r\f\v";
-  const std::size_t begin = line.find_first_not_of(kSpace);
-  if (begin == std::string_view::npos) return line = {};
-  line.remove_prefix(begin);
-  const std::string_view word = line.substr(0, line.find_first_of(kSpace));
-  line.remove_prefix(word.size());
-  return word;
-}
-
-std::string_view next_line(std::string_view& text) {
-  const std::string_view line = text.substr(0, text.find('\n'));
-  text.remove_prefix(std::min(text.size(), line.size() + 1));
-  return line;
-}
 
 Result<void> check_text_stl(std::string_view text) {
   std::size_t begun = 0, ended = 0, corners = 0;

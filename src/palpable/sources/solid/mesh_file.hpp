@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/files/file_bytes.hpp"
 #include "palpable/core/geometry/coordinate_convention.hpp"
 #include "palpable/core/geometry/mesh.hpp"
 #include "palpable/core/result.hpp"
@@ -26,7 +27,7 @@ Result<MeshFile> read_mesh(const std::filesystem::path& path);
 
 /// The same in memory. All but PLY is parsed in the decoder process (isolated/isolated.hpp). `ending` names
 /// the format ("obj", "ply", "stl", "glb"). Errors without a place.
-Result<Mesh> decode_mesh(std::span<const std::byte> file, const std::string& ending);
+Result<Mesh> decode_mesh(FileView file, const std::string& ending);
 
 /// The coordinate convention of a format: glTF (glb) has y up and metres; STL has z up, as in 3D printing and
 /// CAD; OBJ and PLY usually have y up. These three have no unit.

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/solid/mesh_parser.hpp"
 
+#include "palpable/core/files/byte_reader.hpp"
 #include "palpable/sources/solid/mesh_check.hpp"
 #include "palpable/sources/solid/ply_file.hpp"
+#include "palpable/sources/solid/relative_text.hpp"
 
 #include <exception>
 #include <new>
@@ -39,10 +41,13 @@ Result<Mesh> mesh_from(const aiScene& scene) {
   return mesh;
 }
 
-}  // namespace
+std::optional<RelativeText> relative_text_of(std::span<const std::byte> file, const std::string& ending) {
+  if (ending == "obj") return relative_to_its_place(as_text(file), "v");
+  const bool is_text_stl = ending == "stl" && stated_stl_bytes(file) != file.size();
+  return is_text_stl ? relative_to_its_place(as_text(file), "vertex") : std::nullopt;
+}
 
-Result<Mesh> parse_mesh(std::span<const std::byte> file, const std::string& ending) {
-  if (const auto whole = check_mesh_file(file, ending); !whole) return whole.error();
+Result<Mesh> parse_by_assimp(std::span<const std::byte> file, const std::string& ending) {
   // Assimp's own message names its functions, which does not help a user.
   const Error unreadable = invalid_input(
       "cannot be read as a mesh: what it holds is not valid for a file of this kind (" + ending + ")");
@@ -60,6 +65,18 @@ Result<Mesh> parse_mesh(std::span<const std::byte> file, const std::string& endi
   } catch (const std::exception&) {
     return unreadable;
   }
+}
+
+}  // namespace
+
+Result<Mesh> parse_mesh(std::span<const std::byte> file, const std::string& ending) {
+  if (const auto whole = check_mesh_file(file, ending); !whole) return whole.error();
+  const auto relative = relative_text_of(file, ending);
+  if (!relative) return parse_by_assimp(file, ending);
+  auto mesh = parse_by_assimp(as_bytes(relative->text), ending);
+  if (mesh)
+    for (Vec3& v : mesh->vertices_m) v += relative->origin;
+  return mesh;
 }
 
 }  // namespace palpable::sources

@@ -38,7 +38,7 @@ Result<Mesh> mesh_in(std::span<const std::byte> bytes) {
   return mesh;
 }
 
-Result<Mesh> decode_mesh(std::span<const std::byte> file, const std::string& ending) {
+Result<Mesh> decode_mesh(FileView file, const std::string& ending) {
   const auto job = job_from(ending);
   PALPABLE_CHECK(job.has_value());
   const auto reply = decode(*job, file);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/files/file_bytes.hpp"
 #include "palpable/core/geometry/mesh.hpp"
 #include "palpable/core/result.hpp"
 
@@ -20,6 +21,6 @@ std::vector<std::byte> reply_of(const Mesh& mesh);
 Result<Mesh> mesh_in(std::span<const std::byte> reply);
 
 /// Runs sources::decode_mesh() for "obj", "stl" or "glb" in the decoder process.
-Result<Mesh> decode_mesh(std::span<const std::byte> file, const std::string& ending);
+Result<Mesh> decode_mesh(FileView file, const std::string& ending);
 
 }  // namespace palpable::sources::isolated

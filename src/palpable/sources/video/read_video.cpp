@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/video/read_video.hpp"
 
-#include "palpable/core/files/read_file.hpp"
+#include "palpable/core/files/file_bytes.hpp"
 #include "palpable/sources/picture/exif.hpp"
 #include "palpable/sources/picture/picture.hpp"
 #include "palpable/sources/video/video_reply.hpp"
@@ -63,9 +63,9 @@ Result<Video> read_pictures(std::span<const std::filesystem::path> files, const 
 Result<Video> read_video(std::span<const std::filesystem::path> files, const Work& work) {
   if (files.size() != 1) return read_pictures(files, work);
   work.report(0.0, "reading the video");
-  const auto bytes = read_file(files.front());
+  const auto bytes = read_file_bytes(files.front(), [](std::span<const std::byte>) { return true; });
   if (!bytes) return bytes.error();
-  auto video = isolated::decode_video(*bytes);
+  auto video = isolated::decode_video(bytes->view());
   if (!video)
     return Error{video.error().code, video.error().message, files.front().string(), video.error().reason};
   return video;

@@ -56,7 +56,7 @@ Result<Video> video_in(std::span<const std::byte> reply) {
   return video;
 }
 
-Result<Video> decode_video(std::span<const std::byte> file) {
+Result<Video> decode_video(FileView file) {
   const auto reply = decode(Job::video, file);
   if (!reply) return reply.error();
   return video_in(reply->bytes());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/files/file_bytes.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/sources/video/video.hpp"
 
@@ -19,6 +20,6 @@ std::vector<std::byte> reply_of(const Video& video);
 Result<Video> video_in(std::span<const std::byte> reply);
 
 /// Decodes a video in a separate process. Errors as video_decoder.hpp, and those of isolated::decode().
-Result<Video> decode_video(std::span<const std::byte> file);
+Result<Video> decode_video(FileView file);
 
 }  // namespace palpable::sources::isolated

@@ -79,7 +79,7 @@ TEST(DecodeVideo, ReducesLongSides) {
 TEST(DecodeVideo, RefusesOtherFiles) {
   EXPECT_FALSE(decode_video(bytes_of(std::string("no video at all, but some words"))));
   EXPECT_FALSE(decode_video(bytes_of(video_file(32, 16, 0))));
-  EXPECT_FALSE(decode_video({}));
+  EXPECT_FALSE(decode_video(std::span<const std::byte>()));
 }
 
 }  // namespace

@@ -2,21 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/segmentation/regions.hpp"
 
+#include "palpable/core/numbers/disjoint_sets.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <numeric>
+#include <utility>
 
 namespace palpable::vision {
 namespace {
 
-/// A union-find forest whose roots hold sums of colour.
+/// Regions with sums of colour, known by the number that stands for their pixels.
 class Forest {
  public:
   Forest(const Raster<Rgb8>& picture, double complexity)
-      : parent_(picture.count()), size_(picture.count(), 1), sum_(picture.count()), complexity_(complexity) {
-    std::iota(parent_.begin(), parent_.end(), 0);
+      : pixels_(picture.count()), size_(picture.count(), 1), sum_(picture.count()), complexity_(complexity) {
     for (std::size_t i = 0; i < picture.count(); ++i) {
       const Rgb8 p = picture.values()[i];
       sum_[i] = {static_cast<double>(p.r), static_cast<double>(p.g), static_cast<double>(p.b)};
@@ -24,28 +25,20 @@ class Forest {
     log_term_ = 2.0 * std::log(6.0 * static_cast<double>(picture.count()));
   }
 
-  std::int32_t root_of(std::int32_t i) {
-    while (parent_[index(i)] != i) {
-      parent_[index(i)] = parent_[index(parent_[index(i)])];
-      i = parent_[index(i)];
-    }
-    return i;
-  }
-  std::int32_t size_of(std::int32_t root) const { return size_[index(root)]; }
+  std::size_t region_of(std::size_t pixel) { return pixels_.find(pixel); }
+  std::int32_t size_of(std::size_t region) const { return size_[region]; }
 
-  void join_if_alike(std::int32_t a, std::int32_t b) {
-    a = root_of(a);
-    b = root_of(b);
-    if (a == b || !alike(index(a), index(b))) return;
-    if (size_[index(a)] < size_[index(b)]) std::swap(a, b);
-    parent_[index(b)] = a;
-    size_[index(a)] += size_[index(b)];
-    for (std::size_t k = 0; k < 3; ++k) sum_[index(a)][k] += sum_[index(b)][k];
+  void join_if_alike(std::int32_t one, std::int32_t other) {
+    std::size_t a = region_of(static_cast<std::size_t>(one)), b = region_of(static_cast<std::size_t>(other));
+    if (a == b || !alike(a, b)) return;
+    // The smaller region is taken into the larger one, which keeps the paths short.
+    if (size_[b] < size_[a]) std::swap(a, b);
+    pixels_.join(a, b);
+    size_[b] += size_[a];
+    for (std::size_t k = 0; k < 3; ++k) sum_[b][k] += sum_[a][k];
   }
 
  private:
-  static std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
-
   /// The paper's b(R)²: the squared statistical deviation of a region's mean.
   double deviation(std::size_t root) const {
     constexpr double kLevels = 256.0;
@@ -62,7 +55,7 @@ class Forest {
     return true;
   }
 
-  std::vector<std::int32_t> parent_;
+  DisjointSets pixels_;
   std::vector<std::int32_t> size_;
   std::vector<std::array<double, 3>> sum_;
   double complexity_;
@@ -100,11 +93,11 @@ Regions merge_regions(const Raster<Rgb8>& picture, double complexity) {
   Regions regions{Raster<std::int32_t>(picture.width(), picture.height()), {}};
   std::vector<std::int32_t> number_of(picture.count(), -1);
   for (std::size_t i = 0; i < picture.count(); ++i) {
-    const std::int32_t root = forest.root_of(static_cast<std::int32_t>(i));
-    std::int32_t& number = number_of[static_cast<std::size_t>(root)];
+    const std::size_t region = forest.region_of(i);
+    std::int32_t& number = number_of[region];
     if (number < 0) {
       number = regions.count();
-      regions.pixels.push_back(forest.size_of(root));
+      regions.pixels.push_back(forest.size_of(region));
     }
     regions.of_pixel.values()[i] = number;
   }

@@ -1,8 +1,9 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include "palpable/sources/decoder/serve.hpp"
+
 #include "palpable/core/text/number_text.hpp"
 #include "palpable/sources/decoder/confine.hpp"
-#include "palpable/sources/decoder/jobs.hpp"
 #include "palpable/sources/isolated/protocol.hpp"
 
 #include <cerrno>
@@ -66,16 +67,17 @@ class ReplyFile final : public ReplySink {
   std::vector<std::byte> held_;
 };
 
-int serve(int argc, char** argv) {
+/// The exit code.
+int run_decoder(int argc, char** argv, const Decoder& decoder) {
   constexpr int kWords = 6;
   if (argc != kWords || argv[1] != protocol::kProtocolVersion) {
-    std::fputs("palpable-decoder is started by palpable, to read one file\n", stderr);
+    std::fputs("this program is started by palpable, to read one file\n", stderr);
     return protocol::kWrongVersion;
   }
   const auto job = protocol::job_from(argv[2]);
   const auto memory = whole_number(argv[3]), written = whole_number(argv[4]), seconds = whole_number(argv[5]);
   if (!job || !memory || !written || !seconds) return protocol::kWrongVersion;
-  prepare(*job);
+  if (decoder.prepare != nullptr) decoder.prepare();
   // A write beyond the limit is an error, not a signal.
   std::signal(SIGXFSZ, SIG_IGN);
   const Allowance allowance{static_cast<std::uint64_t>(*memory), static_cast<std::uint64_t>(*written),
@@ -83,17 +85,19 @@ int serve(int argc, char** argv) {
   const auto file = input();
   if (file.empty() || !confine(allowance, protocol::kAliveDescriptor + 1)) return protocol::kNotConfined;
   ReplyFile reply;
-  return run(*job, file, reply) && reply.flush() ? protocol::kReplied : protocol::kNotWritten;
+  const bool replied = run_guarded(decoder.run, *job, file, reply) && reply.flush();
+  return replied ? protocol::kReplied : protocol::kNotWritten;
 }
 
 }  // namespace
-}  // namespace palpable::sources::decoder
 
-int main(int argc, char** argv) {
+void serve(int argc, char** argv, const Decoder& decoder) {
   // Without running the libraries' destructors: the reply is written, and nothing else is left to do.
   try {
-    _exit(palpable::sources::decoder::serve(argc, argv));
+    _exit(run_decoder(argc, argv, decoder));
   } catch (const std::exception&) {
-    _exit(palpable::sources::isolated::kNotWritten);
+    _exit(protocol::kNotWritten);
   }
 }
+
+}  // namespace palpable::sources::decoder

@@ -1,0 +1,9 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sources/decoder/serve.hpp"
+#include "palpable/sources/picture/photo_depth.hpp"
+
+int main(int argc, char** argv) {
+  palpable::sources::decoder::serve(
+      argc, argv, {palpable::sources::decoder::run_heif_job, palpable::sources::load_heif_plugins});
+}
