@@ -64,31 +64,36 @@ class FieldPath {
   Followed follow(Look from, int& looks) const noexcept {
     Followed followed{Reach::end, from, {}};
     Look& clear = followed.clear;
-    // First the whole path.
-    double piece_m = length_m_;
-    while (clear.at_m < length_m_) {
+    // Behind this place the path is known to be clear up to its end, which is tried first.
+    double until_m = length_m_;
+    Look end;
+    for (double piece_m = length_m_; clear.at_m < until_m;
+         piece_m = std::max(std::min(0.99 * kSafe * clear.distance_m, 0.5 * piece_m), shortest_m_)) {
       if (looks <= 0) {
         followed.reach = Reach::unfinished;
-        break;
+        return followed;
       }
       --looks;
-      const Look next = look(std::min(length_m_, clear.at_m + piece_m));
-      const bool is_short = piece_m <= shortest_m_;
+      const Look next = look(std::min(until_m, clear.at_m + piece_m));
       const bool is_out = next.distance_m >= 0.0;
+      if (next.at_m == length_m_ && is_out) {
+        until_m = length_m_ - kSafe * next.distance_m;
+        end = next;
+      }
       if (is_out && kSafe * (clear.distance_m + next.distance_m) > next.at_m - clear.at_m) {
         clear = next;
-        piece_m = length_m_;
-      } else if (is_short) {
+        piece_m = 2.0 * length_m_;
+      } else if (piece_m <= shortest_m_) {
         followed.inside = next;
         if (clear.gradient == Vec3{}) clear = look(clear.at_m);
         if (!is_out || is_cut(clear, next, followed.inside, looks)) {
           followed.reach = Reach::entry;
-          break;
+          return followed;
         }
         clear = next;
       }
-      piece_m = std::max(std::min(0.99 * kSafe * clear.distance_m, 0.5 * piece_m), shortest_m_);
     }
+    if (end.at_m > clear.at_m) clear = end;
     return followed;
   }
 
