@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/haptics/law/contact_law.hpp"
+#include "palpable/haptics/proxy/crossing_force.hpp"
 #include "palpable/haptics/proxy/hand_over.hpp"
 #include "palpable/haptics/proxy/proxy_force.hpp"
 #include "palpable/haptics/proxy/surface_proxy.hpp"
@@ -82,18 +83,6 @@ class ProxyLaw : public ContactLaw<Surface> {
   }
 
  private:
-  /// A crest that the hand cut within this tick, and over which the proxy slid to the hand: a contact at the
-  /// place where the hand entered it. The spring was compressed by no more than the depth of the cut, and
-  /// acts against the hand's way.
-  static void add_crossing(const Hand& hand, const Contact& contact, const SurfaceProxy& proxy,
-                           LawOutput& output) noexcept {
-    output.contact = true;
-    output.proxy.v = proxy.crossed_at_m;
-    output.force_N.v = contact.stiffness_N_per_m * proxy.crossed_m * unit(output.proxy.v - hand.position.v);
-    output.spring_N = output.force_N;
-    output.stored_J = 0.5 * contact.stiffness_N_per_m * proxy.crossed_m * proxy.crossed_m;
-  }
-
   Textures textures_;
 };
 

@@ -104,13 +104,16 @@ std::size_t root_index(const FieldGrid& grid, int x, int y, int z) {
          static_cast<std::size_t>(x >> level);
 }
 
-/// Two finest cells along each axis.
-using CellPairs = std::array<std::array<int, 2>, 3>;
-
 /// The part of the window on one side of the nearest face: its finest cell, share, and derivative per cell.
 struct WindowSide {
   int cell = 0;
   double share = 0.0, slope = 0.0;
+};
+/// The part of the window within a leaf along one axis: its share, derivative per cell, and the octants of
+/// the window that lie on its sides, one bit each.
+struct WindowShare {
+  double share = 0.0, slope = 0.0;
+  unsigned octants = 0;
 };
 /// Below and above that face along one axis: the window crosses at most one.
 struct WindowSides {
@@ -124,6 +127,13 @@ struct WindowSides {
   }
   bool is_in(const DistanceField::Leaf& leaf, std::size_t axis) const {
     return side[0].cell >= leaf.corner[axis] && side[1].cell < leaf.corner[axis] + leaf.side;
+  }
+  WindowShare within(const DistanceField::Leaf& leaf, std::size_t axis) const {
+    constexpr std::array kBelow{0x55U, 0x33U, 0x0FU};
+    if (is_in(leaf, axis)) return {1.0, 0.0, 0xFFU};
+    const bool is_below = side[0].cell >= leaf.corner[axis] && side[0].cell < leaf.corner[axis] + leaf.side;
+    const WindowSide& one = side[is_below ? 0 : 1];
+    return {one.share, one.slope, is_below ? kBelow[axis] : ~kBelow[axis]};
   }
   /// The side that is not in a leaf that holds the other.
   const WindowSide& out_of(const DistanceField::Leaf& leaf, std::size_t axis) const {
@@ -148,49 +158,6 @@ DistanceSample blended(const DistanceSample& a, const DistanceSample& b, const W
   const double along = side.slope * difference_m * cells_per_m;
   (axis == 0 ? sample.gradient.x : axis == 1 ? sample.gradient.y : sample.gradient.z) += along;
   return sample;
-}
-
-/// The leaves of eight finest cells, found from an entry `from` at `level` that contains all of them, or from
-/// the roots. Descends level by level, so that the eight loads of a level overlap.
-std::array<DistanceField::Leaf, 8> leaves_of(const FieldGrid& grid, const FieldTree& tree,
-                                             const CellPairs& cell, int level, std::uint32_t from) {
-  const auto along = [&](std::size_t axis, unsigned octant) { return cell[axis][octant >> axis & 1U]; };
-  std::array<std::uint32_t, 8> entries;
-  entries.fill(from);
-  if (level > grid.levels) {
-    level = grid.levels;
-    for (unsigned k = 0; k < 8; ++k)
-      entries[k] = tree.roots[root_index(grid, along(0, k), along(1, k), along(2, k))];
-  }
-  std::array<int, 8> levels;
-  levels.fill(level);
-  const auto all_are_leaves = [&] {
-    std::uint32_t all = FieldTree::kLeaf;
-    for (const std::uint32_t entry : entries) all &= entry;
-    return all != 0;
-  };
-  while (!all_are_leaves()) {
-    --level;
-    for (unsigned k = 0; k < 8; ++k) {
-      const std::uint32_t entry = entries[k];
-      const bool is_leaf = (entry & FieldTree::kLeaf) != 0;
-      const int child =
-          (along(0, k) >> level & 1) | (along(1, k) >> level & 1) << 1 | (along(2, k) >> level & 1) << 2;
-      // Branch-free: for a leaf some node is read but not used.
-      const std::uint32_t next =
-          tree.nodes[is_leaf ? 0 : 8 * static_cast<std::size_t>(entry) + static_cast<std::size_t>(child)];
-      entries[k] = is_leaf ? entry : next;
-      levels[k] -= is_leaf ? 0 : 1;
-    }
-  }
-  std::array<DistanceField::Leaf, 8> leaves;
-  for (unsigned k = 0; k < 8; ++k) {
-    const int mask = -(1 << levels[k]);
-    leaves[k] = {{along(0, k) & mask, along(1, k) & mask, along(2, k) & mask},
-                 1 << levels[k],
-                 entries[k] & ~FieldTree::kLeaf};
-  }
-  return leaves;
 }
 
 }  // namespace
@@ -300,51 +267,39 @@ DistanceSample DistanceField::mixed(Vec3 cells, const Leaf& home, Descent& path)
         sides[(axis + 2) % 3].is_in(other, (axis + 2) % 3))
       return blended(leaf_sample(home, cells), leaf_sample(other, cells), side, axis, cells_per_m_);
   }
-  const auto pair = [&](std::size_t axis) {
-    return std::array{sides[axis].side[0].cell, sides[axis].side[1].cell};
-  };
-  const CellPairs pairs{pair(0), pair(1), pair(2)};
-  // The path to the middle leaf contains the last entry common to the paths to all eight.
-  unsigned differing = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (const int c : pairs[axis]) differing |= static_cast<unsigned>(c ^ path.cell[axis]);
-  const int level = std::max(path.last, static_cast<int>(std::bit_width(differing)));
-  const std::uint32_t from = level > grid_.levels ? 0 : path.entries[static_cast<std::size_t>(level)];
-  const std::array<Leaf, 8> leaves = leaves_of(grid_, tree_, pairs, level, from);
-  for (const Leaf& leaf : leaves) prefetch(&tree_.words[leaf.words]);
-  // The distinct leaves under the window with their shares. Planes do not depend on the leaf's position, so
-  // leaves with the same words are evaluated once.
+  // A leaf is a box: its share is the product of the shares of the sides that it covers along each axis.
   struct Part {
-    const Leaf* leaf;
-    double share, along_x, along_y, along_z;
-  };
-  const auto are_one = [&](const Leaf& a, const Leaf& b) {
-    return a.words == b.words &&
-           ((a.corner == b.corner && a.side == b.side) || LeafHead{tree_.words[a.words]}.flat());
+    Leaf leaf;
+    double share;
+    Vec3 along;
   };
   std::array<Part, 8> parts;
   std::size_t count = 0;
-  for (unsigned octant = 0; octant < 8; ++octant) {
-    const WindowSide &x = sides[0].side[octant & 1U], &y = sides[1].side[octant >> 1U & 1U],
-                     &z = sides[2].side[octant >> 2U];
-    std::size_t k = 0;
-    while (k < count && !are_one(leaves[octant], *parts[k].leaf)) ++k;
-    if (k == count) parts[count++] = {&leaves[octant], 0.0, 0.0, 0.0, 0.0};
+  for (unsigned left = 0xFFU; left != 0;) {
+    const auto octant = static_cast<unsigned>(std::countr_zero(left));
+    const auto cell = [&](std::size_t axis) { return sides[axis].side[octant >> axis & 1U].cell; };
+    const Leaf leaf = down_to(cell(0), cell(1), cell(2), path);
+    prefetch(&tree_.words[leaf.words]);
+    const WindowShare x = sides[0].within(leaf, 0), y = sides[1].within(leaf, 1),
+                      z = sides[2].within(leaf, 2);
+    left &= ~(x.octants & y.octants & z.octants);
     const double xy = x.share * y.share;
-    Part& part = parts[k];
-    part.share += xy * z.share;
-    part.along_x += x.slope * y.share * z.share;
-    part.along_y += x.share * y.slope * z.share;
-    part.along_z += xy * z.slope;
+    const double share = xy * z.share;
+    const Vec3 along{x.slope * y.share * z.share, x.share * y.slope * z.share, xy * z.slope};
+    // Planes do not depend on the leaf's position, so leaves with the same planes are evaluated once.
+    std::size_t k = 0;
+    while (k < count && !(parts[k].leaf.words == leaf.words && LeafHead{tree_.words[leaf.words]}.flat())) ++k;
+    if (k == count) parts[count++] = {leaf, 0.0, {}};
+    parts[k].share += share;
+    parts[k].along += along;
   }
-  if (count == 1) return leaf_sample(*parts[0].leaf, cells);
+  if (count == 1) return leaf_sample(parts[0].leaf, cells);
   DistanceSample sample;
   for (std::size_t k = 0; k < count; ++k) {
     const Part& part = parts[k];
-    const DistanceSample s = leaf_sample(*part.leaf, cells);
+    const DistanceSample s = leaf_sample(part.leaf, cells);
     sample.distance_m += part.share * s.distance_m;
-    sample.gradient += part.share * s.gradient +
-                       (s.distance_m * cells_per_m_) * Vec3{part.along_x, part.along_y, part.along_z};
+    sample.gradient += part.share * s.gradient + (s.distance_m * cells_per_m_) * part.along;
   }
   return sample;
 }

@@ -1,0 +1,394 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// Straight strokes that cut edges, corners, tips and thin plates of a solid within a tick, at any depth: the
+// cut must be a contact in its tick, and a hand that passed a plate must be held on its side. The truth is
+// the field itself, at hundreds of places of each tick.
+#include "palpable/haptics/law/random_solid.hpp"
+#include "palpable/haptics/law/stroke_scenes.hpp"
+#include "palpable/models/field/field.hpp"
+#include "palpable/models/field/field_leaf.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <memory>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace palpable::haptics {
+namespace {
+
+/// A cut that is nowhere deeper may be missed.
+constexpr double kTolerance_m = 5e-6;
+
+/// 60 strokes at each of the 24 solids, balls and frictions by default; PALPABLE_TOUCHES=48000 for a
+/// measurement.
+int strokes_of_a_solid() {
+  const char* wanted = std::getenv("PALPABLE_TOUCHES");
+  return wanted != nullptr ? std::max(1, std::atoi(wanted) / 24) : 60;
+}
+
+class Draw {
+ public:
+  explicit Draw(unsigned seed) : random_(seed) {}
+  double between(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+  /// Evenly distributed on a logarithmic scale.
+  double scaled(double low, double high) { return low * std::pow(high / low, between(0.0, 1.0)); }
+  Vec3 direction() {
+    std::normal_distribution<double> normal;
+    const double x = normal(random_), y = normal(random_), z = normal(random_);
+    return unit(Vec3{x, y, z});
+  }
+  Vec3 place(Vec3 least, Vec3 most) {
+    const double x = between(least.x, most.x), y = between(least.y, most.y), z = between(least.z, most.z);
+    return {x, y, z};
+  }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+struct NamedScene {
+  std::string name;
+  models::Scene scene;
+};
+
+constexpr double kMargin_m = 2e-3;
+
+/// A box around the origin as an adaptive field of eight leaves, each a corner of three exact planes, whose
+/// finest cells are `size / 256` long.
+NamedScene box_of_leaves(std::string name, Vec3 half_m) {
+  constexpr int kLevels = 7;
+  models::FieldGrid grid;
+  const double side_m = std::max({half_m.x, half_m.y, half_m.z}) + kMargin_m;
+  grid.levels = kLevels;
+  grid.cell_m = side_m / (1 << kLevels);
+  grid.roots = {2, 2, 2};
+  grid.origin_m = {-side_m, -side_m, -side_m};
+  models::FieldTree tree;
+  for (unsigned octant = 0; octant < 8; ++octant) {
+    tree.roots.push_back(models::FieldTree::kLeaf | static_cast<std::uint32_t>(tree.words.size()));
+    // Three planes that meet twice, convexly.
+    const models::LeafHead head{2};
+    std::vector<std::uint32_t> words(head.words(), 0U);
+    words[0] = head.bits;
+    const std::array<double, 3> half{half_m.x, half_m.y, half_m.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::uint32_t* plane = &words[5 + models::LeafHead::kPlaneWords * axis];
+      const double outwards = (octant >> axis & 1U) != 0 ? 1.0 : -1.0;
+      plane[axis] = std::bit_cast<std::uint32_t>(static_cast<float>(outwards));
+      plane[3] = std::bit_cast<std::uint32_t>(static_cast<float>(-outwards * side_m - half[axis]));
+    }
+    models::set_half_angles(words.data());
+    tree.words.insert(tree.words.end(), words.begin(), words.end());
+  }
+  auto distance = models::DistanceField::from_tree(grid, std::move(tree), {});
+  models::Scene scene;
+  scene.model =
+      std::make_shared<const models::Field>(*models::field_of(*std::move(distance), -1.0 * half_m, half_m));
+  return {std::move(name), std::move(scene)};
+}
+
+/// A solid as a dense field.
+NamedScene on_lattice(std::string name, const std::function<double(Vec3)>& distance_to, Vec3 half_m,
+                      double spacing_m) {
+  models::Lattice lattice;
+  const Vec3 around = half_m + kMargin_m * Vec3{1.0, 1.0, 1.0};
+  lattice.origin_m = -1.0 * around;
+  lattice.spacing_m = spacing_m;
+  const auto count = [&](double extent_m) {
+    return static_cast<int>(std::ceil(2.0 * extent_m / spacing_m)) + 1;
+  };
+  lattice.counts = {count(around.x), count(around.y), count(around.z)};
+  std::vector<float> values;
+  for (int z = 0; z < lattice.counts[2]; ++z)
+    for (int y = 0; y < lattice.counts[1]; ++y)
+      for (int x = 0; x < lattice.counts[0]; ++x)
+        values.push_back(static_cast<float>(distance_to(lattice.place_m(x, y, z))));
+  auto dense = models::DenseField::from(lattice, models::DenseContent::distance, std::move(values), {});
+  models::Scene scene;
+  scene.model = std::make_shared<const models::FieldOnLattice>(
+      *models::field_of(*std::move(dense), -1.0 * half_m, half_m));
+  return {std::move(name), std::move(scene)};
+}
+
+std::vector<NamedScene> solids() {
+  std::vector<NamedScene> all;
+  all.push_back(box_of_leaves("box", {0.020, 0.015, 0.010}));
+  all.push_back(box_of_leaves("plate of 1 mm", {0.020, 0.020, 0.0005}));
+  all.push_back(box_of_leaves("plate of half a cell", {0.020, 0.020, 4e-5}));
+  const auto torus = [](Vec3 p) { return std::hypot(std::hypot(p.x, p.y) - 0.010, p.z) - 0.002; };
+  all.push_back(on_lattice("torus", torus, {0.012, 0.012, 0.002}, 2e-4));
+  const auto ball = [](Vec3 p) { return norm(p) - 0.006; };
+  all.push_back(on_lattice("ball", ball, {0.006, 0.006, 0.006}, 3e-4));
+  const RandomSolid random(7);
+  const auto parts = [&](Vec3 p) {
+    const Vec3 off{std::abs(p.x) - 0.018, std::abs(p.y) - 0.013, -0.003 - p.z};
+    return std::max({random.sample({p}).distance_m, off.x, off.y, off.z});
+  };
+  all.push_back(on_lattice("random parts", parts, {0.018, 0.013, 0.010}, 3e-4));
+  return all;
+}
+
+/// A law on a solid, and the field that it touches.
+struct Touched {
+  std::shared_ptr<const Touchable> law;
+  std::function<models::FieldSample(Vec3)> sample;
+  double radius_m = 0.0;
+  double cell_m = 0.0;
+  Vec3 least_m;
+  Vec3 most_m;
+
+  double distance_m(Vec3 p) const { return sample(p).distance_m - radius_m; }
+  Vec3 on_surface(Vec3 p) const {
+    for (int k = 0; k < 8; ++k) {
+      const models::FieldSample s = sample(p);
+      p -= (s.distance_m - radius_m) * unit(s.gradient.v);
+    }
+    return p;
+  }
+  /// How deep a straight path is in the solid at most; if it begins inside, after it left it.
+  double deepest_cut_on(Vec3 from, Vec3 to) const {
+    const int places = std::clamp(static_cast<int>(norm(to - from) / 2e-6), 250, 1000);
+    double deepest_m = 0.0;
+    bool is_out = distance_m(from) > 0.0;
+    for (int k = 1; k <= places; ++k) {
+      const double away_m = distance_m(from + (1.0 * k / places) * (to - from));
+      if (is_out) deepest_m = std::max(deepest_m, -away_m);
+      is_out = is_out || away_m > 0.0;
+    }
+    return deepest_m;
+  }
+};
+
+Touched touched(const models::Scene& scene, double radius_m, double friction) {
+  LawParameters p = frictionless(radius_m);
+  p.stiffness_N_per_m = kStrokeStiffness_N_per_m;
+  p.static_friction = friction;
+  Touched all;
+  all.law = made(scene, p);
+  all.radius_m = radius_m;
+  const auto describe = [&](const auto& field) {
+    all.sample = [field](Vec3 place) { return field->distance.sample({place}); };
+    all.cell_m = field->distance.cell_m();
+    all.least_m = field->least_m - 1e-3 * Vec3{1.0, 1.0, 1.0};
+    all.most_m = field->most_m + 1e-3 * Vec3{1.0, 1.0, 1.0};
+  };
+  if (const auto* leaves = std::get_if<std::shared_ptr<const models::Field>>(&scene.model))
+    describe(*leaves);
+  else
+    describe(std::get<std::shared_ptr<const models::FieldOnLattice>>(scene.model));
+  return all;
+}
+
+/// A stroke of `ticks` steps before and after its middle, which is near the surface.
+struct Stroke {
+  Vec3 middle_m;
+  Vec3 step_m;
+  int ticks = 0;
+  Vec3 at(int tick) const { return middle_m + static_cast<double>(tick - ticks) * step_m; }
+};
+
+/// Mostly through an edge or a tip: there the normals of near places differ most.
+Stroke random_stroke(const Touched& solid, Draw& draw) {
+  constexpr double kLength_m = 0.004;
+  constexpr double kNear_m = 3e-4;
+  Stroke stroke;
+  Vec3 outwards{0.0, 0.0, 1.0};
+  double sharpest = -1.0;
+  for (int k = 0; k < 200; ++k) {
+    const Vec3 p = solid.on_surface(draw.place(solid.least_m, solid.most_m));
+    const Vec3 a = unit(solid.sample(p + kNear_m * draw.direction()).gradient.v);
+    const Vec3 b = unit(solid.sample(p + kNear_m * draw.direction()).gradient.v);
+    const double turned = 1.0 - dot(a, b);
+    if (turned <= sharpest || std::abs(solid.distance_m(p)) > 2e-6) continue;
+    sharpest = turned;
+    stroke.middle_m = p;
+    outwards = unit(a + b + 1e-3 * draw.direction());
+  }
+  // The farthest place near by.
+  for (int k = 0; k < 60; ++k) {
+    const Vec3 p = solid.on_surface(stroke.middle_m + draw.between(0.0, 4e-4) * draw.direction());
+    if (dot(p - stroke.middle_m, outwards) > 0.0 && std::abs(solid.distance_m(p)) < 2e-6) stroke.middle_m = p;
+  }
+  stroke.middle_m -= draw.scaled(2e-6, 5e-4) * outwards;
+  const double per_tick_m = draw.scaled(0.1, 2.0) / draw.scaled(500.0, 4000.0);
+  const double rises = draw.between(0.0, 1.0) < 0.5 ? 0.0 : draw.between(-0.6, 0.6);
+  stroke.step_m = per_tick_m * unit(unit(cross(outwards, draw.direction())) + rises * outwards);
+  stroke.middle_m -= draw.between(0.0, 1.0) * stroke.step_m;
+  stroke.ticks = std::clamp(static_cast<int>(kLength_m / per_tick_m), 4, 60);
+  return stroke;
+}
+
+/// Whether a frictionless proxy of tiny steps that follows the hand in hundreds of steps, and comes from the
+/// air, ends at the hand or in its sight.
+bool is_reached_by_god_object(const Touched& solid, Vec3 from, Vec3 to) {
+  constexpr int kHands = 200;
+  constexpr int kSlides = 3000;
+  const double step_m = 0.004 * solid.cell_m;
+  bool is_free = true;
+  Vec3 proxy;
+  for (int n = 1; n <= kHands; ++n) {
+    const Vec3 hand = from + (1.0 * n / kHands) * (to - from);
+    if (is_free) {
+      if (solid.distance_m(hand) >= 0.0) continue;
+      is_free = false;
+      proxy = solid.on_surface(from + ((n - 1.0) / kHands) * (to - from));
+    }
+    double part = 1.0;
+    for (int k = 0; k < kSlides && part > 1e-3; ++k) {
+      const Vec3 normal = unit(solid.sample(proxy).gradient.v);
+      const Vec3 d = hand - proxy;
+      const Vec3 along = d - dot(d, normal) * normal;
+      if (norm(along) < 1e-8) break;
+      const Vec3 next = solid.on_surface(proxy + std::min(part * step_m, norm(along)) * unit(along));
+      if (squared_norm(hand - next) < squared_norm(d)) {
+        proxy = next;
+      } else {
+        part *= 0.5;
+      }
+    }
+    is_free = solid.distance_m(hand) > 0.0 && solid.deepest_cut_on(proxy, hand) < 2e-6;
+  }
+  return is_free || norm(to - proxy) < 2e-5;
+}
+
+struct Findings {
+  int cuts = 0;
+  int missed = 0;
+  double deepest_missed_m = 0.0;
+  int inside = 0;
+  int let_through = 0;
+  int sunk = 0;
+  int pulled_away = 0;
+  int clear = 0;
+  int pushed_in_air = 0;
+  /// Cuts in which the proxy came to the hand within the tick, and those in which the solid was between.
+  int crossed = 0;
+  int popped_through = 0;
+};
+
+void follow(const Touched& solid, const Stroke& stroke, Findings& findings) {
+  TouchState state;
+  Hand hand;
+  Vec3 last = stroke.at(0);
+  if (solid.distance_m(last) < 1e-6) return;
+  LawOutput before = output_at(*solid.law, state, last);
+  for (int n = 1; n <= 2 * stroke.ticks; ++n) {
+    const Vec3 p = stroke.at(n);
+    hand.position = {p};
+    const LawOutput output = solid.law->evaluate(hand, state);
+    const double force_N = norm(output.force_N);
+    const bool is_felt = output.contact && force_N > 0.0;
+    const double deepest_m = solid.deepest_cut_on(last, p);
+    const bool began_in_air = solid.distance_m(last) > 0.0;
+    if (deepest_m > kTolerance_m) {
+      ++findings.cuts;
+      findings.missed += is_felt ? 0 : 1;
+      if (!is_felt) findings.deepest_missed_m = std::max(findings.deepest_missed_m, deepest_m);
+    }
+    findings.inside += solid.distance_m(p) < -1e-6 ? 1 : 0;
+    findings.let_through += solid.distance_m(p) < -1e-6 && !is_felt ? 1 : 0;
+    findings.sunk += solid.distance_m(output.proxy.v) < -0.1 * solid.cell_m ? 1 : 0;
+    findings.pulled_away += dot(output.proxy.v - p, output.force_N.v) < -1e-9 ? 1 : 0;
+    if (began_in_air && deepest_m <= 0.0) {
+      ++findings.clear;
+      findings.pushed_in_air += force_N > 0.0 && !before.contact ? 1 : 0;
+    }
+    // The proxy is at the hand if the force is less than that of their distance.
+    const bool is_free =
+        output.contact && force_N < 0.99 * kStrokeStiffness_N_per_m * norm(output.proxy.v - p);
+    if (is_free && began_in_air && !before.contact) {
+      ++findings.crossed;
+      findings.popped_through += is_reached_by_god_object(solid, last, p) ? 0 : 1;
+    }
+    before = output;
+    last = p;
+  }
+}
+
+TEST(FieldCrossing, OfAnEdgeIsAContactInItsTickAndThroughNoPlate) {
+  Draw draw(43);
+  Findings all;
+  for (const NamedScene& solid : solids())
+    for (const double radius_m : {0.0, 0.001})
+      for (const double friction : {0.0, 0.5}) {
+        const Touched made = touched(solid.scene, radius_m, friction);
+        Findings findings;
+        for (int k = strokes_of_a_solid(); k > 0; --k) follow(made, random_stroke(made, draw), findings);
+        const std::string which =
+            solid.name + ", ball of " + std::to_string(radius_m) + " m, friction " + std::to_string(friction);
+        EXPECT_EQ(findings.missed, 0)
+            << "of " << findings.cuts << ", up to " << findings.deepest_missed_m << " m deep: " << which;
+        EXPECT_EQ(findings.let_through, 0) << "of " << findings.inside << ": " << which;
+        EXPECT_EQ(findings.sunk, 0) << which;
+        EXPECT_EQ(findings.pulled_away, 0) << which;
+        EXPECT_EQ(findings.pushed_in_air, 0) << "of " << findings.clear << ": " << which;
+        EXPECT_EQ(findings.popped_through, 0) << "of " << findings.crossed << ": " << which;
+        all.cuts += findings.cuts;
+        all.crossed += findings.crossed;
+        all.inside += findings.inside;
+        all.clear += findings.clear;
+      }
+  EXPECT_GT(all.cuts, 500);
+  EXPECT_GT(all.crossed, 20);
+  EXPECT_GT(all.inside, 2000);
+  EXPECT_GT(all.clear, 5000);
+  RecordProperty("cuts", all.cuts);
+  RecordProperty("crossed", all.crossed);
+}
+
+/// A plate that hands pass within a tick: it holds them on the side from which they came.
+TEST(FieldCrossing, AThinPlateHoldsAFastHandOnItsSideAlsoWhileSceneAndRadiusChange) {
+  constexpr double kTick_s = 0.001;
+  Draw draw(44);
+  int beyond = 0;
+  int let_through = 0;
+  for (const double half_m : {5e-4, 1e-4, 2e-5}) {
+    const models::Scene plate = box_of_leaves("plate", {0.020, 0.020, half_m}).scene;
+    const models::Scene thicker = box_of_leaves("plate", {0.020, 0.020, 1.2 * half_m}).scene;
+    const std::array<Touched, 4> touches{touched(plate, 0.0, 0.0), touched(plate, 5e-4, 0.5),
+                                         touched(thicker, 5.1e-4, 0.0), touched(thicker, 0.0, 0.3)};
+    for (int k = 4 * strokes_of_a_solid(); k > 0; --k) {
+      const double side = k % 2 == 0 ? 1.0 : -1.0;
+      const double speed_m_per_s = draw.scaled(0.05, 2.0);
+      const Vec3 way = unit(Vec3{draw.between(-0.7, 0.7), draw.between(-0.7, 0.7), -side});
+      const Touched* now = &touches[static_cast<std::size_t>(k) % touches.size()];
+      TouchState state;
+      Hand hand;
+      Vec3 p =
+          Vec3{draw.between(-0.008, 0.008), draw.between(-0.008, 0.008), side * draw.between(7e-4, 2e-3)};
+      output_at(*now->law, state, p);
+      for (int n = 0; n < 40 && std::abs(p.z) < 0.006; ++n) {
+        if (draw.between(0.0, 1.0) < 0.3) {
+          const Touched* next = &touches[static_cast<std::size_t>(draw.between(0.0, 3.999))];
+          TouchState taken;
+          next->law->take_over(now->law->hand_over(state), taken);
+          if (next != now) state = taken;
+          now = next;
+        }
+        p += kTick_s * speed_m_per_s * way;
+        hand.position = {p};
+        const LawOutput output = now->law->evaluate(hand, state);
+        if (side * p.z > 0.0) continue;
+        ++beyond;
+        let_through +=
+            output.contact && side * output.proxy.v.z > 0.0 && side * output.force_N.v.z > 0.0 ? 0 : 1;
+      }
+    }
+  }
+  EXPECT_EQ(let_through, 0) << "of " << beyond;
+  EXPECT_GT(beyond, 3000);
+}
+
+}  // namespace
+}  // namespace palpable::haptics
