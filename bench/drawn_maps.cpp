@@ -220,7 +220,7 @@ DrawnMap drawn_map(const sources::MapExtract& extract, const DrawnWindow& window
   draw_areas(cr, extract, style, project);
   cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);
   draw_ways(cr, ways, style);
-  std::vector<MapPoint> taken;
+  std::vector<TakenPlace> taken;
   if (style.details) taken = draw_symbols(cr, ways, style, side, random_details);
   DrawnMap map;
   for (const ProjectedWay& w : ways)

@@ -86,6 +86,12 @@ struct DrawnName {
   std::vector<MapPoint> line;
 };
 
+/// Where no name is written, and how far away the middles of the letters stay, in sizes of the font.
+struct TakenPlace {
+  MapPoint at;
+  double letters = 1.7;
+};
+
 struct DrawnMap {
   Raster<Rgb8> picture;
   std::vector<DrawnWay> ways;

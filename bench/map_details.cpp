@@ -212,12 +212,12 @@ void draw_areas_of_use(cairo_t* cr, const DrawnMapStyle& style, int side, Random
   cairo_stroke(cr);
 }
 
-std::vector<MapPoint> draw_symbols(cairo_t* cr, const std::vector<ProjectedWay>& ways,
-                                   const DrawnMapStyle& style, int side, Random& random) {
-  std::vector<MapPoint> taken;
+std::vector<TakenPlace> draw_symbols(cairo_t* cr, const std::vector<ProjectedWay>& ways,
+                                     const DrawnMapStyle& style, int side, Random& random) {
+  std::vector<TakenPlace> taken;
   const auto take = [&taken](MapPoint middle, double half_x, double half_y) {
     for (double x = -half_x; x <= half_x; x += 6.0)
-      for (double y = -half_y; y <= half_y; y += 6.0) taken.push_back({middle.x + x, middle.y + y});
+      for (double y = -half_y; y <= half_y; y += 6.0) taken.push_back({{middle.x + x, middle.y + y}});
   };
   if (chance(random, 0.6)) draw_border(cr, side, random);
   for (const ProjectedWay& w : ways) {
@@ -233,8 +233,11 @@ std::vector<MapPoint> draw_symbols(cairo_t* cr, const std::vector<ProjectedWay>&
       stroke(cr, w.points, paint.fill, paint.width_px);
     }
     if (chance(random, 0.4))
-      for (double u = 30.0; u < length - 10.0; u += uniform(random, 60.0, 160.0))
-        draw_arrow(cr, along(w.points, u), {60, 55, 40});
+      for (double u = 30.0; u < length - 10.0; u += uniform(random, 60.0, 160.0)) {
+        const Along arrow = along(w.points, u);
+        draw_arrow(cr, arrow, {60, 55, 40});
+        taken.push_back({arrow.at, 0.9});
+      }
     if (length > 40.0 && chance(random, is_main ? 0.5 : 0.12)) {
       const Along stop = along(w.points, 0.5 * length);
       draw_bus_stop(cr, stop.at, style.font_px < 10.0 ? 3.0 : 5.0);

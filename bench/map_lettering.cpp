@@ -94,7 +94,7 @@ std::string in_capitals(const std::string& text) {
 
 class Lettering {
  public:
-  Lettering(cairo_t* cr, const DrawnMapStyle& style, int side, Line taken)
+  Lettering(cairo_t* cr, const DrawnMapStyle& style, int side, std::vector<TakenPlace> taken)
       : cr_(cr),
         style_(style),
         side_(side),
@@ -106,6 +106,7 @@ class Lettering {
     cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
     pango_cairo_context_set_font_options(pango_layout_get_context(layout_), options);
     cairo_font_options_destroy(options);
+    pango_context_set_round_glyph_positions(pango_layout_get_context(layout_), FALSE);
     PangoFontDescription* font = pango_font_description_from_string(style.font.c_str());
     pango_font_description_set_absolute_size(font, style.font_px * PANGO_SCALE);
     pango_layout_set_font_description(layout_, font);
@@ -171,8 +172,8 @@ class Lettering {
       double turn = std::abs(angle_at(line, u + 6.0) - angle_at(line, u - 6.0));
       turn = std::min(turn, 2.0 * std::numbers::pi - turn);
       if (turn > 0.35) return false;
-      for (const MapPoint q : taken_)
-        if (distance(p, q) < 1.7 * style_.font_px) return false;
+      for (const TakenPlace& place : taken_)
+        if (distance(p, place.at) < place.letters * style_.font_px) return false;
     }
     return distance(at(line, begin), at(line, begin + width)) > 0.85 * width;
   }
@@ -182,7 +183,7 @@ class Lettering {
             const std::vector<double>& widths, Rgb8 halo) {
     Line middle_line;
     for (double u = begin; u <= begin + width; u += 3.0) {
-      taken_.push_back(at(line, u));
+      taken_.push_back({at(line, u)});
       middle_line.push_back(at(line, u));
     }
     const MapPoint first = at(line, begin);
@@ -227,13 +228,14 @@ class Lettering {
   const DrawnMapStyle& style_;
   int side_;
   PangoLayout* layout_;
-  Line taken_;
+  std::vector<TakenPlace> taken_;
 };
 
 }  // namespace
 
 std::vector<DrawnName> draw_street_names(cairo_t* cr, const std::vector<DrawnWay>& ways,
-                                         const DrawnMapStyle& style, int side, std::vector<MapPoint> taken) {
+                                         const DrawnMapStyle& style, int side,
+                                         std::vector<TakenPlace> taken) {
   Lettering lettering(cr, style, side, std::move(taken));
   std::vector<std::pair<double, std::string>> longest;
   const auto lines = lines_by_name(ways);

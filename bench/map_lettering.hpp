@@ -8,8 +8,8 @@
 namespace palpable::bench {
 
 /// Writes the names of streets along them, curved as they are, where there is room: those that are drawn
-/// whole, each of which may be there several times. Nothing is written within letters' reach of `taken`.
+/// whole, each of which may be there several times. Nothing is written too near to `taken`.
 std::vector<DrawnName> draw_street_names(cairo_t* cr, const std::vector<DrawnWay>& ways,
-                                         const DrawnMapStyle& style, int side, std::vector<MapPoint> taken);
+                                         const DrawnMapStyle& style, int side, std::vector<TakenPlace> taken);
 
 }  // namespace palpable::bench

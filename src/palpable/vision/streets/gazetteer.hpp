@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/result.hpp"
+#include "palpable/vision/text/compared_form.hpp"
 
 #include <optional>
 #include <span>
@@ -18,10 +19,6 @@ inline constexpr std::size_t kMaxNames = 1'000'000, kMaxNameBytes = 200;
 /// The lines of a text that are not empty. Errors (invalid_input, without a place): no names, or more than
 /// kMaxNames.
 Result<std::vector<std::string>> parse_gazetteer(std::string_view text);
-
-/// The letters and digits of a name, without case, accents, blanks and marks: what is compared. Letters
-/// outside Latin stay as they are (UTF-8).
-std::string compared_form(std::string_view name);
 
 /// One minus the edit distance (core/text/edit_distance.hpp) of two compared forms, as a part of the longer
 /// one's bytes; 0 ... 1, and 0 if both are empty.

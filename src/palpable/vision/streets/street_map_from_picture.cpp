@@ -201,6 +201,7 @@ Result<void> read_along_streets(const Raster<Rgb8>& lettering, const CentreLines
                        read, options.along_streets.sure);
   auto more = read_text_lines(lettering, along, options.reading, work);
   if (!more) return more.error();
+  spell_by_gazetteer(more->lines, options.names.gazetteer, options.names.least_similarity);
   for (std::size_t i = 0; i < along.size(); ++i) {
     if (more->lines[i].text.empty()) continue;
     text.push_back(along[i]);
@@ -239,8 +240,10 @@ Result<FoundStreetMap> street_map_from_picture(const Image& picture, const Stree
   work.report(0.4, "reading names");
   auto reading = read_text_lines(lettering, text, options.reading, work);
   if (!reading) return reading.error();
+  spell_by_gazetteer(reading->lines, options.names.gazetteer, options.names.least_similarity);
   if (auto more = read_along_streets(lettering, graph, text, reading->lines, options, work); !more)
     return more.error();
+  join_name_pieces(text, reading->lines, options.pieces);
   add_streets_under(graph, text, reading->lines, options.under_names);
   add_network(map, graph, options.outlines);
   add_names(map, text, reading->lines, options.names);

@@ -9,6 +9,7 @@
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/vision/streets/map_colours.hpp"
+#include "palpable/vision/streets/name_pieces.hpp"
 #include "palpable/vision/streets/street_colours.hpp"
 #include "palpable/vision/streets/street_graph.hpp"
 #include "palpable/vision/streets/street_lettering.hpp"
@@ -80,6 +81,7 @@ struct StreetMapOptions {
   MapRecognitionOptions recognition;
   MapOutlineOptions outlines;
   ReadTextOptions reading;
+  NamePiecesOptions pieces;
   StreetsUnderNamesOptions under_names;
   LetteringAlongOptions along_streets;
   StreetNameOptions names;

@@ -134,6 +134,8 @@ std::vector<Parameter> parameters_of(StreetNameOptions& o) {
           {"aside_deg", &o.aside_deg, {0, 90}, "degrees", "its direction there"},
           {"step_points", &o.step_points, {1, 20}, "points", "steps along a name"},
           {"crossing_part", &o.crossing_part, {0, 1}, "", "a street with a smaller part crosses"},
+          {"same_name", &o.same_name, {0, 1}, "", "similarity of readings of one name"},
+          {"divided_part", &o.divided_part, {0, 1}, "", "part of a name on a street that it divides"},
           {"most_turn_deg", &o.most_turn_deg, {0, 180}, "degrees", "turn over which a name goes on"},
           {"most_width_change", &o.most_width_change, {0, 1}, "", "change of width over which it does"},
           {"end_widths", &o.end_widths, {0, 20}, "widths", "length of a street's end, for its direction"},
@@ -177,6 +179,7 @@ std::vector<Parameter> parameters_of(StreetMapOptions& o) {
   append_parameters(all, "recognition", parameters_of(o.recognition));
   append_parameters(all, "outlines", parameters_of(o.outlines));
   append_parameters(all, "reading", parameters_of(o.reading));
+  append_parameters(all, "pieces", parameters_of(o.pieces));
   append_parameters(all, "along_streets", parameters_of(o.along_streets));
   append_parameters(all, "under_names", parameters_of(o.under_names));
   append_parameters(all, "names", parameters_of(o.names));

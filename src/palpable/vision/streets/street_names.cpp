@@ -5,6 +5,7 @@
 #include "palpable/core/geometry/map_place.hpp"
 #include "palpable/core/geometry/segment.hpp"
 #include "palpable/vision/streets/gazetteer.hpp"
+#include "palpable/vision/streets/name_pieces.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -43,9 +44,10 @@ double distance_along(const MapStreet& street, MapPoint p, Vector2 along, double
   return least;
 }
 
-/// How many points of a name lie on each street.
+/// How many points of a name lie on each street, and which.
 struct Votes {
   std::map<std::size_t, int> of_street;
+  std::map<std::size_t, std::vector<MapPoint>> points;
   double part = 0.0;
 };
 
@@ -70,6 +72,7 @@ Votes votes_of(const StreetMap& map, const TextLine& line, const StreetNameOptio
     if (!best) continue;
     ++on_street;
     ++votes.of_street[*best];
+    votes.points[*best].push_back(p[i]);
   }
   votes.part = static_cast<double>(on_street) / all;
   return votes;
@@ -169,12 +172,88 @@ bool is_small_name(std::string_view words) {
 std::optional<std::string> name_of(const StreetMap& map, const TextLine& line, const ReadLine& read,
                                    const StreetNameOptions& options) {
   if (options.gazetteer.empty()) {
-    const bool is_name = read.confidence >= options.least_confidence &&
+    const bool is_name = read.confidence >= options.least_confidence && !is_piece_of_name(read.text) &&
                          (is_whole_name(read.text) || is_small_name(read.text)) &&
                          !is_at_border(map, line, options);
     return is_name ? std::optional(read.text) : std::nullopt;
   }
   return nearest_name(read.text, options.gazetteer, options.least_similarity);
+}
+
+/// A name on a street: where along it, in points of the street's line with steps of a pixel.
+struct NameAt {
+  double along_px = 0.0;
+  std::string form;
+};
+
+/// Length of a street up to its place that is nearest to a point.
+double along_street(const MapStreet& street, MapPoint p) {
+  double length = 0.0, nearest = 1e18, at = 0.0;
+  for (std::size_t i = 1; i < street.points.size(); ++i) {
+    const MapPoint a = street.points[i - 1];
+    const Vector2 d = between(a, street.points[i]);
+    const double n = std::hypot(d.x, d.y);
+    const double t = n > 0.0 ? std::clamp(((p.x - a.x) * d.x + (p.y - a.y) * d.y) / (n * n), 0.0, 1.0) : 0.0;
+    const double distance = std::hypot(a.x + t * d.x - p.x, a.y + t * d.y - p.y);
+    if (distance < nearest) {
+      nearest = distance;
+      at = length + t * n;
+    }
+    length += n;
+  }
+  return at;
+}
+
+/// Divides a street at a length of it; the rest becomes a street of its own.
+void divide(StreetMap& map, std::size_t number, double along_px) {
+  MapStreet rest = map.streets[number];
+  MapStreet& street = map.streets[number];
+  double length = 0.0;
+  for (std::size_t i = 1; i < rest.points.size(); ++i) {
+    const MapPoint a = rest.points[i - 1];
+    const Vector2 d = between(a, rest.points[i]);
+    const double n = std::hypot(d.x, d.y);
+    if (length + n < along_px) {
+      length += n;
+      continue;
+    }
+    const double t = n > 0.0 ? (along_px - length) / n : 0.0;
+    const MapPoint cut{a.x + t * d.x, a.y + t * d.y};
+    street.points.resize(i);
+    street.points.push_back(cut);
+    rest.points.erase(rest.points.begin(), rest.points.begin() + static_cast<std::ptrdiff_t>(i));
+    rest.points.insert(rest.points.begin(), cut);
+    map.streets.push_back(std::move(rest));
+    return;
+  }
+}
+
+/// Divides streets that carry different names one after the other, midway between these: where a street
+/// bends into another one there is no junction.
+void divide_between_names(StreetMap& map, std::span<const TextLine> lines, std::span<const ReadLine> read,
+                          const StreetNameOptions& options) {
+  std::map<std::size_t, std::vector<NameAt>> names;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (read[i].text.empty()) continue;
+    const Votes votes = votes_of(map, lines[i], options);
+    const auto name =
+        votes.part >= options.least_part_on_street ? name_of(map, lines[i], read[i], options) : std::nullopt;
+    if (!name) continue;
+    int most = 0;
+    for (const auto& [street, count] : votes.of_street) most = std::max(most, count);
+    for (const auto& [street, points] : votes.points)
+      if (votes.of_street.at(street) >= options.divided_part * most)
+        names[street].push_back(
+            {along_street(map.streets[street], points[points.size() / 2]), compared_form(*name)});
+  }
+  for (auto& [street, here] : names) {
+    std::sort(here.begin(), here.end(),
+              [](const NameAt& a, const NameAt& b) { return a.along_px > b.along_px; });
+    // From the end, so that the lengths before the cuts stay.
+    for (std::size_t k = 1; k < here.size(); ++k)
+      if (similarity_of(here[k - 1].form, here[k].form) < options.same_name)
+        divide(map, street, 0.5 * (here[k - 1].along_px + here[k].along_px));
+  }
 }
 
 }  // namespace
@@ -190,8 +269,27 @@ bool is_whole_name(std::string_view words) {
   });
 }
 
+void spell_by_gazetteer(std::span<ReadLine> read, std::span<const std::string> gazetteer, double least) {
+  if (gazetteer.empty()) return;
+  for (ReadLine& line : read) {
+    std::map<std::string, double> votes;
+    double best = 0.0;
+    for (const std::string& text : line.others)
+      if (const auto name = nearest_name(text, gazetteer, least)) {
+        const double similarity = similarity_of(compared_form(text), compared_form(*name));
+        double& sum = votes[*name];
+        sum += similarity * similarity;
+        if (sum <= best) continue;
+        best = sum;
+        line.text = *name;
+        line.confidence = std::max(line.confidence, similarity);
+      }
+  }
+}
+
 void add_names(StreetMap& map, std::span<const TextLine> lines, std::span<const ReadLine> read,
                const StreetNameOptions& options) {
+  divide_between_names(map, lines, read, options);
   // The surest name of each street wins.
   std::vector<double> confidence(map.streets.size(), 0.0);
   for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -25,6 +25,10 @@ struct StreetNameOptions {
   /// Of several pieces of streets along a name, those that have fewer of its points than this part of the
   /// most belong to a street that crosses. 0 ... 1.
   double crossing_part = 1.0 / 3.0;
+  /// A street with two names, one after the other, is divided between them: names that differ, of similarity
+  /// below the first, 0 ... 1, each with at least the second part of its points there, 0 ... 1.
+  double same_name = 0.7;
+  double divided_part = 0.7;
   /// A name goes on over a junction to the unnamed street that continues in the same direction within this
   /// angle, degrees, 0 ... 180, and whose width differs by at most this part, 0 ... 1.
   double most_turn_deg = 30.0;
@@ -50,6 +54,10 @@ std::vector<Parameter> parameters_of(StreetNameOptions& options);
 /// Whether words can be a whole name of a street: they begin with a capital or a digit, and have no marks but
 /// those of names. Fragments of names seldom are so. UTF-8.
 bool is_whole_name(std::string_view words);
+
+/// Each line says the name of the gazetteer that its readings, also those that do not agree, are most similar
+/// to, where that is at least `least`. Without a gazetteer nothing changes.
+void spell_by_gazetteer(std::span<ReadLine> read, std::span<const std::string> gazetteer, double least);
 
 /// Adds the map's lettering (`read` belongs to `lines`, one for one): a name that lies along a street becomes
 /// the name of that street and of its straight continuation; other words become labels of places.

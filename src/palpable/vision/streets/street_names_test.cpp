@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -118,6 +120,42 @@ TEST(StreetNames, TheSurestReadingOfAStreetWins) {
   add_names(map, lines, read);
   EXPECT_EQ(map.streets[0].name, "Hill Lane");
   EXPECT_EQ(map.streets[1].name, "Hill Lane") << "its own lettering was not sure enough";
+}
+
+TEST(StreetNames, AStreetIsDividedBetweenItsTwoNames) {
+  // A street without a junction, with a name at each of its halves.
+  StreetMap map;
+  map.width_px = 300;
+  map.height_px = 200;
+  map.streets = {{"", 12.0, {{0, 100}, {120, 100}, {299, 100}}}};
+  const std::array<TextLine, 2> lines{level_line(20, 80, 100), level_line(180, 260, 100)};
+  const std::array<ReadLine, 2> read{ReadLine{"Mill Lane", 0.8, false}, ReadLine{"Station Road", 0.9, false}};
+  add_names(map, lines, read);
+  ASSERT_EQ(map.streets.size(), 2U);
+  EXPECT_EQ(map.streets[0].name, "Mill Lane");
+  EXPECT_EQ(map.streets[1].name, "Station Road");
+  const MapPoint cut = map.streets[0].points.back();
+  EXPECT_NEAR(cut.x, 135.0, 3.0) << "midway between 50 and 220";
+  EXPECT_EQ(map.streets[1].points.front().x, cut.x);
+  EXPECT_EQ(map.streets[1].points.back().x, 299.0);
+}
+
+TEST(StreetNames, ABeginningAloneIsNoName) {
+  StreetMap map = junction_map();
+  add_name(map, level_line(30, 110, 100), {"Rue de la", 0.95, false});
+  EXPECT_EQ(map.streets[0].name, "");
+}
+
+TEST(StreetNames, AGazetteerDecidesBetweenReadingsThatDiffer) {
+  const std::vector<std::string> gazetteer{"Boulevard Carnot", "Rue Saige"};
+  std::array<ReadLine, 2> read{ReadLine{"", 0.0, false, {"Bouleuard Camot", "Boulevard Carot"}},
+                               ReadLine{"Museum", 0.9, false, {"Museum"}}};
+  spell_by_gazetteer(read, gazetteer, 0.7);
+  EXPECT_EQ(read[0].text, "Boulevard Carnot");
+  EXPECT_GT(read[0].confidence, 0.7);
+  EXPECT_EQ(read[1].text, "Museum");
+  spell_by_gazetteer(read, {}, 0.0);
+  EXPECT_EQ(read[1].text, "Museum");
 }
 
 }  // namespace

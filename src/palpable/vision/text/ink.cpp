@@ -19,13 +19,18 @@ bool is_thin_line(int pixels, double size_px, const TextLineOptions& options) {
 
 }  // namespace
 
-cv::Mat darkness_of(const Raster<Rgb8>& picture, int stroke_px) {
+cv::Mat luma_of(const Raster<Rgb8>& picture) {
   cv::Mat luma(picture.height(), picture.width(), CV_8U);
   for (int y = 0; y < picture.height(); ++y)
     for (int x = 0; x < picture.width(); ++x) {
       const Rgb8 c = picture(x, y);
       luma.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>((299 * c.r + 587 * c.g + 114 * c.b) / 1000);
     }
+  return luma;
+}
+
+cv::Mat darkness_of(const Raster<Rgb8>& picture, int stroke_px) {
+  const cv::Mat luma = luma_of(picture);
   cv::Mat around;
   cv::morphologyEx(luma, around, cv::MORPH_CLOSE, ellipse_of(stroke_px));
   return around - luma;

@@ -22,6 +22,9 @@ struct Ink {
   std::vector<cv::Point> pixels;
 };
 
+/// Grey levels, 0 ... 255.
+cv::Mat luma_of(const Raster<Rgb8>& picture);
+
 /// How much darker each pixel is than what is around it, grey levels 0 ... 255; strokes are narrower than
 /// `stroke_px`.
 cv::Mat darkness_of(const Raster<Rgb8>& picture, int stroke_px);

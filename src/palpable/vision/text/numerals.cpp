@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 
 namespace palpable::vision {
 namespace {
@@ -16,7 +17,40 @@ bool has_strokes_only(std::string_view word) {
          word.find_first_of("Ili") != word.npos;
 }
 
+/// Number of dark strokes that a row of a picture crosses.
+int strokes_in_row(const cv::Mat& picture, int y, double most_dark) {
+  int strokes = 0;
+  bool was_dark = false;
+  for (int x = 0; x < picture.cols; ++x) {
+    const bool is_dark = picture.at<std::uint8_t>(y, x) <= most_dark;
+    strokes += is_dark && !was_dark ? 1 : 0;
+    was_dark = is_dark;
+  }
+  return strokes;
+}
+
 }  // namespace
+
+std::string numeral_or(const std::string& word, const cv::Mat& picture) {
+  constexpr std::string_view kAlike = "IlLiHhfFtTUuNn1!|[]";
+  constexpr std::size_t kMostLetters = 3;
+  constexpr int kLeastHeight_px = 8, kMostStrokes = 3;
+  const bool may_be =
+      word.size() <= kMostLetters && word.find_first_of("IlH1|f") != word.npos &&
+      std::all_of(word.begin(), word.end(), [&](char c) { return kAlike.find(c) != kAlike.npos; });
+  if (!may_be || picture.rows < kLeastHeight_px) return word;
+  double darkest = 0.0, lightest = 0.0;
+  cv::minMaxLoc(picture, &darkest, &lightest);
+  // The same strokes at every height, but for the ends of the letters.
+  int strokes = 0;
+  for (const double part : {0.2, 0.35, 0.5, 0.65, 0.8}) {
+    const int here =
+        strokes_in_row(picture, static_cast<int>(part * picture.rows), 0.5 * (darkest + lightest));
+    if (strokes != 0 && here != strokes) return word;
+    strokes = here;
+  }
+  return strokes >= 1 && strokes <= kMostStrokes ? std::string(static_cast<std::size_t>(strokes), 'I') : word;
+}
 
 std::string with_numerals(std::string_view words) {
   const std::size_t blank = words.rfind(' ');

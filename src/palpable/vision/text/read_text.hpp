@@ -35,10 +35,14 @@ struct ReadTextOptions {
   int border_px = 8;
   /// Enlarged letters are smoothed by this part of their height: the standard deviation. 0 ... 0.5.
   double smoothing = 0.033;
-  /// Each line is read at two more sizes, as parts of letter_px; two of the three readings must agree. 1 ...
-  /// 4 and 0.3 ... 1.
-  double larger = 1.3;
-  double smaller = 0.62;
+  /// Each line is read again in its own grey levels, of which these parts are ink and darker, or ground and
+  /// darker, 0 ... 1 each, with edges sharpened by this, 0 ... 5, over this part of the letters' height, 0.01
+  /// ... 1; with one language also stretched by this, 1 ... 3. Two readings must agree.
+  double ink_part = 0.02;
+  double ground_part = 0.7;
+  double sharpening = 1.0;
+  double sharpening_radius = 0.08;
+  double stretch = 1.2;
   /// Fewest letters in what is read, and the least part of it that is letters. 1 ... 20 and 0 ... 1.
   int fewest_letters = 3;
   double letter_part = 0.5;
@@ -60,6 +64,8 @@ struct ReadLine {
   double confidence = 0.0;
   /// Whether it is read from the last point of its line to the first.
   bool reversed = false;
+  /// All that was read, among it what no second reading agrees with. For a gazetteer.
+  std::vector<std::string> others = {};
 };
 
 /// One ReadLine for each line of lettering.

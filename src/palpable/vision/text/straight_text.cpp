@@ -1,0 +1,107 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/text/straight_text.hpp"
+
+#include "palpable/vision/text/ink.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include <opencv2/imgproc.hpp>
+
+namespace palpable::vision {
+namespace {
+
+/// The picture's dark lettering as black on white, whatever is behind it: grey levels 0 ... 255.
+cv::Mat lettering_of(const Raster<Rgb8>& picture, const ReadTextOptions& options) {
+  const auto disc = [](int k) { return cv::getStructuringElement(cv::MORPH_ELLIPSE, {k, k}); };
+  const cv::Mat contrast = darkness_of(picture, options.thickest_stroke_px);
+  cv::Mat strongest, out(contrast.size(), CV_8U);
+  cv::dilate(contrast, strongest, disc(options.contrast_window_px));
+  for (int y = 0; y < out.rows; ++y)
+    for (int x = 0; x < out.cols; ++x) {
+      const double part = contrast.at<std::uint8_t>(y, x) /
+                          std::max<double>(options.full_contrast, strongest.at<std::uint8_t>(y, x));
+      out.at<std::uint8_t>(y, x) = cv::saturate_cast<std::uint8_t>(255.0 * (1.0 - part));
+    }
+  return out;
+}
+
+/// A line of lettering, straight, upright and enlarged. Reading goes to the right, or to the left if
+/// reversed.
+cv::Mat straightened(const cv::Mat& picture, const TextLine& line, bool reversed, double stretch,
+                     const ReadTextOptions& options) {
+  const double scale = options.letter_px / std::max(options.least_height_px, line.height_px);
+  const double margin = options.margin * line.height_px;
+  std::vector<MapPoint> p = line.centre;
+  if (reversed) std::reverse(p.begin(), p.end());
+  const double length = static_cast<double>(p.size() - 1);
+  const int width = static_cast<int>((length + 2.0 * margin) * scale * stretch);
+  const int height = static_cast<int>((line.height_px + 2.0 * margin) * scale);
+  cv::Mat map_x(height, width, CV_32F), map_y(height, width, CV_32F);
+  const auto reach = static_cast<std::ptrdiff_t>(line.height_px);
+  for (int x = 0; x < width; ++x) {
+    const double u = x / (scale * stretch) - margin;
+    const auto i = static_cast<std::ptrdiff_t>(std::clamp(u, 0.0, length));
+    const auto before = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, i - reach));
+    const auto after =
+        static_cast<std::size_t>(std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(length), i + reach));
+    const double dx = p[after].x - p[before].x;
+    const double dy = p[after].y - p[before].y;
+    const double n = std::max(1e-9, std::hypot(dx, dy));
+    const double rest = u - static_cast<double>(i);
+    const auto at = static_cast<std::size_t>(i);
+    for (int y = 0; y < height; ++y) {
+      const double v = y / scale - 0.5 * line.height_px - margin;
+      map_x.at<float>(y, x) = static_cast<float>(p[at].x + rest * dx / n - v * dy / n);
+      map_y.at<float>(y, x) = static_cast<float>(p[at].y + rest * dy / n + v * dx / n);
+    }
+  }
+  cv::Mat out;
+  cv::remap(picture, out, map_x, map_y, cv::INTER_CUBIC, cv::BORDER_CONSTANT, cv::Scalar(255));
+  return out;
+}
+
+/// The grey level that a part of a picture's pixels is below.
+double level_of(const cv::Mat& grey, double part) {
+  std::vector<std::uint8_t> levels(grey.begin<std::uint8_t>(), grey.end<std::uint8_t>());
+  const auto at = levels.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(levels.size() - 1));
+  std::nth_element(levels.begin(), at, levels.end());
+  return *at;
+}
+
+/// Grey levels with the ink black and the ground white.
+cv::Mat with_full_contrast(const cv::Mat& grey, const ReadTextOptions& options) {
+  const double dark = level_of(grey, options.ink_part), light = level_of(grey, options.ground_part);
+  cv::Mat out;
+  const double gain = 255.0 / std::max(1.0, light - dark);
+  grey.convertTo(out, CV_8U, gain, -gain * dark);
+  return out;
+}
+
+cv::Mat with_sharp_edges(const cv::Mat& grey, const ReadTextOptions& options) {
+  cv::Mat blurred, out;
+  cv::GaussianBlur(grey, blurred, {}, options.sharpening_radius * options.letter_px);
+  cv::addWeighted(grey, 1.0 + options.sharpening, blurred, -options.sharpening, 0.0, out);
+  return out;
+}
+
+}  // namespace
+
+StraightText::StraightText(const Raster<Rgb8>& picture, const ReadTextOptions& options)
+    : options_(options), strokes_(lettering_of(picture, options)), grey_(luma_of(picture)) {}
+
+cv::Mat StraightText::of(const TextLine& line, bool reversed, Kind kind) const {
+  const double stretch = kind == Kind::stretched ? options_.stretch : 1.0;
+  cv::Mat out = straightened(kind == Kind::strokes ? strokes_ : grey_, line, reversed, stretch, options_);
+  if (kind != Kind::strokes) out = with_full_contrast(out, options_);
+  if (kind == Kind::sharpened) out = with_sharp_edges(out, options_);
+  if (options_.smoothing > 0.0) cv::GaussianBlur(out, out, {}, options_.smoothing * options_.letter_px);
+  const int border = options_.border_px;
+  cv::copyMakeBorder(out, out, border, border, 2 * border, 2 * border, cv::BORDER_CONSTANT, cv::Scalar(255));
+  return out;
+}
+
+}  // namespace palpable::vision

@@ -1,0 +1,37 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/picture/image.hpp"
+#include "palpable/vision/text/read_text.hpp"
+#include "palpable/vision/text/text_lines.hpp"
+
+#include <opencv2/core.hpp>
+
+// Inside vision's sources only.
+namespace palpable::vision {
+
+/// Makes pictures of lines of lettering as a reader wants them: straight, upright, enlarged, dark on white.
+class StraightText {
+ public:
+  StraightText(const Raster<Rgb8>& picture, const ReadTextOptions& options);
+
+  /// Kinds of pictures, in which a reader errs differently.
+  enum class Kind {
+    /// How dark the strokes are against what is around them.
+    strokes,
+    /// The picture's own grey levels, with sharpened edges.
+    sharpened,
+    /// The picture's own grey levels, with more room between letters.
+    stretched,
+  };
+  /// Reading goes to the right in the result, from the line's last point to its first if `reversed`.
+  cv::Mat of(const TextLine& line, bool reversed, Kind kind) const;
+
+ private:
+  ReadTextOptions options_;
+  cv::Mat strokes_;
+  cv::Mat grey_;
+};
+
+}  // namespace palpable::vision
