@@ -30,6 +30,6 @@ void draw_areas_of_use(cairo_t* cr, const DrawnMapStyle& style, int side, std::m
 /// Borders, bridges, arrows of one-way streets, bus stops, symbols and their labels. Returns the places where
 /// no names may be.
 std::vector<TakenPlace> draw_symbols(cairo_t* cr, const std::vector<ProjectedWay>& ways,
-                                   const DrawnMapStyle& style, int side, std::mt19937_64& random);
+                                     const DrawnMapStyle& style, int side, std::mt19937_64& random);
 
 }  // namespace palpable::bench
