@@ -185,10 +185,9 @@ class FieldFollower {
       proxy.normal = {};
       return false;
     }
-    const int allowed = std::max(evaluations, path.usual_looks());
-    int looks = allowed;
+    int looks = Path::kMostLooks;
     const typename Path::Followed followed = path.follow({0.0, proxy.clearance_m, proxy.normal}, looks);
-    evaluations -= allowed - looks;
+    evaluations -= Path::kMostLooks - looks;
     if (followed.reach == Path::Reach::entry) {
       meet(path, followed, proxy);
       return true;

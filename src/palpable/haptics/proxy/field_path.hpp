@@ -22,7 +22,7 @@ class FieldPath {
   /// Cuts that are nowhere deeper may be missed, except at the path's end.
   static constexpr double kIgnored_m = 1e-6;
   /// Looks at a path of any length: at most.
-  static constexpr int kMostLooks = 128;
+  static constexpr int kMostLooks = 160;
 
   /// A look at a place of the path.
   struct Look {
@@ -57,9 +57,6 @@ class FieldPath {
     const models::DistanceSample s = solid_.sample(place);
     return {at_m, solid_.certain_m(place, s.distance_m), s.gradient};
   }
-  /// Looks that suffice for most paths of this length.
-  int usual_looks() const noexcept { return 6 + static_cast<int>(1.5 * length_m_ / shortest_m_); }
-
   /// Follows the path from a look outside the solid until it enters it. `looks` is reduced by those taken.
   Followed follow(Look from, int& looks) const noexcept {
     Followed followed{Reach::end, from, {}};
@@ -82,6 +79,7 @@ class FieldPath {
       }
       if (is_out && kSafe * (clear.distance_m + next.distance_m) > next.at_m - clear.at_m) {
         clear = next;
+        // The next piece is as long as the distance allows.
         piece_m = 2.0 * length_m_;
       } else if (piece_m <= shortest_m_) {
         followed.inside = next;
