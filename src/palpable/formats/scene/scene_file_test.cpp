@@ -39,7 +39,11 @@ models::Scene sample(int width = 40, int height = 30) {
   scene.labels = Raster<std::uint8_t>(8, 6, 1);
   scene.scene_from_input.translation_m = {0.1, -1.0 / 3.0, 0.25};
   scene.scene_from_input.scale = 1e-4;
-  scene.source = {{"left.png", "right.png"}, "scanline --detail plain", "Palpable test"};
+  scene.source = {{"left.png", "right.png"},
+                  "scanline --detail plain",
+                  "Palpable test",
+                  {"make", "left.png", "--size=80x80x12"},
+                  {{"left.png", 4, std::string(64, 'a')}}};
   return scene;
 }
 
@@ -95,6 +99,11 @@ TEST(SceneFile, KeepsEveryValueExactly) {
   EXPECT_EQ(back->scene.scene_from_input.translation_m, scene.scene_from_input.translation_m);
   EXPECT_EQ(back->scene.scene_from_input.scale, 1e-4);
   EXPECT_EQ(back->scene.source.inputs, scene.source.inputs);
+  EXPECT_EQ(back->scene.source.command, scene.source.command);
+  ASSERT_EQ(back->scene.source.files.size(), 1U);
+  EXPECT_EQ(back->scene.source.files[0].name, "left.png");
+  EXPECT_EQ(back->scene.source.files[0].bytes, 4U);
+  EXPECT_EQ(back->scene.source.files[0].sha256, scene.source.files[0].sha256);
   EXPECT_EQ(back->scene.source.method, scene.source.method);
   EXPECT_TRUE(back->others.empty());
 }
