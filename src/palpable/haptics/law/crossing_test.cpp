@@ -269,5 +269,60 @@ TEST(Crossing, OfACrestIsAContactInItsTickAndThroughNoWall) {
   RecordProperty("crossed", findings.crossed);
 }
 
+/// Ticks in the air whose path was, with force from a proxy in contact; and those in which nothing is between
+/// it and the hand.
+struct Releases {
+  int held = 0;
+  int in_sight = 0;
+  double most_N = 0.0;
+};
+
+/// A hand that turns every few ticks, in and out of the surface.
+void wander(const Touched& touched, Draw& draw, Releases& releases) {
+  const models::Relief& surface = *touched.surface;
+  Vec3 last{draw.between(-0.45, 0.45) * surface.size_x_m(), draw.between(-0.45, 0.45) * surface.size_y_m(),
+            0.0};
+  last.z = surface.sample(last.x, last.y).z_m + draw.between(0.0005, 0.0015);
+  const double per_tick_m = draw.scaled(0.05, 2.0) / draw.scaled(500.0, 4000.0);
+  TouchState state;
+  Hand hand;
+  Vec3 step;
+  bool was_held = output_at(*touched.law, state, last).contact;
+  for (int n = 0, left = 0; n < 150; ++n) {
+    if (left-- <= 0) {
+      Vec3 way{draw.between(-0.5, 0.5), draw.between(-0.5, 0.5), draw.between(-0.35, 0.35)};
+      const double over_m = touched.height_over(last);
+      if (std::abs(over_m) > 0.002) way.z = over_m > 0.0 ? -std::abs(way.z) : std::abs(way.z);
+      step = per_tick_m * unit(way);
+      left = 3 + static_cast<int>(draw.between(0.0, 25.0));
+    }
+    const Vec3 p = last + step;
+    hand.position = {p};
+    const LawOutput output = touched.law->evaluate(hand, state);
+    const double force_N = norm(output.force_N);
+    if (was_held && force_N > 0.0 && touched.height_over(last) > 0.0 && touched.deepest_on(last, p) <= 0.0) {
+      ++releases.held;
+      if (touched.deepest_on(output.proxy.v, p) < 1e-8) {
+        ++releases.in_sight;
+        releases.most_N = std::max(releases.most_N, force_N);
+      }
+    }
+    was_held = output.contact;
+    last = p;
+  }
+}
+
+TEST(Crossing, AHandInFreeAirThatItsProxySeesIsReleasedInTheSameTick) {
+  Draw draw(43);
+  Releases releases;
+  for (int number = 0; number < 32; ++number) {
+    // Without friction.
+    const Touched scene = touched(number & ~8, draw);
+    for (int k = strokes_of_a_scene(); k > 0; --k) wander(scene, draw, releases);
+  }
+  EXPECT_EQ(releases.in_sight, 0) << "of " << releases.held << ", up to " << releases.most_N << " N";
+  EXPECT_GT(releases.held, 500);
+}
+
 }  // namespace
 }  // namespace palpable::haptics

@@ -43,6 +43,12 @@ struct SurfaceProxy {
 
   bool holds_the_hand() const noexcept { return phase == Phase::touching; }
 
+  /// Takes the proxy off the surface, where it is.
+  void lift_off() noexcept {
+    phase = Phase::free;
+    clearance_m = 0.0;
+  }
+
   /// Puts the proxy in contact on the surface, of which `s` is the sample at x_m, y_m.
   void rest(double x_m, double y_m, const models::CurvedSample& s) noexcept {
     place_m = {x_m, y_m, s.z_m};

@@ -25,8 +25,6 @@ class SurfaceFlight {
  public:
   /// Most evaluations of a tick.
   static constexpr int kMaxEvaluations = 96;
-  /// Prefetch distance in steps: far enough that the data are in the cache when that point is evaluated.
-  static constexpr double kAhead = 3.0;
 
   /// Flights with `whole_way` reach their end if it is within SurfacePath::kMostCells. Those with `short_way`
   /// end below the surface.
@@ -37,11 +35,8 @@ class SurfaceFlight {
 
   /// Moves the proxy, which is not below the surface, and subtracts from `evaluations`.
   Flown fly(Reach reach, int& evaluations) noexcept {
-    const Vec3 way = path_.way();
-    const double across = std::hypot(way.x, way.y);
-    const double falls = std::max(0.0, -way.z);
     // Along the path, the height above the surface decreases by no more than the steepest slope allows.
-    double shrinks_m = across * surface_.steepest_slope() + falls;
+    double shrinks_m = path_.shrinks_m();
     if (proxy_.clearance_m > shrinks_m) return arrive(proxy_.clearance_m - shrinks_m);
     // A short way ends below the surface, so bounds would show nothing.
     if (reach == Reach::whole_way) {
@@ -50,7 +45,7 @@ class SurfaceFlight {
       const models::SurfaceBounds bounds = surface_.bounds_over(from.x, from.y, to.x, to.y);
       const double above_all_m = std::min(from.z, to.z) - static_cast<double>(bounds.highest);
       if (above_all_m > 0.0) return arrive(above_all_m);
-      shrinks_m = across * static_cast<double>(bounds.steepest) + falls;
+      shrinks_m = path_.shrinks_m(static_cast<double>(bounds.steepest));
       if (proxy_.clearance_m > shrinks_m) return arrive(proxy_.clearance_m - shrinks_m);
     }
 
@@ -96,10 +91,7 @@ class SurfaceFlight {
     const Vec3 to = path_.to();
     const models::CurvedSample s = surface_.curved_sample(to.x, to.y);
     --evaluations;
-    if (to.z >= s.z_m) {
-      proxy_.surface = s;
-      return arrive(to.z - s.z_m);
-    }
+    if (to.z >= s.z_m) return arrive(to.z - s.z_m);
     proxy_.rest(to.x, to.y, s);
     proxy_.slipping = false;
     entry_.part = {1.0, 1.0};

@@ -105,9 +105,9 @@ class CountedRelief {
     ++evaluations;
     return relief_.curved_sample(x_m, y_m);
   }
-  models::PathHeights path_heights(Vec3 a, Vec3 b) const noexcept { return relief_.path_heights(a, b); }
+  models::CellPath path_in_cell(Vec3 a, Vec3 b) const noexcept { return relief_.path_in_cell(a, b); }
   models::CellWalk cell_walk(Vec3 a, Vec3 b) const noexcept { return relief_.cell_walk(a, b); }
-  void prefetch(double, double) const noexcept {}
+  void prefetch(Vec3, Vec3) const noexcept {}
   double steepest_slope() const noexcept { return relief_.steepest_slope(); }
   double pixel_m() const noexcept { return relief_.pixel_m(); }
   models::SurfaceBounds bounds_over(double x0_m, double y0_m, double x1_m, double y1_m) const noexcept {

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace palpable::haptics {
 
@@ -18,10 +19,12 @@ namespace palpable::haptics {
 template <models::BoundedHeightField Surface>
 class SurfacePath {
  public:
-  /// Cuts that are nowhere deeper may be missed, except at the path's end.
+  /// Cuts that are nowhere deeper may be missed. Where a path begins on the surface next to a cell's border,
+  /// rounding alone puts it below.
   static constexpr float kIgnored_m = 1e-6F;
-  /// Most cells of a path in one tick: 4 mm over pixels of 0.05 mm, diagonally.
-  static constexpr int kMostCells = 160;
+  /// Most cells and blocks of a path that are looked at in one tick, about 10 us: 25 mm over pixels of 0.05
+  /// mm, diagonally and nowhere above the blocks around it.
+  static constexpr int kMostCells = 1000;
 
   /// How far a path was followed. Where no entry is found, it is clear to `clear_to` and at least `above_m`
   /// above the surface there.
@@ -32,29 +35,46 @@ class SurfacePath {
   };
 
   SurfacePath(const Surface& surface, Vec3 from, Vec3 to) noexcept
-      : surface_(surface), from_(from), way_(to - from), to_(to) {
-    const double pixels = std::hypot(way_.x, way_.y) / surface.pixel_m();
-    stretch_ = pixels > kStretch ? kStretch / pixels : 1.0;
+      : surface_(surface),
+        from_(from),
+        way_(to - from),
+        to_(to),
+        across_m_(std::sqrt(way_.x * way_.x + way_.y * way_.y)) {
+    const double most_m = kStretch * surface.pixel_m();
+    if (across_m_ > most_m) stretch_ = most_m / across_m_;
   }
 
   Vec3 at(double share) const noexcept { return share < 1.0 ? from_ + share * way_ : to_; }
   Vec3 way() const noexcept { return way_; }
   Vec3 to() const noexcept { return to_; }
+  /// A bound of what its height above the surface loses over the whole path, where slopes are at most
+  /// `steepest`.
+  double shrinks_m(double steepest) const noexcept { return across_m_ * steepest + std::max(0.0, -way_.z); }
+  double shrinks_m() const noexcept { return shrinks_m(surface_.steepest_slope()); }
 
   /// Follows the path from the share `from`, where it is above the surface, until it enters it. `shrinks_m`:
   /// a bound of what its height above the surface loses over the whole path. `cells` is reduced by the cells
   /// and blocks that are looked at; without any left the path is followed no farther.
   Followed follow(double from, double shrinks_m, int& cells) const noexcept {
     Followed followed{{}, from, 0.0};
+    double stretch = stretch_;
     while (followed.clear_to < 1.0 && cells > 0) {
-      const models::PathPart part{followed.clear_to, std::min(1.0, followed.clear_to + stretch_)};
-      if (stretch_ < 1.0 && is_above_all(part, followed, cells)) continue;
-      walk(
-          part, 1.0F, cells,
-          [&](const models::PathHeights& heights, double share) {
+      const models::PathPart part{followed.clear_to, std::min(1.0, followed.clear_to + stretch)};
+      if (stretch_ < 1.0) {
+        const bool is_above = is_above_all(part, followed, cells);
+        if (is_above && cells > kFew) stretch *= 2.0;
+        if (is_above) continue;
+        if (cells > kFew && 0.5 * stretch > kShortest * stretch_) {
+          stretch *= 0.5;
+          continue;
+        }
+      }
+      walk<Side::above>(
+          part, cells,
+          [&](double above_m, double share) {
             followed.clear_to = share;
-            followed.above_m = double{heights.last()};
-            const double spare_m = followed.above_m - shrinks_m * (1.0 - share);
+            followed.above_m = above_m;
+            const double spare_m = above_m - shrinks_m * (1.0 - share);
             if (spare_m <= 0.0) return false;
             followed.clear_to = 1.0;
             followed.above_m = spare_m;
@@ -70,14 +90,18 @@ class SurfacePath {
   /// or `cells` do not suffice.
   double leaves_at(double from, int& cells) const noexcept {
     models::PathEntry exit;
-    walk(
-        {from, 1.0}, -1.0F, cells, [](const models::PathHeights&, double) { return false; }, exit);
+    walk<Side::below>(
+        {from, 1.0}, cells, [](double, double) { return false; }, exit);
     return exit.is_found ? exit.part.to : 1.0;
   }
 
  private:
-  /// Pixels of path whose blocks of bounds are looked at together: longer ones are too coarse.
+  /// Pixels of path whose blocks of bounds are looked at together at first in a path that is longer; twice as
+  /// many wherever it is above them, half as many elsewhere, down to this share: then its cells.
   static constexpr double kStretch = 16.0;
+  static constexpr double kShortest = 0.2;
+  /// With no more cells left, a stretch is not divided: that would leave none for the cells.
+  static constexpr int kFew = 100;
 
   bool is_above_all(const models::PathPart& part, Followed& followed, int& cells) const noexcept {
     --cells;
@@ -91,27 +115,35 @@ class SurfacePath {
     return true;
   }
 
-  /// Goes through the cells of a part, until `sign` times the path's height above the surface falls below
-  /// zero, or `done` returns true.
-  template <class Done>
-  void walk(const models::PathPart& part, float sign, int& cells, Done done,
-            models::PathEntry& entry) const noexcept {
+  enum class Side : std::uint8_t { above, below };
+
+  /// Goes through the cells of a part, in which the path is on one side of the surface, until it enters the
+  /// other one, or `done` returns true: it is called at the end of each cell, with a lower bound of the
+  /// path's height above the surface there (of `above`). Most cells need only the bounds.
+  template <Side kSide, class Done>
+  void walk(const models::PathPart& part, int& cells, Done done, models::PathEntry& entry) const noexcept {
     const Vec3 a = at(part.from);
     const Vec3 way = at(part.to) - a;
     const double length = part.to - part.from;
     models::CellWalk steps = surface_.cell_walk(a, a + way);
     for (double begin = 0.0; begin < 1.0 && cells > 0; --cells) {
       const double end = steps.next();
-      const models::PathHeights heights = surface_.path_heights(a + begin * way, a + end * way).times(sign);
-      entry = heights.entry(sign > 0.0F ? kIgnored_m : 0.0F);
-      if (entry.is_found) {
-        const double scale = length * (end - begin);
-        const double first = part.from + length * begin;
-        entry.part = {first + scale * entry.part.from, first + scale * entry.part.to};
-        return;
+      const models::CellPath path = surface_.path_in_cell(a + begin * way, a + end * way);
+      const models::PathBounds bounds = path.bounds();
+      double above_m = double{bounds.last};
+      if (kSide == Side::above ? bounds.lowest < 0.0F : bounds.highest >= 0.0F) {
+        const models::PathHeights heights = path.heights();
+        entry = kSide == Side::above ? heights.entry(kIgnored_m) : heights.times(-1.0F).entry(kIgnored_m);
+        if (entry.is_found) {
+          const double scale = length * (end - begin);
+          const double first = part.from + length * begin;
+          entry.part = {first + scale * entry.part.from, first + scale * entry.part.to};
+          return;
+        }
+        above_m = double{heights.last()};
       }
       begin = end;
-      if (done(heights, end < 1.0 ? part.from + length * end : part.to)) return;
+      if (done(above_m, end < 1.0 ? part.from + length * end : part.to)) return;
     }
   }
 
@@ -119,6 +151,7 @@ class SurfacePath {
   Vec3 from_;
   Vec3 way_;
   Vec3 to_;
+  double across_m_;
   double stretch_ = 1.0;
 };
 
@@ -132,6 +165,8 @@ template <models::BoundedHeightField Surface>
   using models::PathHeights;
   // The share of a coefficient that rounding may make.
   constexpr double kRounding = 1e-5;
+  /// As a share of the step.
+  constexpr double kShortest = 1e-6;
   constexpr std::size_t kDegree = 2 * PathHeights::kCount - 3;
   constexpr std::array<double, PathHeights::kCount> kSixth{1, 6, 15, 20, 15, 6, 1};
   constexpr std::array<double, PathHeights::kCount - 1> kFifth{1, 5, 10, 10, 5, 1};
@@ -144,29 +179,40 @@ template <models::BoundedHeightField Surface>
     const double end = steps.next();
     const Vec3 from = a + begin * way;
     const Vec3 piece = (end - begin) * way;
+    // A piece so short shows nothing but rounding.
+    if (end - begin < kShortest) {
+      begin = end;
+      continue;
+    }
     // The hand's height above the surface below the piece.
-    const auto above = surface.path_heights(from, from + piece).coefficients();
+    const auto above = surface.path_in_cell(from, from + piece).heights().coefficients();
+    const double nears = dot(hand_m - from, piece);
+    const double bends = squared_norm(piece) / kDegree;
+    std::array<double, PathHeights::kCount - 1> rises;
+    for (std::size_t j = 0; j < rises.size(); ++j) rises[j] = 6.0 * (double{above[j + 1]} - double{above[j]});
+    begin = end;
+    // Mostly, the extremes of both factors show that the distance falls throughout.
+    const auto [least, most_above] = std::minmax_element(above.begin(), above.end());
+    const auto [falls, climbs] = std::minmax_element(rises.begin(), rises.end());
+    const double grows_most =
+        std::max({*least * *falls, *least * *climbs, *most_above * *falls, *most_above * *climbs});
+    if (!has_grown && grows_most - nears + kDegree * bends <= 0.0) continue;
     std::array<double, kDegree + 1> grows{};
     // Unrolled, so that the sums stay in registers.
 #pragma GCC unroll 8
-    for (std::size_t j = 0; j + 1 < PathHeights::kCount; ++j) {
-      const double rises = kFifth[j] * 6.0 * (double{above[j + 1]} - double{above[j]});
+    for (std::size_t j = 0; j < rises.size(); ++j)
 #pragma GCC unroll 8
       for (std::size_t i = 0; i < PathHeights::kCount; ++i)
-        grows[i + j] += kSixth[i] * double{above[i]} * rises;
-    }
-    const double nears = dot(hand_m - from, piece);
-    const double bends = squared_norm(piece) / kDegree;
+        grows[i + j] += kSixth[i] * double{above[i]} * (kFifth[j] * rises[j]);
     double most = 0.0;
     for (std::size_t k = 0; k <= kDegree; ++k) {
-      grows[k] = grows[k] / kEleventh[k] - nears + bends * static_cast<double>(k);
+      grows[k] = grows[k] * (1.0 / kEleventh[k]) - nears + bends * static_cast<double>(k);
       most = std::max(most, std::abs(grows[k]));
     }
     for (const double rate : grows) {
       if (has_grown && rate < -kRounding * most) return false;
       has_grown = has_grown || rate > kRounding * most;
     }
-    begin = end;
   }
   return true;
 }

@@ -6,52 +6,45 @@
 #include "palpable/haptics/proxy/hand_over.hpp"
 #include "palpable/haptics/proxy/surface_flight.hpp"
 #include "palpable/haptics/proxy/surface_path.hpp"
-#include "palpable/models/relief/nearest_step.hpp"
+#include "palpable/haptics/proxy/surface_slide.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 
 namespace palpable::haptics {
-
-/// Coulomb friction coefficients, >= 0; the dynamic one is at most the static one.
-struct Friction {
-  double at_rest = 0.0;
-  double sliding = 0.0;
-};
 
 /// Moves a SurfaceProxy over one height field; the solid is below the surface.
 /// In free air, the hand's whole path of the tick is checked (SurfaceFlight), so a first contact is found in
 /// the tick in which it happens.
-/// In contact, each step is at most a pixel long (on slopes below 45 degrees, where it passes over no top:
-/// half of the hand's movement in the tick). It must bring the proxy nearer to the hand, so the proxy climbs
-/// over a wall or goes around it, and never passes through it.
+/// In contact it slides towards the hand (SurfaceSlide). A hand in free air that it sees has it at once.
 /// A tick usually evaluates the surface once or twice; more if the hand moved many pixels, about 100 times at
 /// most.
 template <models::BoundedHeightField Surface>
 class ProxyFollower {
  public:
   ProxyFollower(const Surface& surface, Friction friction) noexcept
-      : surface_(surface), friction_(friction) {}
+      : surface_(surface), slide_(surface, friction) {}
 
   /// Moves the proxy by one tick; `hand` is the hand's position, finite.
   void follow(Point<SceneFrame> hand, SurfaceProxy& proxy) const noexcept {
     if (proxy.phase == SurfaceProxy::Phase::fresh) begin(hand.v, proxy);
-    const SurfaceProxy before = proxy;
-    const double moved_m = norm(hand.v - proxy.hand_m);
+    Tick tick(hand.v, proxy, surface_.pixel_m());
     proxy.hand_m = hand.v;
     proxy.crossed_m = 0.0;
-    Tick tick;
-    tick.hand_m = hand.v;
-    tick.longest_m = std::max(surface_.pixel_m(), 0.5 * moved_m);
-    tick.evaluations = kEvaluations + static_cast<int>(std::min(kPerPixel * moved_m / surface_.pixel_m(),
-                                                                1.0 * kMaxEvaluations));
-    if (!reaches_hand(before, proxy, tick)) return;
+    // If the hand may meet the surface in the next tick: where it will probably be.
+    if (!tick.was_held && proxy.clearance_m <= tick.longest_m)
+      surface_.prefetch(hand.v, hand.v + (hand.v - tick.hand_before_m));
+    if (!reaches_hand(proxy, tick)) {
+      if (tick.waits && sees_hand(proxy, tick)) {
+        proxy.lift_off();
+        proxy.place_m = hand.v;
+      }
+      return;
+    }
     // The proxy is free, at the hand. Did the hand cut the surface on its way? If it was under the surface,
     // after it left that.
-    if (!before.holds_the_hand() && !tick.met) return;
-    note_crossing(before, proxy, tick);
+    if (tick.was_held || tick.met) note_crossing(proxy, tick);
   }
 
   /// Takes over the proxy of another surface: it moves straight down, or, if it is below this surface, to the
@@ -67,56 +60,53 @@ class ProxyFollower {
 
  private:
   using Reach = typename SurfaceFlight<Surface>::Reach;
-  /// How a slide ended: at its final position; with the hand on the free side of the surface; or without
-  /// evaluations left.
-  enum class Slid : std::uint8_t { rests, leaves, unfinished };
-  /// Steps of a slow hand are never longer than a pixel and need no check for walls, which makes its tick
-  /// faster.
-  enum class Steps : std::uint8_t { pixels, longer };
   /// Surface evaluations per tick: for a resting hand, additional ones per pixel of movement, and the maximum
   /// (after a jump of many pixels).
   static constexpr int kEvaluations = 3;
   static constexpr double kPerPixel = 0.75;
   static constexpr int kMaxEvaluations = SurfaceFlight<Surface>::kMaxEvaluations;
-  /// Longest slide of a fast hand's proxy in a tick, in longest steps, so that it does not climb over a wall
-  /// in one tick.
-  static constexpr double kSlides = 3.0;
-  /// 1 + slope^2 above which a step is at most a pixel: half-way up a wall a longer one might pass over its
-  /// top.
-  static constexpr double kSteep2 = 2.0;
   /// A contact within this distance of a place is at this place.
   static constexpr double kReturned_m = 1e-5;
-  /// The difference from a parabola, as a share of what the distance loses, from which a step is examined.
-  static constexpr double kUneven = 0.5;
-  /// Steps shorter than this share of a pixel are not checked for crests.
-  static constexpr double kSure_px = 0.01;
-  /// At this distance from its final position the proxy rests: 0.05 mN at 500 N/m.
-  static constexpr double kTolerance_m = 1e-7;
-
   /// What the parts of a tick share.
   struct Tick {
+    Tick(Vec3 hand, const SurfaceProxy& proxy, double pixel_m) noexcept
+        : hand_m(hand),
+          hand_before_m(proxy.hand_m),
+          place_before_m(proxy.place_m),
+          left_m(proxy.place_m),
+          was_held(proxy.holds_the_hand()) {
+      const double moved_m = norm(hand - proxy.hand_m);
+      longest_m = std::max(pixel_m, 0.5 * moved_m);
+      evaluations =
+          kEvaluations + static_cast<int>(std::min(kPerPixel * moved_m / pixel_m, 1.0 * kMaxEvaluations));
+    }
+
     Vec3 hand_m;
-    double longest_m = 0.0;
-    int evaluations = 0;
+    Vec3 hand_before_m;
+    /// The proxy before the tick, and where it last left the surface in it.
+    Vec3 place_before_m;
+    Vec3 left_m;
+    double longest_m;
+    int evaluations;
+    bool was_held;
     bool met = false;
+    /// The proxy stays in contact although nothing may be between it and the hand.
+    bool waits = false;
     /// Where the flight along the hand's path met it first, if it did.
     models::PathEntry entry;
-    /// The proxy when it last left the surface.
-    std::optional<SurfaceProxy> left;
   };
 
   /// Moves the proxy towards the hand, as far as the surface lets it; true if it is free and at the hand
   /// then.
-  bool reaches_hand(const SurfaceProxy& before, SurfaceProxy& proxy, Tick& tick) const noexcept {
+  bool reaches_hand(SurfaceProxy& proxy, Tick& tick) const noexcept {
     const Vec3 hand_m = tick.hand_m;
-    const double longest_m = tick.longest_m;
     // A slide may leave the surface, and the free path may meet it again, as between the walls of a narrow
     // valley.
     bool met = false;
     Reach reach = Reach::whole_way;
     Vec3 flown_from = proxy.place_m;
     for (;;) {
-      if (proxy.phase == SurfaceProxy::Phase::free) {
+      if (!proxy.holds_the_hand()) {
         flown_from = proxy.place_m;
         SurfaceFlight<Surface> flight(surface_, proxy, hand_m);
         met = flight.fly(reach, tick.evaluations) == Flown::met;
@@ -125,53 +115,61 @@ class ProxyFollower {
         tick.met = true;
       }
       const Vec3 from = proxy.place_m;
-      const Slid slid = longest_m > surface_.pixel_m()
-                            ? slide<Steps::longer>(hand_m, longest_m, proxy, tick.evaluations)
-                            : slide<Steps::pixels>(hand_m, longest_m, proxy, tick.evaluations);
+      const Slid slid = slide_.slide(hand_m, tick.longest_m, proxy, tick.evaluations);
+      if (slid == Slid::rests) return false;
       // If every attempt to continue is blocked, the proxy stays in contact.
-      if (slid == Slid::rests || (met && tick.evaluations <= 0)) return false;
+      tick.waits = met && tick.evaluations <= 0;
+      if (tick.waits) return false;
       const bool moved = proxy.place_m != from;
       const bool is_under = is_below(hand_m);
       if (is_under && (moved || slid == Slid::unfinished)) return false;
-      if (passes_over({from.z, proxy.place_m.z, hand_m.z}, most_over_m(longest_m))) return false;
+      tick.waits = slide_.passes_over({from.z, proxy.place_m.z, hand_m.z}, tick.longest_m);
+      if (tick.waits) return false;
       // Only a hand in free air must be reached in this tick.
       reach = is_under ? Reach::short_way : Reach::whole_way;
-      tick.left = proxy;
-      proxy.phase = SurfaceProxy::Phase::free;
-      proxy.clearance_m = 0.0;
-      if (!moved) continue;
+      tick.left_m = proxy.place_m;
+      if (!moved) {
+        proxy.lift_off();
+        continue;
+      }
       // It moves on to another surface point only in the next tick. Otherwise it would climb over a wall and
       // come down behind it in one tick.
+      const SurfaceProxy there = proxy;
+      proxy.lift_off();
       flown_from = proxy.place_m;
       if (fly(hand_m, reach, proxy, tick.evaluations) != Flown::met) break;
-      proxy = *tick.left;
+      proxy = there;
       return false;
     }
     if (proxy.place_m == hand_m) return true;
-    hold(hand_m, before, flown_from, longest_m, proxy);
+    hold(proxy, flown_from, tick);
     return false;
+  }
+
+  /// Whether the hand is in the air, its path of this tick was, and nothing is between it and the proxy in
+  /// contact.
+  [[gnu::noinline]] bool sees_hand(const SurfaceProxy& proxy, const Tick& tick) const noexcept {
+    return is_clear(proxy.place_m, tick.hand_m) && !is_below(tick.hand_before_m) &&
+           is_clear(tick.hand_before_m, tick.hand_m);
   }
 
   /// For a proxy that is free, at a hand in the air whose path in this tick may have cut the surface: the
   /// contact of the cut. A proxy that was in contact goes back to where the hand entered, and may be held.
-  [[gnu::noinline]] void note_crossing(const SurfaceProxy& before, SurfaceProxy& proxy,
-                                       Tick& tick) const noexcept {
-    const SurfacePath<Surface> path(surface_, before.hand_m, tick.hand_m);
+  [[gnu::noinline]] void note_crossing(SurfaceProxy& proxy, Tick& tick) const noexcept {
+    const SurfacePath<Surface> path(surface_, tick.hand_before_m, tick.hand_m);
     int cells = 2 * SurfacePath<Surface>::kMostCells;
-    if (before.holds_the_hand()) {
-      const double out = is_below(before.hand_m) ? path.leaves_at(0.0, cells) : 0.0;
-      const Vec3 way = path.way();
-      const double shrinks_m = std::hypot(way.x, way.y) * surface_.steepest_slope() + std::max(0.0, -way.z);
-      tick.entry = path.follow(out, shrinks_m, cells).entry;
+    if (tick.was_held) {
+      const double out = is_below(tick.hand_before_m) ? path.leaves_at(0.0, cells) : 0.0;
+      tick.entry = path.follow(out, path.shrinks_m(), cells).entry;
       if (!tick.entry.is_found) return;
     }
     const models::PathPart cut{tick.entry.part.from, path.leaves_at(tick.entry.part.to, cells)};
     Vec3 at_m = path.at(cut.from);
-    if (before.holds_the_hand()) {
+    if (tick.was_held) {
       // A hand that comes back through a wall to its proxy was held until then, where the proxy is.
-      const Vec3 left_m = tick.left->place_m;
+      const Vec3 left_m = tick.left_m;
       if (!returns_to(at_m, proxy, tick)) at_m = left_m;
-      if (!reaches_hand(before, proxy, tick)) return;
+      if (!reaches_hand(proxy, tick)) return;
     }
     at_m.z = std::max(at_m.z, surface_.sample(at_m.x, at_m.y).z_m);
     proxy.crossed_at_m = at_m;
@@ -193,30 +191,13 @@ class ProxyFollower {
   /// Leads the proxy from where it left the surface in this tick to the place where the hand cut it again;
   /// false if it meets the surface before.
   [[gnu::noinline]] bool returns_to(Vec3 entry_m, SurfaceProxy& proxy, Tick& tick) const noexcept {
-    proxy = *tick.left;
-    proxy.phase = SurfaceProxy::Phase::free;
-    proxy.clearance_m = 0.0;
+    proxy.place_m = tick.left_m;
+    proxy.lift_off();
     if (fly(entry_m, Reach::whole_way, proxy, tick.evaluations) == Flown::met)
       return norm(proxy.place_m - entry_m) < kReturned_m;
     const Vec3 at = proxy.place_m;
     proxy.rest(at.x, at.y, surface_.curved_sample(at.x, at.y));
     return true;
-  }
-
-  /// Heights along a path: at its start, its maximum, and at its end.
-  struct Climb {
-    double from_m;
-    double top_m;
-    double to_m;
-  };
-  /// A path that rises and falls by more than this in one tick leads over a wall: the proxy waits on top of
-  /// it for a tick.
-  static bool passes_over(Climb climb, double most_m) noexcept {
-    return climb.top_m - std::max(climb.from_m, climb.to_m) > most_m;
-  }
-
-  double most_over_m(double longest_m) const noexcept {
-    return std::max(surface_.pixel_m(), 0.5 * longest_m);
   }
 
   /// Finds the nearest point on or above the surface for a `place` that is more than a pixel below it: by
@@ -228,7 +209,7 @@ class ProxyFollower {
     SurfaceProxy slid;
     slid.rest(place.x, place.y, above);
     int evaluations = kMaxEvaluations;
-    slide<Steps::pixels>(place, surface_.pixel_m(), slid, evaluations);
+    slide_.slide(place, surface_.pixel_m(), slid, evaluations);
     const double nearest_m = norm(slid.place_m - place);
     const double step_m = std::max(0.5 * surface_.pixel_m(), nearest_m / kMaxEvaluations);
     for (double way_m = step_m; normal != Vec3{} && way_m < nearest_m; way_m += step_m) {
@@ -255,6 +236,14 @@ class ProxyFollower {
 
   bool is_below(Vec3 p) const noexcept { return p.z < surface_.sample(p.x, p.y).z_m; }
 
+  /// Whether a straight path that begins outside and ends in the air cuts nothing.
+  bool is_clear(Vec3 from, Vec3 to) const noexcept {
+    const SurfacePath<Surface> path(surface_, from, to);
+    int cells = SurfacePath<Surface>::kMostCells;
+    const auto followed = path.follow(0.0, path.shrinks_m(), cells);
+    return !followed.entry.is_found && followed.clear_to >= 1.0 && !is_below(to);
+  }
+
   Flown fly(Vec3 to_m, Reach reach, SurfaceProxy& proxy, int& evaluations) const noexcept {
     return SurfaceFlight<Surface>(surface_, proxy, to_m).fly(reach, evaluations);
   }
@@ -263,150 +252,31 @@ class ProxyFollower {
   /// below the surface, or was in contact and is not yet known to be free, the proxy moves straight down onto
   /// the surface from its present position, so it passes through nothing. A proxy in contact moves no farther
   /// than the top of the first wall on its path.
-  void hold(Vec3 hand_m, const SurfaceProxy& before, Vec3 flown_from, double longest_m,
-            SurfaceProxy& proxy) const noexcept {
-    if (!before.holds_the_hand() && !is_below(hand_m)) return;
+  void hold(SurfaceProxy& proxy, Vec3 flown_from, const Tick& tick) const noexcept {
+    if (!tick.was_held && !is_below(tick.hand_m)) return;
     const Vec3 at = proxy.place_m;
     const models::CurvedSample end = proxy.surface;
     proxy.rest(at.x, at.y, end);
     // No wall rises above a flight that descends from where the proxy was.
-    const Vec3 from = before.place_m;
-    if (!before.holds_the_hand() || (flown_from == from && at.z <= from.z)) return;
+    const Vec3 from = tick.place_before_m;
+    if (!tick.was_held || (flown_from == from && at.z <= from.z)) return;
     const Vec3 way = at - from;
     const double pixels = std::hypot(way.x, way.y) / surface_.pixel_m();
     const int places = 1 + static_cast<int>(std::min(pixels, 1.0 * kMaxEvaluations));
     Vec3 top = from;
-    models::CurvedSample at_top = before.surface;
+    models::CurvedSample at_top = surface_.curved_sample(from.x, from.y);
     for (int k = 1; k <= places; ++k) {
       const Vec3 p = from + (1.0 * k / places) * way;
       const models::CurvedSample s = k < places ? surface_.curved_sample(p.x, p.y) : end;
-      if (passes_over({from.z, top.z, s.z_m}, most_over_m(longest_m)))
-        return proxy.rest(top.x, top.y, at_top);
+      if (slide_.passes_over({from.z, top.z, s.z_m}, tick.longest_m)) return proxy.rest(top.x, top.y, at_top);
       if (s.z_m <= top.z) continue;
       top = {p.x, p.y, s.z_m};
       at_top = s;
     }
   }
 
-  /// Shortens a step to a pixel if the surface between its ends rises by more than the step's length.
-  void shorten_at_walls(Vec3 place, double& dx, double& dy) const noexcept {
-    const double length2 = dx * dx + dy * dy;
-    if (length2 <= surface_.pixel_m() * surface_.pixel_m()) return;
-    const models::SurfaceBounds bounds = surface_.bounds_over(place.x, place.y, place.x + dx, place.y + dy);
-    const double length_m = std::sqrt(length2);
-    if (static_cast<double>(bounds.highest) <= place.z + length_m) return;
-    dx *= surface_.pixel_m() / length_m;
-    dy *= surface_.pixel_m() / length_m;
-  }
-
-  /// Whether a step passes over a crest that would hold a proxy back: then the squared distance to the hand
-  /// falls, grows and falls again. It is examined only where the distances and their changes at the two ends
-  /// are not nearly those of a parabola, whose changes sum to twice the difference.
-  bool passes_crest(Vec3 place, const models::CurvedSample& s, Vec3 next, const models::CurvedSample& there,
-                    Vec3 hand_m) const noexcept {
-    const Vec3 step = next - place;
-    const Vec3 d = hand_m - place;
-    const Vec3 e = hand_m - next;
-    const double falls = squared_norm(d) - squared_norm(e);
-    const double at_start = step.x * (d.x + d.z * s.dzdx) + step.y * (d.y + d.z * s.dzdy);
-    const double at_end = step.x * (e.x + e.z * there.dzdx) + step.y * (e.y + e.z * there.dzdy);
-    const double least2 = kSure_px * kSure_px * surface_.pixel_m() * surface_.pixel_m();
-    return std::abs(at_start + at_end - falls) > kUneven * falls &&
-           step.x * step.x + step.y * step.y > least2 &&
-           !keeps_approaching(surface_, place, step.x, step.y, hand_m);
-  }
-
-  /// Whether the hand is in free air beside the crest on which the proxy is (offset `d`, sample `s`):
-  /// friction must not hold it there. Evaluates the surface only where its curvature at the proxy suggests
-  /// that.
-  bool is_beside_crest(Vec3 d, const models::CurvedSample& s, double steep2, Vec3 hand_m) const noexcept {
-    if (steep2 > kSteep2) return false;
-    const double bent = s.dzdx * d.x + s.dzdy * d.y +
-                        0.5 * (s.dzdxx_per_m * d.x * d.x + s.dzdyy_per_m * d.y * d.y) +
-                        s.dzdxy_per_m * d.x * d.y;
-    return bent < d.z && !is_below(hand_m);
-  }
-
-  /// Slides the proxy along the surface towards the hand.
-  template <Steps kSteps>
-  Slid slide(Vec3 hand_m, double longest_m, SurfaceProxy& proxy, int& evaluations) const noexcept {
-    // The dependency chain between steps is kept short, since it determines the time of the tick.
-    models::CurvedSample s = proxy.surface;
-    Vec3 place = proxy.place_m;
-    double sliding = friction_.sliding;
-    double mu = proxy.slipping ? sliding : friction_.at_rest;
-    bool moved = false;
-    Slid slid = Slid::rests;
-    double shorter = proxy.step_share > 0.0 ? proxy.step_share : 1.0;
-    double left_m = kSlides * longest_m;
-    double top_m = place.z;
-    for (;;) {
-      const Vec3 d = hand_m - place;
-      const double lifted = d.z - (s.dzdx * d.x + s.dzdy * d.y);
-      if (lifted > 0.0) {
-        slid = Slid::leaves;
-        break;
-      }
-      // Squared components of the distance along the normal and along the surface, both times `steep2`.
-      const double whole2 = squared_norm(d);
-      const double steep2 = 1.0 + (s.dzdx * s.dzdx + s.dzdy * s.dzdy);
-      const double normal2 = lifted * lifted;
-      const double along2 = std::max(0.0, whole2 * steep2 - normal2);
-      const double held2 = mu * mu * normal2;
-      const double near = kTolerance_m * std::sqrt(steep2) - mu * lifted;
-      if (along2 <= near * near) {
-        if (mu <= 0.0 || !is_beside_crest(d, s, steep2, hand_m)) break;
-        mu = sliding = 0.0;
-        continue;
-      }
-      if (evaluations <= 0 || (kSteps == Steps::longer && left_m <= 0.0)) {
-        slid = Slid::unfinished;
-        break;
-      }
-      const double reach_m = kSteps == Steps::longer && steep2 > kSteep2 ? surface_.pixel_m() : longest_m;
-      auto [dx, dy] =
-          models::step_towards_nearest(d, s, shorter * (1.0 - std::sqrt(held2 / along2)), shorter * reach_m);
-      if constexpr (kSteps == Steps::longer) shorten_at_walls(place, dx, dy);
-      const double x = place.x + dx;
-      const double y = place.y + dy;
-      --evaluations;
-      surface_.prefetch(x + SurfaceFlight<Surface>::kAhead * dx, y + SurfaceFlight<Surface>::kAhead * dy);
-      const models::CurvedSample next = surface_.curved_sample(x, y);
-      // A step of more than a pixel must not pass over a top, which may be a wall.
-      const bool over_a_top = kSteps == Steps::longer &&
-                              dx * dx + dy * dy > surface_.pixel_m() * surface_.pixel_m() &&
-                              s.dzdx * dx + s.dzdy * dy > 0.0 && next.dzdx * dx + next.dzdy * dy < 0.0;
-      if (over_a_top || squared_norm(hand_m - Vec3{x, y, next.z_m}) >= whole2 ||
-          passes_crest(place, s, {x, y, next.z_m}, next, hand_m)) {
-        // Too far: the surface is curved. Steps shorter than the tolerance are not tried.
-        shorter *= 0.25;
-        if (dx * dx + dy * dy < kTolerance_m * kTolerance_m) {
-          shorter = 1.0;
-          break;
-        }
-        continue;
-      }
-      shorter = std::min(1.0, 4.0 * shorter);
-      top_m = std::max(top_m, next.z_m);
-      if (passes_over({proxy.place_m.z, top_m, next.z_m}, most_over_m(longest_m))) {
-        slid = Slid::unfinished;
-        break;
-      }
-      moved = true;
-      mu = sliding;
-      if constexpr (kSteps == Steps::longer)
-        left_m -= std::sqrt(dx * dx + dy * dy + (next.z_m - place.z) * (next.z_m - place.z));
-      place = {x, y, next.z_m};
-      s = next;
-    }
-    if (moved) proxy.rest(place.x, place.y, s);
-    proxy.slipping = moved;
-    if (slid != Slid::leaves) proxy.step_share = shorter;
-    return slid;
-  }
-
   const Surface& surface_;
-  Friction friction_;
+  SurfaceSlide<Surface> slide_;
 };
 
 }  // namespace palpable::haptics

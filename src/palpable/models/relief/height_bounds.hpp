@@ -55,9 +55,9 @@ template <class M>
 concept BoundedHeightField = CurvedHeightField<M> && requires(const M& m, double x_m, double y_m, Vec3 p) {
   { m.bounds_over(x_m, y_m, x_m, y_m) } -> std::same_as<SurfaceBounds>;
   { m.cell_walk(p, p) } -> std::same_as<CellWalk>;
-  { m.path_heights(p, p) } -> std::same_as<PathHeights>;
+  { m.path_in_cell(p, p) } -> std::same_as<CellPath>;
   requires noexcept(m.bounds_over(x_m, y_m, x_m, y_m))&& noexcept(m.cell_walk(p, p))&& noexcept(
-      m.path_heights(p, p));
+      m.path_in_cell(p, p));
 };
 
 /// A relief with bounds of its surface, which take a sixth of its memory. Immutable; any thread.
@@ -74,9 +74,9 @@ class BoundedRelief {
   CurvedSample curved_sample(double x_m, double y_m) const noexcept {
     return relief_->curved_sample(x_m, y_m);
   }
-  PathHeights path_heights(Vec3 a, Vec3 b) const noexcept { return relief_->path_heights(a, b); }
+  CellPath path_in_cell(Vec3 a, Vec3 b) const noexcept { return relief_->path_in_cell(a, b); }
   CellWalk cell_walk(Vec3 a, Vec3 b) const noexcept { return relief_->cell_walk(a, b); }
-  [[gnu::always_inline]] void prefetch(double x_m, double y_m) const noexcept { relief_->prefetch(x_m, y_m); }
+  [[gnu::always_inline]] void prefetch(Vec3 a, Vec3 b) const noexcept { relief_->prefetch(a, b); }
   double steepest_slope() const noexcept { return relief_->steepest_slope(); }
   double pixel_m() const noexcept { return relief_->pixel_m(); }
   /// The bounds over the rectangle between two opposite corners, any finite values. Tick path.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 
 namespace palpable::models {
@@ -16,7 +17,8 @@ struct PathPart {
   double to;
 };
 
-/// The part in which a path enters a surface: above it at `from`, below it at `to`, with its height there.
+/// The part in which a path enters a surface: above it at `from` (or below it by no more than what may be
+/// missed), below it at `to`, with its height there.
 struct PathEntry {
   bool is_found = false;
   PathPart part{0.0, 1.0};
@@ -55,10 +57,10 @@ class PathHeights {
   }
 
   /// The first place where the path, above the surface at its beginning, is below it: as the part of the
-  /// path around it. Cuts that are nowhere deeper than `ignored_m` >= 0 may be missed, unless the path ends
-  /// below the surface. At most kMostSplits splits. Tick path.
+  /// path around it. Cuts that are nowhere deeper than `ignored_m` >= 0 may be missed, also at the path's
+  /// end. At most kMostSplits splits. Tick path.
   PathEntry entry(float ignored_m) const noexcept {
-    if (lowest() >= (last() < 0.0F ? 0.0F : -ignored_m)) return {};
+    if (lowest() >= -ignored_m) return {};
     return search(ignored_m);
   }
 
@@ -99,7 +101,7 @@ class PathHeights {
     std::size_t count = 1;
     for (int splits = 0; count > 0; ++splits) {
       const auto [heights, part] = waiting[--count];
-      if (heights.lowest() >= (heights.last() < 0.0F ? 0.0F : -ignored_m)) continue;
+      if (heights.lowest() >= -ignored_m) continue;
       const bool is_small = splits >= kMostSplits || part.to - part.from <= kSmallest;
       if (heights.last() < 0.0F && (is_small || heights.falls_once()))
         return {true, part, double{heights.first()}, double{heights.last()}};
@@ -120,12 +122,12 @@ class PathHeights {
 /// Steps along a straight path from cell to cell of a grid (Amanatides & Woo 1987).
 class CellWalk {
  public:
-  /// The path's beginning and extent, in cells.
+  /// The path's beginning and extent, in cells; any finite values.
   CellWalk(double x, double y, double way_x, double way_y) noexcept
-      : next_x_(first(x, way_x)),
-        next_y_(first(y, way_y)),
-        per_x_(per_cell(way_x)),
-        per_y_(per_cell(way_y)) {}
+      : per_x_(per_cell(way_x)),
+        per_y_(per_cell(way_y)),
+        next_x_(to_border(x, way_x) * per_x_),
+        next_y_(to_border(y, way_y) * per_y_) {}
 
   /// The share of the path at which its next cell ends; 1 at the end.
   double next() noexcept {
@@ -138,15 +140,22 @@ class CellWalk {
  private:
   static constexpr double kNever = 2.0;
   static double per_cell(double way) noexcept { return way != 0.0 ? 1.0 / std::abs(way) : kNever; }
-  static double first(double place, double way) noexcept {
-    if (way > 0.0) return (std::floor(place) + 1.0 - place) / way;
-    return way < 0.0 ? (std::ceil(place) - 1.0 - place) / way : kNever;
+  /// The distance from a place to the next border between cells in the direction of the way, 0 < d <= 1.
+  static double to_border(double place, double way) noexcept {
+    constexpr double kMost = 1e9;
+    if (way == 0.0) return 1.0;
+    // Not std::floor, which is a call on machines without SSE4.1.
+    const double held = std::max(-kMost, std::min(place, kMost));
+    const double cut = held - static_cast<double>(static_cast<std::int32_t>(held));
+    const double fraction = cut < 0.0 ? cut + 1.0 : cut;
+    if (way > 0.0) return 1.0 - fraction;
+    return fraction > 0.0 ? fraction : 1.0;
   }
 
-  double next_x_;
-  double next_y_;
   double per_x_;
   double per_y_;
+  double next_x_;
+  double next_y_;
 };
 
 }  // namespace palpable::models

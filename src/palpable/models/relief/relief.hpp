@@ -9,11 +9,35 @@
 #include "palpable/models/relief/path_heights.hpp"
 #include "palpable/models/relief/spline_block.hpp"
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
 
 namespace palpable::models {
+
+/// A straight path within one cell of a cubic spline.
+class CellPath {
+ public:
+  /// It begins at `from` and ends at the fractions `right` and `down`, both of which may be beyond the cell's
+  /// border by rounding; its height is `from_z`, and it rises by `rise`.
+  CellPath(const SplinePlace& from, double right, double down, double from_z, double rise) noexcept
+      : block_(from), right_(right), down_(down), from_z_(from_z), rise_(rise) {}
+
+  /// Bounds of its height above the surface. Tick path.
+  PathBounds bounds() const noexcept { return block_.path_bounds(right_, down_, from_z_, rise_); }
+  /// Its height above the surface. Tick path.
+  PathHeights heights() const noexcept {
+    return PathHeights(block_.path_above(right_, down_, from_z_, rise_));
+  }
+
+ private:
+  SplineBlock block_;
+  double right_;
+  double down_;
+  double from_z_;
+  double rise_;
+};
 
 /// Height above the base and its exact gradient at one position of a height field.
 struct HeightSample {
@@ -47,8 +71,8 @@ concept CurvedHeightField = HeightField<M> && requires(const M& m, double x_m, d
   { m.curved_sample(x_m, y_m) } -> std::same_as<CurvedSample>;
   { m.steepest_slope() } -> std::same_as<double>;
   { m.pixel_m() } -> std::same_as<double>;
-  m.prefetch(x_m, y_m);
-  requires noexcept(m.curved_sample(x_m, y_m))&& noexcept(m.prefetch(x_m, y_m));
+  m.prefetch(Vec3{}, Vec3{});
+  requires noexcept(m.curved_sample(x_m, y_m))&& noexcept(m.prefetch(Vec3{}, Vec3{}));
 };
 
 /// A height field z(x, y) over a rectangle centred on the scene's origin: a uniform cubic B-spline whose
@@ -68,9 +92,8 @@ class Relief {
   /// The same with the exact second derivatives, at little more cost. Tick path.
   CurvedSample curved_sample(double x_m, double y_m) const noexcept;
 
-  /// The height of the straight path from a to b above the surface, both in one cell or on its border (of
-  /// cell_walk()). Tick path.
-  PathHeights path_heights(Vec3 a, Vec3 b) const noexcept;
+  /// The straight path from a to b, both in one cell or on its border (of cell_walk()). Tick path.
+  CellPath path_in_cell(Vec3 a, Vec3 b) const noexcept;
 
   /// Steps from cell to cell along the path from a to b, any finite values.
   CellWalk cell_walk(Vec3 a, Vec3 b) const noexcept {
@@ -78,8 +101,9 @@ class Relief {
             (b.x - a.x) * pixels_per_m_, (a.y - b.y) * pixels_per_m_};
   }
 
-  /// Prefetches the samples for a later query at this position, without waiting. Tick path.
-  void prefetch(double x_m, double y_m) const noexcept;
+  /// Prefetches the samples for later queries in the rectangle between a and b, at most 12 pixels wide and
+  /// high from a on, without waiting. Tick path.
+  void prefetch(Vec3 a, Vec3 b) const noexcept;
 
   const Raster<float>& samples_m() const { return height_m_; }
   double pixel_m() const noexcept { return pixel_m_; }
@@ -125,17 +149,25 @@ inline SplinePlace Relief::place_at(double x_m, double y_m, std::array<float, 16
 }
 
 // Forced inline: g++ removes calls of a function that only prefetches, since it has no visible effect.
-[[gnu::always_inline]] inline void Relief::prefetch(double x_m, double y_m) const noexcept {
-  const double x_px = middle_x_px_ + x_m * pixels_per_m_;
-  const double y_px = middle_y_px_ - y_m * pixels_per_m_;
-  if (!(x_px >= 1.0 && x_px < inside_x_px_ && y_px >= 1.0 && y_px < inside_y_px_)) return;
+[[gnu::always_inline]] inline void Relief::prefetch(Vec3 a, Vec3 b) const noexcept {
+  constexpr double kMost_px = 12.0;
+  const double ax = middle_x_px_ + a.x * pixels_per_m_;
+  const double ay = middle_y_px_ - a.y * pixels_per_m_;
+  const double wide = std::max(-kMost_px, std::min((b.x - a.x) * pixels_per_m_, kMost_px));
+  const double high = std::max(-kMost_px, std::min((a.y - b.y) * pixels_per_m_, kMost_px));
+  const double left = std::min(ax, ax + wide);
+  const double top = std::min(ay, ay + high);
+  const double right = std::max(ax, ax + wide);
+  const double bottom = std::max(ay, ay + high);
+  if (!(left >= 1.0 && right < inside_x_px_ && top >= 1.0 && bottom < inside_y_px_)) return;
   const auto stride = static_cast<std::size_t>(height_m_.width());
-  const float* row =
-      height_m_.data() + static_cast<std::size_t>(y_px - 1.0) * stride + static_cast<std::size_t>(x_px - 1.0);
-  for (int k = 0; k < 4; ++k) {
-    __builtin_prefetch(row);
-    __builtin_prefetch(row + 3);
-    row += stride;
+  const auto first = static_cast<std::size_t>(static_cast<int>(left)) - 1;
+  const auto last = static_cast<std::size_t>(static_cast<int>(right)) + 2;
+  const auto end_row = static_cast<std::size_t>(static_cast<int>(bottom)) + 2;
+  for (std::size_t row = static_cast<std::size_t>(static_cast<int>(top)) - 1; row <= end_row; ++row) {
+    const float* const values = height_m_.data() + row * stride;
+    __builtin_prefetch(values + first);
+    __builtin_prefetch(values + last);
   }
 }
 
@@ -157,7 +189,7 @@ inline CurvedSample Relief::curved_sample(double x_m, double y_m) const noexcept
           value.down_down * (s * s)};
 }
 
-inline PathHeights Relief::path_heights(Vec3 a, Vec3 b) const noexcept {
+inline CellPath Relief::path_in_cell(Vec3 a, Vec3 b) const noexcept {
   std::array<float, 16> copy;
   const Vec3 half = 0.5 * (b - a);
   SplinePlace place = place_at(a.x + half.x, a.y + half.y, copy);
@@ -167,7 +199,7 @@ inline PathHeights Relief::path_heights(Vec3 a, Vec3 b) const noexcept {
   const double end_down = place.down + down;
   place.right -= right;
   place.down -= down;
-  return PathHeights(SplineBlock(place).path_above(end_right, end_down, a.z, b.z - a.z));
+  return {place, end_right, end_down, a.z, b.z - a.z};
 }
 
 }  // namespace palpable::models

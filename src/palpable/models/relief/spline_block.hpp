@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstring>
@@ -26,6 +27,14 @@ struct SplineValue {
   double right_right = 0.0;
   double right_down = 0.0;
   double down_down = 0.0;
+};
+
+/// Bounds of a straight path's height above a surface within one cell, metres, and a lower bound of it at the
+/// path's end.
+struct PathBounds {
+  float lowest;
+  float highest;
+  float last;
 };
 
 /// The arithmetic of one surface evaluation, optimised for latency, since a law's next evaluation depends on
@@ -85,6 +94,33 @@ class SplineBlock {
     return coefficients;
   }
 
+  /// Bounds of the same height, at a fraction of the cost: the surface less a plane is the spline of the
+  /// control values less the plane, and lies between their Bezier points' extremes; those across are bounded
+  /// by the extremes of each column.
+  PathBounds path_bounds(double right, double down, double from_z, double rise) const noexcept {
+    const float tilt_right = 0.5F * ((rows_[1][2] - rows_[1][1]) + (rows_[2][2] - rows_[2][1]));
+    const float tilt_down = 0.5F * ((rows_[2][1] - rows_[1][1]) + (rows_[2][2] - rows_[1][2]));
+    const Float4 plane = splat(tilt_right) * Float4{-1.0F, 0.0F, 1.0F, 2.0F};
+    const Float4 tilt = splat(tilt_down);
+    const Float4 rest0 = rows_[0] - (plane - tilt);
+    const Float4 rest1 = rows_[1] - plane;
+    const Float4 rest2 = rows_[2] - (plane + tilt);
+    const Float4 rest3 = rows_[3] - (plane + (tilt + tilt));
+    constexpr float kThird = 1.0F / 3.0F;
+    const Float4 near = kThird * (rest1 + rest1 + rest2);
+    const Float4 far = kThird * (rest1 + rest2 + rest2);
+    // A Bezier point at the border between two cells is the mean of its neighbours.
+    const Float4 begin = 0.5F * (kThird * (rest0 + rest1 + rest1) + near);
+    const Float4 end = 0.5F * (far + kThird * (rest2 + rest2 + rest3));
+    const float most = extreme<Greater>(columns(Greater()(Greater()(begin, near), Greater()(far, end))));
+    const float least = extreme<Less>(columns(Less()(Less()(begin, near), Less()(far, end))));
+    const float from =
+        static_cast<float>(from_z - double{base_}) - (tilt_right * right_[0] + tilt_down * down_[0]);
+    const float to = static_cast<float>(from_z + rise - double{base_}) -
+                     (tilt_right * static_cast<float>(right) + tilt_down * static_cast<float>(down));
+    return {std::min(from, to) - most, std::max(from, to) - least, to - most};
+  }
+
   SplineValue evaluate_with_curvature() const noexcept {
     const Float4 values = combined(weights(down_));
     const Float4 slopes = combined(slope_weights(down_));
@@ -99,6 +135,24 @@ class SplineBlock {
  private:
   using Float4 = float __attribute__((vector_size(16)));
   using Int4 = int __attribute__((vector_size(16)));
+
+  struct Greater {
+    Float4 operator()(Float4 a, Float4 b) const noexcept { return a > b ? a : b; }
+  };
+  struct Less {
+    Float4 operator()(Float4 a, Float4 b) const noexcept { return a < b ? a : b; }
+  };
+  /// The Bezier points of the cubic whose control values are the lanes.
+  static Float4 columns(Float4 v) noexcept {
+    constexpr float k = 1.0F / 6.0F;
+    return (spread<0>(v) * Float4{k, 0.0F, 0.0F, 0.0F} + spread<1>(v) * Float4{4 * k, 4 * k, 2 * k, k}) +
+           (spread<2>(v) * Float4{k, 2 * k, 4 * k, 4 * k} + spread<3>(v) * Float4{0.0F, 0.0F, 0.0F, k});
+  }
+  template <class Of>
+  static float extreme(Float4 v) noexcept {
+    const Float4 pairs = Of()(v, __builtin_shufflevector(v, v, 2, 3, 0, 1));
+    return Of()(pairs, spread<1>(pairs))[0];
+  }
 
   static Float4 splat(float v) noexcept { return Float4{v, v, v, v}; }
   template <int k>
