@@ -3,9 +3,12 @@
 #include "palpable/models/relief/relief_dilation.hpp"
 
 #include "palpable/models/relief/ball_contacts.hpp"
+#include "palpable/models/relief/rolling_contact.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <mutex>
 #include <vector>
@@ -13,11 +16,24 @@
 namespace palpable::models {
 namespace {
 
-/// The contact point relative to the ball's centre, in pixels.
-struct TouchOffset {
-  double right = 0.0;
-  double up = 0.0;
+/// Steps of Newton's method for one contact.
+constexpr int kSteps = 6;
+
+/// A ball above a sample, as RestingBall: lengths in metres, the bend in 1/m.
+struct BallAbove {
+  float centre_m = 0.0F;
+  float dx = 0.0F;
+  float dy = 0.0F;
+  float bend_xx = 0.0F;
+  float bend_xy = 0.0F;
+  float bend_yy = 0.0F;
 };
+
+BallAbove ball_above(const RestingBall& ball) {
+  const auto f = [](double v) { return static_cast<float>(v); };
+  return {f(ball.centre_m), f(ball.contact.dx), f(ball.contact.dy),
+          f(ball.bend.xx),  f(ball.bend.xy),    f(ball.bend.yy)};
+}
 
 /// The spline's heights at its samples.
 Raster<float> heights_at_samples(const Relief& relief) {
@@ -32,76 +48,69 @@ Raster<float> heights_at_samples(const Relief& relief) {
   return heights;
 }
 
-/// A point below the ball, relative to its centre, in metres.
-struct UnderBall {
-  double dx = 0.0;
-  double dy = 0.0;
-};
+/// Lets the balls of a row rest on their neighbours' contacts too, where these promise more: of two contacts
+/// that are nearly as high the best sample may lead to the lower one.
+class NeighbourContacts {
+ public:
+  NeighbourContacts(const Relief& relief, double radius_m, const Raster<BallAbove>& balls)
+      : relief_(relief),
+        radius_m_(radius_m),
+        balls_(balls),
+        least_depth2_m2_(radius_m * radius_m / (1.0 + relief.steepest_slope() * relief.steepest_slope())) {}
 
-/// Limits an offset to `share` of the radius.
-UnderBall held(UnderBall at, double radius_m, double share) {
-  const double length_m = std::hypot(at.dx, at.dy);
-  if (length_m <= share * radius_m) return at;
-  const double shrunk = share * radius_m / length_m;
-  return {shrunk * at.dx, shrunk * at.dy};
-}
-
-/// Newton's step towards the maximum of z(p + d) + sqrt(r^2 - |d|^2), from d = `at`. The surface's curvature
-/// is included where the sum stays concave.
-UnderBall newton_step(const CurvedSample& s, UnderBall at, double radius_m) {
-  const double per = 1.0 / std::sqrt(radius_m * radius_m - at.dx * at.dx - at.dy * at.dy);
-  const double per3 = per * per * per;
-  const double ball_xx = per + at.dx * at.dx * per3;
-  const double ball_xy = at.dx * at.dy * per3;
-  const double ball_yy = per + at.dy * at.dy * per3;
-  const double xx = ball_xx - s.dzdxx_per_m;
-  const double xy = ball_xy - s.dzdxy_per_m;
-  const double yy = ball_yy - s.dzdyy_per_m;
-  constexpr double kLeast = 0.05;
-  const double ball = ball_xx * ball_yy - ball_xy * ball_xy;
-  const bool is_concave = xx > 0.0 && xx * yy - xy * xy > kLeast * ball;
-  const double a = is_concave ? xx : ball_xx;
-  const double b = is_concave ? xy : ball_xy;
-  const double c = is_concave ? yy : ball_yy;
-  const double gx = s.dzdx - at.dx * per;
-  const double gy = s.dzdy - at.dy * per;
-  const double determinant = a * c - b * b;
-  return {(c * gx - b * gy) / determinant, (a * gy - b * gx) / determinant};
-}
-
-/// Height of the centre of a ball at (x_m, y_m) that touches the surface near `from`. Every tried point is a
-/// lower bound, so the maximum is used.
-double centre_height(const Relief& relief, double radius_m, double x_m, double y_m, TouchOffset from) {
-  constexpr int kSteps = 5;
-  constexpr double kEnough_m = 1e-8;
-  // Near its rim the ball is too steep for Newton's method.
-  constexpr double kStart = 0.9;
-  constexpr double kRim = 0.9999;
-  const double pixel_m = relief.pixel_m();
-  UnderBall best = held({from.right * pixel_m, from.up * pixel_m}, radius_m, kStart);
-  CurvedSample s = relief.curved_sample(x_m + best.dx, y_m + best.dy);
-  double best_m = s.z_m + std::sqrt(radius_m * radius_m - best.dx * best.dx - best.dy * best.dy);
-  // The contact point of a plane with this slope.
-  const double plane_m = radius_m / std::sqrt(1.0 + s.dzdx * s.dzdx + s.dzdy * s.dzdy);
-  UnderBall step{plane_m * s.dzdx - best.dx, plane_m * s.dzdy - best.dy};
-  for (int k = 0; k < kSteps; ++k) {
-    const double length_m = std::hypot(step.dx, step.dy);
-    if (length_m < kEnough_m) break;
-    const double shorter = std::min(1.0, pixel_m / length_m);
-    const UnderBall next = held({best.dx + shorter * step.dx, best.dy + shorter * step.dy}, radius_m, kRim);
-    const CurvedSample there = relief.curved_sample(x_m + next.dx, y_m + next.dy);
-    const double over_m = std::sqrt(radius_m * radius_m - next.dx * next.dx - next.dy * next.dy);
-    if (there.z_m + over_m <= best_m) {
-      step = {0.25 * shorter * step.dx, 0.25 * shorter * step.dy};
-      continue;
-    }
-    best_m = there.z_m + over_m;
-    best = next;
-    s = there;
-    step = newton_step(s, best, radius_m);
+  void raise_row(int y, Raster<float>& centre_m) const {
+    for (int x = 0; x < balls_.width(); ++x) centre_m(x, y) = raised(x, y);
   }
-  return best_m;
-}
+
+ private:
+  /// What a contact must promise above the height that is known to be tried, and how many are tried.
+  static constexpr double kGain_m = 2e-6;
+  static constexpr int kTries = 3;
+
+  float raised(int x, int y) const {
+    float best_m = balls_(x, y).centre_m;
+    std::array<double, 9> promised;
+    for (std::size_t k = 0; k < promised.size(); ++k) promised[k] = promised_m(x, y, k);
+    for (int tries = 0; tries < kTries; ++tries) {
+      const auto most = std::max_element(promised.begin(), promised.end());
+      if (*most <= double{best_m} + kGain_m) break;
+      const auto k = static_cast<std::size_t>(most - promised.begin());
+      const BallAbove& there = balls_(x + right(k), y + down(k));
+      const double pixel_m = relief_.pixel_m();
+      const RestingBall ball =
+          rest_ball(relief_, radius_m_, (x - 0.5 * (balls_.width() - 1)) * pixel_m,
+                    (0.5 * (balls_.height() - 1) - y) * pixel_m,
+                    {double{there.dx} + right(k) * pixel_m, double{there.dy} - down(k) * pixel_m}, kSteps);
+      best_m = std::max(best_m, static_cast<float>(ball.centre_m));
+      *most = kNone_m;
+    }
+    return best_m;
+  }
+
+  /// The height above (x, y) of a ball that neighbour number `k`'s contact carries, to second order.
+  double promised_m(int x, int y, std::size_t k) const {
+    if (!balls_.contains(x + right(k), y + down(k))) return kNone_m;
+    const BallAbove& there = balls_(x + right(k), y + down(k));
+    const UnderBall moved{right(k) * relief_.pixel_m(), -down(k) * relief_.pixel_m()};
+    const double dx = double{there.dx};
+    const double dy = double{there.dy};
+    const double depth_m = std::sqrt(std::max(least_depth2_m2_, radius_m_ * radius_m_ - dx * dx - dy * dy));
+    return double{there.centre_m} - (dx * moved.dx + dy * moved.dy) / depth_m +
+           0.5 * (double{there.bend_xx} * moved.dx * moved.dx + double{there.bend_yy} * moved.dy * moved.dy) +
+           double{there.bend_xy} * moved.dx * moved.dy;
+  }
+
+  static constexpr double kNone_m = -1e9;
+  /// Where neighbour number k is, 0 to 8; number 4 is the sample itself.
+  static int right(std::size_t k) { return static_cast<int>(k % 3) - 1; }
+  static int down(std::size_t k) { return static_cast<int>(k / 3) - 1; }
+
+  const Relief& relief_;
+  double radius_m_;
+  const Raster<BallAbove>& balls_;
+  /// A ball touches a surface of this slope at least as far below its centre, squared.
+  double least_depth2_m2_;
+};
 
 /// Control values whose spline approximates `heights`. The spline lowers curved surfaces by a sixth of the
 /// second differences; these are at most `most_bent` on a surface over which a ball rolled.
@@ -150,7 +159,7 @@ Raster<float> dilate_by_ball(const Relief& relief, double radius_m, const Work& 
   const BallContacts contacts(heights, radius_m / pixel_m);
   const int w = heights.width();
   const int h = heights.height();
-  Raster<float> centre(w, h);
+  Raster<BallAbove> balls(w, h);
   RowsDone done(work, h);
   parallel_for(work, h, 8, [&](int begin, int end) {
     std::vector<ContactOffset> found(static_cast<std::size_t>(w));
@@ -158,12 +167,17 @@ Raster<float> dilate_by_ball(const Relief& relief, double radius_m, const Work& 
       contacts.find_row(y, found);
       for (int x = 0; x < w; ++x) {
         const ContactOffset contact = found[static_cast<std::size_t>(x)];
-        const TouchOffset offset{1.0 * contact.right, -1.0 * contact.down};
-        centre(x, y) = static_cast<float>(centre_height(relief, radius_m, (x - 0.5 * (w - 1)) * pixel_m,
-                                                        (0.5 * (h - 1) - y) * pixel_m, offset));
+        balls(x, y) = ball_above(rest_ball(relief, radius_m, (x - 0.5 * (w - 1)) * pixel_m,
+                                           (0.5 * (h - 1) - y) * pixel_m,
+                                           {contact.right * pixel_m, -contact.down * pixel_m}, kSteps));
       }
       done.add();
     }
+  });
+  Raster<float> centre(w, h);
+  const NeighbourContacts neighbours(relief, radius_m, balls);
+  parallel_for(work, h, 8, [&](int begin, int end) {
+    for (int y = begin; y < end && !work.cancelled(); ++y) neighbours.raise_row(y, centre);
   });
   const double steep2 = 1.0 + relief.steepest_slope() * relief.steepest_slope();
   return control_values_for(centre, pixel_m * pixel_m / radius_m * steep2 * std::sqrt(steep2));

@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/models/relief/relief_dilation.hpp"
 
+#include "palpable/models/relief/relief_shaping.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <random>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -77,6 +81,47 @@ TEST(DilateByBall, RollsOverRoundHillsAndValleysWithinFiveMicrometres) {
         errors_of(relief_of_heights(200, 60, [](double x) { return 0.002 * std::sin(x / 0.002); }), radius_m);
     EXPECT_GE(errors.least_m, -5e-6) << radius_m;
     EXPECT_LE(errors.most_m, 5e-6) << radius_m;
+  }
+}
+
+/// A lower bound of the height of the centre of a ball above (x_m, y_m), by a search of all contacts.
+double searched_centre_m(const Relief& relief, double radius_m, double x_m, double y_m) {
+  constexpr int kAcross = 80;
+  double best_m = -1.0;
+  for (int j = -kAcross; j <= kAcross; ++j)
+    for (int i = -kAcross; i <= kAcross; ++i) {
+      const double dx = i * radius_m / kAcross;
+      const double dy = j * radius_m / kAcross;
+      const double depth2 = radius_m * radius_m - dx * dx - dy * dy;
+      if (depth2 >= 0.0) best_m = std::max(best_m, relief.sample(x_m + dx, y_m + dy).z_m + std::sqrt(depth2));
+    }
+  return best_m;
+}
+
+Relief rough_ground(std::mt19937& random) {
+  Raster<float> values(90, 90);
+  std::uniform_real_distribution<float> height_m(0.0F, static_cast<float>(20.0 * kPixel_m));
+  for (float& z : values.values()) z = height_m(random);
+  limit_slope(values, kPixel_m, 3.0);
+  return *Relief::from_samples(std::move(values), kPixel_m);
+}
+
+// Of several contacts that are nearly as high one was once missed: a ball sank up to 42 um into white noise.
+TEST(DilateByBall, HardlySinksIntoRoughGround) {
+  constexpr double kRadius_m = 0.002;
+  for (const unsigned seed : {3U, 4U}) {
+    std::mt19937 random(seed);
+    const Relief relief = rough_ground(random);
+    const Relief dilated = *Relief::from_samples(dilate_by_ball(relief, kRadius_m, {}), kPixel_m);
+    std::uniform_real_distribution<double> place_m(-25.0 * kPixel_m, 25.0 * kPixel_m);
+    double least_m = 0.0;
+    for (int k = 0; k < 400; ++k) {
+      const double x_m = place_m(random);
+      const double y_m = place_m(random);
+      least_m =
+          std::min(least_m, dilated.sample(x_m, y_m).z_m - searched_centre_m(relief, kRadius_m, x_m, y_m));
+    }
+    EXPECT_GE(least_m, -12e-6) << "seed " << seed;
   }
 }
 
