@@ -40,7 +40,7 @@ inline models::Scene hills_scene() {
   scene.labels = Raster<std::uint8_t>(6, 4);
   scene.labels(1, 2) = 1;
   scene.scene_from_input.scale = 0.25;
-  scene.source = {{"left.png", "right.png"}, "best", "palpable test"};
+  scene.source = {{"left.png", "right.png"}, "best", "palpable test", {}, {}};
   scene.title = "Hills & <dales>";
   scene.description = "Two rows of hills. They are of stone.";
   scene.warnings = {"The left rim is not trusted."};
