@@ -198,7 +198,10 @@ TEST_P(StallIn, ContactGivesNothingBackThatTheHandDidNotGive) {
       touch.stall();
     }
     const Outcome worst = touch.worst();
-    EXPECT_LE(worst.beyond_given_J, 1e-6) << "hand " << k;
+    // A surface that rises under a pressing hand while one scene turns into another lifts it: that is not the
+    // law's energy, and the account says it.
+    const double lifted_J = GetParam().scenes_change ? worst.changes_J : 0.0;
+    EXPECT_LE(worst.beyond_given_J, lifted_J + 1e-6) << "hand " << k;
     if (GetParam().force_shows_energy) {
       EXPECT_LE(worst.beyond_held_J, 1e-6) << "hand " << k;
     }
