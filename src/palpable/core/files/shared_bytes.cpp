@@ -1,21 +1,15 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/core/files/file_bytes.hpp"
+#include "palpable/core/system/system_failure.hpp"
 
 #include <cerrno>
-#include <system_error>
 
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
 namespace palpable {
-namespace {
-
-Error system_failure(int number) { return {ErrorCode::failed, std::generic_category().message(number), {}}; }
-
-}  // namespace
-
 Result<SharedBytes::Writer> SharedBytes::Writer::begin() {
   Descriptor file = passable(Descriptor(::memfd_create("palpable-file", MFD_CLOEXEC | MFD_ALLOW_SEALING)));
   if (file.number() < 0) return system_failure(errno);

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/core/system/child_process.hpp"
 
+#include "palpable/core/system/system_failure.hpp"
+
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
-#include <system_error>
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -19,8 +20,6 @@ constexpr int kFirstPassed = 3;
 /// Greater than every descriptor number of a child at its start, so that no copy overwrites the source of
 /// another one.
 constexpr int kPassable = 16;
-
-Error system_failure(int number) { return {ErrorCode::failed, std::generic_category().message(number), {}}; }
 
 bool is_executable(const std::filesystem::path& path) { return ::access(path.c_str(), X_OK) == 0; }
 
