@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 namespace palpable {
+
 Result<SharedBytes::Writer> SharedBytes::Writer::begin() {
   Descriptor file = passable(Descriptor(::memfd_create("palpable-file", MFD_CLOEXEC | MFD_ALLOW_SEALING)));
   if (file.number() < 0) return system_failure(errno);
