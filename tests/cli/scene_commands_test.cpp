@@ -320,6 +320,21 @@ TEST_F(SceneCommands, ASceneWhoseFilesMovedOrChangedIsMadeAgainOrRefused) {
   EXPECT_EQ(palpable({"make", "--again", in("m.palp"), "-o", in("q.palp"), "--engrave"}).exit_code, 2);
 }
 
+TEST_F(SceneCommands, NamesThatLookLikeOptionsAreKeptAndThoseThatAreNotUtf8AreNot) {
+  const std::filesystem::path here = std::filesystem::current_path();
+  std::filesystem::current_path(in(""));
+  std::filesystem::copy_file("left.png", "-l.png");
+  std::filesystem::copy_file("left.png", "\xFF.png");
+  EXPECT_EQ(palpable({"make", "-o", "dash.palp", "--", "-l.png"}).exit_code, 0);
+  const Outcome dash = palpable({"make", "--again", "dash.palp", "-o", "dash2.palp", "--json"});
+  EXPECT_EQ(dash.exit_code, 0) << dash.err;
+  EXPECT_EQ(palpable({"make", "-o", "bytes.palp", "\xFF.png"}).exit_code, 0);
+  const Outcome bytes = palpable({"make", "--again", "bytes.palp", "-o", "bytes2.palp"});
+  EXPECT_EQ(bytes.exit_code, 3);
+  EXPECT_THAT(bytes.err, HasSubstr("does not state how it was made"));
+  std::filesystem::current_path(here);
+}
+
 TEST_F(SceneCommands, ASceneCannotHaveAnotherFileWrittenThanTheNamedOne) {
   auto file = formats::read_scene(in("a.palp"));
   ASSERT_TRUE(file);
@@ -330,9 +345,12 @@ TEST_F(SceneCommands, ASceneCannotHaveAnotherFileWrittenThanTheNamedOne) {
         {"make", left, right, "--output=" + prey},
         {"make", in("film.mp4"), "--poses", prey},
         {"make", left, right, "--no-such-option"},
+        {"make", left, right, "--help"},
+        {"make", left, right, "--describe=@" + in("a.palp")},
+        {"make", "--again=" + in("hostile.palp")},
+        {"make", "--again", in("hostile.palp")},
         {"make"}}) {
     file->scene.source.command = command;
-    file->scene.source.files.clear();
     ASSERT_TRUE(formats::write_scene(in("hostile.palp"), file->scene));
     const Outcome outcome = palpable({"make", "--again", in("hostile.palp"), "-o", in("h.palp")});
     EXPECT_THAT(outcome.exit_code, testing::AnyOf(2, 3)) << outcome.err;

@@ -6,8 +6,10 @@
 #include "palpable/cli/options.hpp"
 #include "palpable/core/result.hpp"
 
+#include <filesystem>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,9 +41,11 @@ Options add_command_below(Program& program, const std::string& parent, const std
                           const std::string& description, const std::string& examples, Action action);
 
 /// Runs a command line of this program within another command: "make", its arguments, …. How it reports is as
-/// in `from`; the seed is its own. It may write no file but its --output. Errors: usage for words that are no
-/// command line of this version or that name another output; those of the command.
-Result<Answer> run_command(const std::vector<std::string>& words, const CommonOptions& from);
+/// in `from`; the seed is its own. It may write no file but its --output, and name no file but `inputs`.
+/// Errors: usage for words that are no command line of this version or that name other files; those of the
+/// command.
+Result<Answer> run_command(const std::vector<std::string>& words,
+                           std::span<const std::filesystem::path> inputs, const CommonOptions& from);
 
 /// The help of a command ("score", "disparity"), or of the program. Errors: usage for an unknown command.
 Result<std::string> help_text(const Program& program, const std::vector<std::string>& words);

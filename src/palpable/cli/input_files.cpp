@@ -89,11 +89,12 @@ std::optional<std::string> InputFiles::find(const fs::path& file) const {
   return found == files_.end() ? std::nullopt : std::optional(found->second.folder);
 }
 
-std::vector<fs::path> InputFiles::regular_files() const {
+std::vector<fs::path> InputFiles::regular_files(Folders folders) const {
   std::vector<fs::path> files;
   std::error_code failed;
   for (const auto& [identity, named] : files_)
-    if (fs::is_regular_file(named.name, failed)) files.push_back(named.name);
+    if ((folders == Folders::included || named.folder.empty()) && fs::is_regular_file(named.name, failed))
+      files.push_back(named.name);
   std::sort(files.begin(), files.end());
   return files;
 }

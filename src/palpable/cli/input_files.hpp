@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -30,8 +31,10 @@ class InputFiles {
   /// Whether `file` exists and is one of them: the folder that it was found in, or an empty text if it is
   /// named itself. Devices such as a terminal are none.
   std::optional<std::string> find(const std::filesystem::path& file) const;
-  /// The regular files among them, by the names that led to them, in the order of these names.
-  std::vector<std::filesystem::path> regular_files() const;
+  /// The regular files among them, by the names that led to them, in the order of these names; with or
+  /// without those that a folder holds.
+  enum class Folders : std::uint8_t { included, left_out };
+  std::vector<std::filesystem::path> regular_files(Folders folders) const;
 
  private:
   using Identity = std::pair<dev_t, ino_t>;

@@ -142,7 +142,9 @@ std::function<std::vector<std::string>()> Options::repeated() const {
       const auto is_option = [option](const OutputOption& output) { return output.option == option; };
       const bool is_output = std::any_of(outputs->begin(), outputs->end(), is_option);
       if (option->get_positional()) {
-        arguments.insert(arguments.end(), values.begin(), values.end());
+        // A name that begins with a dash would be read as an option.
+        for (const std::string& value : values)
+          arguments.push_back(value.starts_with("-") ? "./" + value : value);
       } else if (!is_output &&
                  std::find(no_result.begin(), no_result.end(), option->get_name()) == no_result.end()) {
         const bool is_flag = option->get_expected_max() == 0;
@@ -157,8 +159,9 @@ std::function<std::vector<std::string>()> Options::repeated() const {
 }
 
 std::function<std::vector<std::filesystem::path>()> Options::input_files() const {
-  return
-      [app = &app_, outputs = &outputs_] { return InputFiles(input_words(*app, *outputs)).regular_files(); };
+  return [app = &app_, outputs = &outputs_] {
+    return InputFiles(input_words(*app, *outputs)).regular_files(InputFiles::Folders::included);
+  };
 }
 
 void Options::integer(const std::string& name, int& value, Range range, const std::string& help) {

@@ -12,6 +12,8 @@
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <span>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 #include <fcntl.h>
@@ -170,13 +172,16 @@ int parse_and_run(int argc, char** argv) {
 
 }  // namespace
 
-Result<Answer> run_command(const std::vector<std::string>& words, const CommonOptions& from) {
+Result<Answer> run_command(const std::vector<std::string>& words,
+                           std::span<const std::filesystem::path> inputs, const CommonOptions& from) {
   Program program;
   add_commands(program);
   program.common.command = words;
   try {
     // The library takes them from the last one on.
     program.app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::Success&) {
+    return usage("it only asks for help");
   } catch (const CLI::ParseError& complaint) {
     return explained(program.app, complaint);
   }
@@ -184,6 +189,13 @@ Result<Answer> run_command(const std::vector<std::string>& words, const CommonOp
   for (const OutputOption& output : program.outputs)
     if (output.command == &command && output.option->count() > 0 && output.option->get_name() != "--output")
       return usage(fmt::format("{} writes a file, and only --output may", output.option->get_name()));
+  const InputFiles named(input_words(command, program.outputs));
+  for (const auto& file : named.regular_files(InputFiles::Folders::left_out))
+    if (std::none_of(inputs.begin(), inputs.end(), [&file](const std::filesystem::path& input) {
+          std::error_code none;
+          return std::filesystem::equivalent(file, input, none);
+        }))
+      return usage(fmt::format("it reads {}, which is not among its files", file.string()));
   if (auto writable = check_outputs(command, program.outputs, samples_of(command)); !writable)
     return std::move(writable).error();
   program.common.json = from.json;

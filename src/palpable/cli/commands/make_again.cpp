@@ -16,10 +16,15 @@
 namespace palpable::cli {
 namespace {
 
-bool fits(const models::Provenance& source) {
-  const auto is_short = [](const std::string& word) { return word.size() <= models::kMaxCommandWordBytes; };
-  return source.command.size() <= models::kMaxCommandWords &&
-         std::all_of(source.command.begin(), source.command.end(), is_short);
+/// Whether a scene's file keeps the word unchanged: it is UTF-8, and not too long.
+bool is_kept(const std::string& word) {
+  const std::string written = Json(word).dump(-1, ' ', false, Json::error_handler_t::ignore);
+  return word.size() <= models::kMaxCommandWordBytes && Json::parse(written) == Json(word);
+}
+
+bool is_kept(const std::vector<std::string>& command) {
+  return command.size() <= models::kMaxCommandWords &&
+         std::all_of(command.begin(), command.end(), [](const std::string& word) { return is_kept(word); });
 }
 
 /// Replaces a file's name in a word of the command: the whole word, or what follows a mark before a file.
@@ -46,22 +51,31 @@ bool writes_poses(const std::vector<std::string>& command) {
   return has_poses && is_video(inputs, kind);
 }
 
+/// A command, and the files that it reads.
+struct Repeated {
+  std::vector<std::string> command;
+  std::vector<std::filesystem::path> files;
+};
+
 /// The scene's command with its files where they are now. Errors: as make_again().
-Result<std::vector<std::string>> command_now(const models::Provenance& source, const std::string& scene,
-                                             const Work& work) {
+Result<Repeated> repeated(const models::Provenance& source, const std::string& scene, const Work& work) {
   if (source.command.empty())
     return invalid_input("does not state how it was made: give the inputs and the options anew", scene);
-  if (source.command.front() != "make" && source.command.front() != "correct")
+  const bool is_maker = source.command.front() == "make" || source.command.front() == "correct";
+  // It would never end.
+  const bool is_again = std::any_of(source.command.begin(), source.command.end(),
+                                    [](const std::string& word) { return word.starts_with("--again"); });
+  if (!is_maker || is_again)
     return invalid_input("states that it was made by a command that makes no scenes", scene);
   if (writes_poses(source.command))
     return invalid_input("states that it was made by a command that writes another file", scene);
-  const auto places = session::find_source_files(source.files, scene, work);
-  if (!places) return places.error();
+  auto places = session::find_source_files(source.files, scene, work);
+  if (!places) return std::move(places).error();
   std::vector<std::string> command = source.command;
   for (std::size_t i = 0; i < places->size(); ++i)
     if (const std::string now = (*places)[i].string(); now != source.files[i].name)
       for (std::string& word : command) replace_name(word, source.files[i].name, now);
-  return command;
+  return Repeated{std::move(command), *std::move(places)};
 }
 
 /// The scene's file without where it came from: files may have moved, and the program be another one.
@@ -79,7 +93,7 @@ Result<void> add_making(const MakingWords& words, models::Scene& scene, const Wo
   source.command = words.command();
   source.files.clear();
   const auto files = words.files();
-  if (!fits(source) || files.size() > models::kMaxSourceFiles) {
+  if (!is_kept(source.command) || files.size() > models::kMaxSourceFiles) {
     source.command.clear();
     return {};
   }
@@ -93,10 +107,12 @@ Result<Answer> make_again(const std::string& scene, const std::string& output, C
   const auto before = read_scene_argument(scene);
   if (!before) return before.error();
   const models::Provenance& source = before->scene.source;
-  auto command = command_now(source, scene, console.work());
-  if (!command) return std::move(command).error();
-  command->push_back("--output=" + output);
-  auto answer = run_command(*command, console.options());
+  auto again = repeated(source, scene, console.work());
+  if (!again) return std::move(again).error();
+  again->command.push_back("--output=" + output);
+  auto answer = run_command(again->command, again->files, console.options());
+  if (!answer && answer.error().code == ErrorCode::usage)
+    return invalid_input("states a command that cannot be repeated: " + answer.error().sentence(), scene);
   if (!answer) return answer;
   const auto after = read_scene_argument(output);
   if (!after) return after.error();

@@ -270,7 +270,7 @@ TEST(Crossing, OfACrestIsAContactInItsTickAndThroughNoWall) {
 }
 
 /// Ticks in the air whose path was, with force from a proxy in contact; and those in which nothing is between
-/// it and the hand.
+/// it and the hand, where it is or was a tick before.
 struct Releases {
   int held = 0;
   int in_sight = 0;
@@ -287,7 +287,9 @@ void wander(const Touched& touched, Draw& draw, Releases& releases) {
   TouchState state;
   Hand hand;
   Vec3 step;
-  bool was_held = output_at(*touched.law, state, last).contact;
+  const LawOutput at_first = output_at(*touched.law, state, last);
+  bool was_held = at_first.contact;
+  Vec3 proxy_before = at_first.proxy.v;
   for (int n = 0, left = 0; n < 150; ++n) {
     if (left-- <= 0) {
       Vec3 way{draw.between(-0.5, 0.5), draw.between(-0.5, 0.5), draw.between(-0.35, 0.35)};
@@ -302,12 +304,13 @@ void wander(const Touched& touched, Draw& draw, Releases& releases) {
     const double force_N = norm(output.force_N);
     if (was_held && force_N > 0.0 && touched.height_over(last) > 0.0 && touched.deepest_on(last, p) <= 0.0) {
       ++releases.held;
-      if (touched.deepest_on(output.proxy.v, p) < 1e-8) {
+      if (touched.deepest_on(output.proxy.v, p) < 1e-8 || touched.deepest_on(proxy_before, p) < 1e-8) {
         ++releases.in_sight;
         releases.most_N = std::max(releases.most_N, force_N);
       }
     }
     was_held = output.contact;
+    proxy_before = output.proxy.v;
     last = p;
   }
 }

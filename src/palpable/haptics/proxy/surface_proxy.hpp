@@ -139,6 +139,7 @@ class ProxyFollower {
       flown_from = proxy.place_m;
       if (fly(hand_m, reach, proxy, tick.evaluations) != Flown::met) break;
       proxy = there;
+      tick.waits = !is_under;
       return false;
     }
     if (proxy.place_m == hand_m) return true;
@@ -147,10 +148,10 @@ class ProxyFollower {
   }
 
   /// Whether the hand is in the air, its path of this tick was, and nothing is between it and the proxy in
-  /// contact.
+  /// contact, where that is or where it was before the tick: it may have slid behind a bump meanwhile.
   [[gnu::noinline]] bool sees_hand(const SurfaceProxy& proxy, const Tick& tick) const noexcept {
-    return is_clear(proxy.place_m, tick.hand_m) && !is_below(tick.hand_before_m) &&
-           is_clear(tick.hand_before_m, tick.hand_m);
+    return (is_clear(proxy.place_m, tick.hand_m) || is_clear(tick.place_before_m, tick.hand_m)) &&
+           !is_below(tick.hand_before_m) && is_clear(tick.hand_before_m, tick.hand_m);
   }
 
   /// For a proxy that is free, at a hand in the air whose path in this tick may have cut the surface: the

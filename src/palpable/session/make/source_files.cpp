@@ -36,6 +36,7 @@ Result<fs::path> place_of(const models::SourceFile& source, const fs::path& scen
     std::error_code failed;
     if (!fs::is_regular_file(place, failed)) continue;
     exists = true;
+    if (fs::file_size(place, failed) != source.bytes || failed) continue;
     const auto hash = sha256_of(place, work);
     if (!hash) return hash.error();
     if (*hash == source.sha256) return place;
