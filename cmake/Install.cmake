@@ -16,7 +16,7 @@ function(palpable_install name uses links)
   install(EXPORT PalpableTargets-${name} NAMESPACE Palpable:: DESTINATION ${palpable_package_dir} COMPONENT ${name})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/palpable/${name} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/palpable
           COMPONENT ${name} FILES_MATCHING PATTERN "*.hpp" PATTERN "test_*.hpp" EXCLUDE 
-          PATTERN "stroke_scenes.hpp" EXCLUDE PATTERN "sheet_scene*.hpp" EXCLUDE PATTERN "house_scenes.hpp" EXCLUDE)
+          PATTERN "stroke_scenes.hpp" EXCLUDE PATTERN "crossing_strokes.hpp" EXCLUDE PATTERN "sheet_scene*.hpp" EXCLUDE PATTERN "house_scenes.hpp" EXCLUDE)
   set(requires ${uses})
   list(TRANSFORM requires PREPEND "palpable-")
   set(private "")

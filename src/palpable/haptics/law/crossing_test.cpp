@@ -3,15 +3,13 @@
 // Straight strokes that cut walls of one pixel, spikes, noise and hills of a relief within a tick, at any
 // depth: the cut must be a contact in its tick, and what holds the hand then must be a wall between it and
 // the proxy. The truth is the relief itself, at hundreds of places of each tick.
-#include "palpable/haptics/law/test_scenes.hpp"
+#include "palpable/haptics/law/crossing_strokes.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <memory>
-#include <random>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -19,28 +17,9 @@
 namespace palpable::haptics {
 namespace {
 
-/// A cut that is nowhere deeper may be missed.
-constexpr double kTolerance_m = 5e-6;
-constexpr double kStiff_N_per_m = 500.0;
-
 /// 32 strokes over each of 32 reliefs by default; PALPABLE_TOUCHES=25000 for a measurement.
-int strokes_of_a_scene() {
-  const char* wanted = std::getenv("PALPABLE_TOUCHES");
-  return wanted != nullptr ? std::max(1, std::atoi(wanted) / 32) : 32;
-}
-
-class Draw {
- public:
-  explicit Draw(unsigned seed) : random_(seed) {}
-  double between(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random_);
-  }
-  /// Evenly distributed on a logarithmic scale.
-  double scaled(double low, double high) { return low * std::pow(high / low, between(0.0, 1.0)); }
-
- private:
-  std::mt19937_64 random_;
-};
+constexpr int kScenes = 32;
+int strokes_of_a_scene() { return strokes_of_each(kScenes, 32); }
 
 enum class Ground { walls, spikes, noise, hills };
 constexpr std::array kGrounds{Ground::walls, Ground::spikes, Ground::noise, Ground::hills};
@@ -81,11 +60,14 @@ struct Touched {
   std::shared_ptr<const Touchable> law;
   std::shared_ptr<const models::Relief> surface;
 
-  double height_over(Vec3 p) const { return p.z - surface->sample(p.x, p.y).z_m; }
+  double over_m(Vec3 p) const { return p.z - surface->sample(p.x, p.y).z_m; }
   /// How deep a straight path is below the surface at most.
   double deepest_on(Vec3 from, Vec3 to) const { return deepest_on(from, to, true); }
   /// The same, after the first place above it.
-  double deepest_cut_on(Vec3 from, Vec3 to) const { return deepest_on(from, to, height_over(from) > 0.0); }
+  double deepest_cut_on(Vec3 from, Vec3 to) const { return deepest_on(from, to, over_m(from) > 0.0); }
+  static constexpr double sunk_m() { return 2e-6; }
+  bool sees(Vec3 proxy, Vec3 hand) const { return deepest_on(proxy, hand) < 1e-8; }
+  bool is_reached(Vec3 from, Vec3 to) const;
 
  private:
   double deepest_on(Vec3 from, Vec3 to, bool is_out) const {
@@ -93,9 +75,9 @@ struct Touched {
     const int places = std::max(200, static_cast<int>(60.0 * pixels));
     double deepest_m = 0.0;
     for (int k = 1; k <= places; ++k) {
-      const double over_m = height_over(from + (1.0 * k / places) * (to - from));
-      if (is_out) deepest_m = std::max(deepest_m, -over_m);
-      is_out = is_out || over_m > 0.0;
+      const double over = over_m(from + (1.0 * k / places) * (to - from));
+      if (is_out) deepest_m = std::max(deepest_m, -over);
+      is_out = is_out || over > 0.0;
     }
     return deepest_m;
   }
@@ -109,20 +91,12 @@ Touched touched(int number, Draw& draw) {
   const models::Scene scene = scene_of(std::move(z), pixel_m);
   LawParameters p =
       frictionless((number & 24) == 24 ? std::min(draw.scaled(0.0003, 0.003), 12.0 * pixel_m) : 0.0);
-  p.stiffness_N_per_m = kStiff_N_per_m;
+  p.stiffness_N_per_m = kStrokeStiffness_N_per_m;
   p.static_friction = (number & 8) == 0 ? 0.0 : 0.5;
   DilatedRelief dilated;
   auto law = make_touchable(scene, p, &dilated);
   return {*law, *p.radius_m > 0.0 ? dilated.surface : models::relief_of(scene)};
 }
-
-/// A stroke of `ticks` steps before and after its middle, which is near the surface.
-struct Stroke {
-  Vec3 middle_m;
-  Vec3 step_m;
-  int ticks = 0;
-  Vec3 at(int tick) const { return middle_m + static_cast<double>(tick - ticks) * step_m; }
-};
 
 Stroke random_stroke(const models::Relief& surface, Draw& draw) {
   constexpr double kLength_m = 0.004;
@@ -148,28 +122,27 @@ Stroke random_stroke(const models::Relief& surface, Draw& draw) {
   return stroke;
 }
 
-/// Where a frictionless proxy ends that follows a hand in hundreds of steps and slides in hundredths of a
-/// pixel: its distance from the hand, 0 if it is free. The hand comes from the air.
-double reference_distance_m(const Touched& touched, Vec3 from, Vec3 to) {
+/// The proxy follows the hand in hundreds of steps and slides in hundredths of a pixel. The hand comes from
+/// the air.
+bool Touched::is_reached(Vec3 from, Vec3 to) const {
   constexpr int kHands = 300;
   constexpr int kSlides = 4000;
-  const models::Relief& surface = *touched.surface;
-  const double step_m = 0.005 * surface.pixel_m();
+  const double step_m = 0.005 * surface->pixel_m();
   bool is_free = true;
   Vec3 proxy;
   for (int n = 1; n <= kHands; ++n) {
     const Vec3 hand = from + (1.0 * n / kHands) * (to - from);
     if (is_free) {
-      if (touched.height_over(hand) >= 0.0) continue;
+      if (over_m(hand) >= 0.0) continue;
       is_free = false;
       proxy = from + ((n - 1.0) / kHands) * (to - from);
-      proxy.z = surface.sample(proxy.x, proxy.y).z_m;
+      proxy.z = surface->sample(proxy.x, proxy.y).z_m;
     }
     double part = 1.0;
     for (int k = 0; k < kSlides && part > 1e-3; ++k) {
-      const models::HeightSample s = surface.sample(proxy.x, proxy.y);
+      const models::HeightSample s = surface->sample(proxy.x, proxy.y);
       const Vec3 d = hand - proxy;
-      if (d.z - s.dzdx * d.x - s.dzdy * d.y > 0.0 && touched.deepest_on(proxy, hand) < 1e-7) {
+      if (d.z - s.dzdx * d.x - s.dzdy * d.y > 0.0 && deepest_on(proxy, hand) < 1e-7) {
         is_free = true;
         break;
       }
@@ -177,7 +150,7 @@ double reference_distance_m(const Touched& touched, Vec3 from, Vec3 to) {
       const Vec3 down{d.x + d.z * s.dzdx, d.y + d.z * s.dzdy, 0.0};
       const double length_m = std::min(part * step_m / std::sqrt(steep2), norm(down) / steep2);
       Vec3 next = proxy + length_m * unit(down);
-      next.z = surface.sample(next.x, next.y).z_m;
+      next.z = surface->sample(next.x, next.y).z_m;
       if (squared_norm(hand - next) < squared_norm(d)) {
         proxy = next;
       } else {
@@ -185,82 +158,18 @@ double reference_distance_m(const Touched& touched, Vec3 from, Vec3 to) {
       }
     }
   }
-  return is_free ? 0.0 : norm(to - proxy);
-}
-
-struct Findings {
-  int cuts = 0;
-  int missed = 0;
-  double deepest_missed_m = 0.0;
-  int inside = 0;
-  int let_through = 0;
-  int sunk = 0;
-  int pulled_away = 0;
-  int clear = 0;
-  int pushed_in_air = 0;
-  int held_in_sight = 0;
-  /// Cuts in which the proxy came to the hand within the tick, and those in which a wall was between.
-  int crossed = 0;
-  int popped_through = 0;
-};
-
-void follow(const Touched& touched, const Stroke& stroke, Findings& findings) {
-  TouchState state;
-  Hand hand;
-  Vec3 last = stroke.at(0);
-  if (touched.height_over(last) < 1e-6) return;
-  LawOutput before = output_at(*touched.law, state, last);
-  for (int n = 1; n <= 2 * stroke.ticks; ++n) {
-    const Vec3 p = stroke.at(n);
-    hand.position = {p};
-    const LawOutput output = touched.law->evaluate(hand, state);
-    const double force_N = norm(output.force_N);
-    const bool is_felt = output.contact && force_N > 0.0;
-    const double deepest_m = touched.deepest_cut_on(last, p);
-    const bool began_in_air = touched.height_over(last) > 0.0;
-    if (deepest_m > kTolerance_m) {
-      ++findings.cuts;
-      findings.missed += is_felt ? 0 : 1;
-      if (!is_felt) findings.deepest_missed_m = std::max(findings.deepest_missed_m, deepest_m);
-    }
-    findings.inside += touched.height_over(p) < -1e-6 ? 1 : 0;
-    findings.let_through += touched.height_over(p) < -1e-6 && !is_felt ? 1 : 0;
-    findings.sunk += touched.height_over(output.proxy.v) < -2e-6 ? 1 : 0;
-    findings.pulled_away += dot(output.proxy.v - p, output.force_N.v) < -1e-9 ? 1 : 0;
-    if (began_in_air && deepest_m <= 0.0) {
-      ++findings.clear;
-      findings.pushed_in_air += force_N > 0.0 && !before.contact ? 1 : 0;
-      findings.held_in_sight +=
-          force_N > 0.0 && before.contact && touched.deepest_on(before.proxy.v, p) < 1e-8 ? 1 : 0;
-    }
-    // The proxy is at the hand if the force is less than that of their distance.
-    const bool is_free = output.contact && force_N < 0.99 * kStiff_N_per_m * norm(output.proxy.v - p);
-    if (is_free && began_in_air && !before.contact) {
-      ++findings.crossed;
-      findings.popped_through += reference_distance_m(touched, last, p) > 2e-5 ? 1 : 0;
-    }
-    before = output;
-    last = p;
-  }
+  return is_free || norm(to - proxy) <= 2e-5;
 }
 
 TEST(Crossing, OfACrestIsAContactInItsTickAndThroughNoWall) {
-  constexpr int kScenes = 32;
   Draw draw(41);
-  Findings findings;
+  CrossingFindings findings;
   for (int number = 0; number < kScenes; ++number) {
     const Touched scene = touched(number, draw);
     for (int k = strokes_of_a_scene(); k > 0; --k)
       follow(scene, random_stroke(*scene.surface, draw), findings);
   }
-  EXPECT_EQ(findings.missed, 0) << "of " << findings.cuts << ", up to " << findings.deepest_missed_m
-                                << " m deep";
-  EXPECT_EQ(findings.let_through, 0) << "of " << findings.inside;
-  EXPECT_EQ(findings.sunk, 0);
-  EXPECT_EQ(findings.pulled_away, 0);
-  EXPECT_EQ(findings.pushed_in_air, 0) << "of " << findings.clear;
-  EXPECT_EQ(findings.held_in_sight, 0) << "of " << findings.clear;
-  EXPECT_EQ(findings.popped_through, 0) << "of " << findings.crossed;
+  expect_nothing_missed(findings, "reliefs");
   EXPECT_GT(findings.cuts, 100);
   EXPECT_GT(findings.crossed, 3);
   EXPECT_GT(findings.inside, 1000);
@@ -293,7 +202,7 @@ void wander(const Touched& touched, Draw& draw, Releases& releases) {
   for (int n = 0, left = 0; n < 150; ++n) {
     if (left-- <= 0) {
       Vec3 way{draw.between(-0.5, 0.5), draw.between(-0.5, 0.5), draw.between(-0.35, 0.35)};
-      const double over_m = touched.height_over(last);
+      const double over_m = touched.over_m(last);
       if (std::abs(over_m) > 0.002) way.z = over_m > 0.0 ? -std::abs(way.z) : std::abs(way.z);
       step = per_tick_m * unit(way);
       left = 3 + static_cast<int>(draw.between(0.0, 25.0));
@@ -302,9 +211,9 @@ void wander(const Touched& touched, Draw& draw, Releases& releases) {
     hand.position = {p};
     const LawOutput output = touched.law->evaluate(hand, state);
     const double force_N = norm(output.force_N);
-    if (was_held && force_N > 0.0 && touched.height_over(last) > 0.0 && touched.deepest_on(last, p) <= 0.0) {
+    if (was_held && force_N > 0.0 && touched.over_m(last) > 0.0 && touched.deepest_on(last, p) <= 0.0) {
       ++releases.held;
-      if (touched.deepest_on(output.proxy.v, p) < 1e-8 || touched.deepest_on(proxy_before, p) < 1e-8) {
+      if (touched.sees(output.proxy.v, p) || touched.sees(proxy_before, p)) {
         ++releases.in_sight;
         releases.most_N = std::max(releases.most_N, force_N);
       }

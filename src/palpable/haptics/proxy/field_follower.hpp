@@ -26,7 +26,7 @@ class FieldFollower {
   /// Moves the proxy by one tick; `hand_m` is the hand's position, finite.
   void follow(Vec3 hand_m, FieldProxy& proxy) const noexcept {
     if (proxy.phase == FieldProxy::Phase::fresh) begin(hand_m, proxy);
-    const Before before{proxy.place_m, proxy.hand_m, proxy.holds_the_hand()};
+    const Before before{proxy.place_m, proxy.normal, proxy.hand_m, proxy.holds_the_hand()};
     const double cell_m = solid_.cell_m();
     const double moved_m = norm(hand_m - proxy.hand_m);
     proxy.hand_m = hand_m;
@@ -70,6 +70,7 @@ class FieldFollower {
   /// The proxy after the previous tick.
   struct Before {
     Vec3 place_m;
+    Vec3 normal;
     Vec3 hand_m;
     bool touching = false;
   };
@@ -134,7 +135,7 @@ class FieldFollower {
       release(proxy, tick);
     }
     if (!proxy.holds_the_hand() && proxy.place_m != tick.hand_m) hold(tick.hand_m, before, proxy);
-    if (proxy.holds_the_hand()) let_go_in_air(proxy, tick);
+    if (proxy.holds_the_hand()) let_go_in_air(before, proxy, tick);
     return !proxy.holds_the_hand() && proxy.place_m == tick.hand_m;
   }
 
@@ -155,24 +156,42 @@ class FieldFollower {
 
   /// Lets a proxy go whose hand is in the air, if nothing of the solid is between both: a hand that was deep
   /// inside and came out elsewhere, while the proxy, which slides by a bounded way in a tick, is still on its
-  /// way there.
-  void let_go_in_air(FieldProxy& proxy, Tick& tick) const noexcept {
+  /// way there; or one that the proxy saw from its place before the tick, and slid away from.
+  void let_go_in_air(const Before& before, FieldProxy& proxy, Tick& tick) const noexcept {
     if (Slide::is_known_inside(tick.hand_m, proxy)) return;
     const models::DistanceSample s = Slide::sample_at_hand(solid_, tick.hand_m, proxy);
     if (s.distance_m <= 0.0) return;
-    const Path path(solid_, tick.hand_m, proxy.place_m);
-    int looks = Path::kMostLooks;
-    const typename Path::Followed followed =
-        path.follow({0.0, solid_.certain_m(tick.hand_m, s.distance_m), s.gradient}, looks);
-    // Half a cell from the proxy the hand's way passes at most an edge between two faces, unless it comes
-    // from the far side of a plate.
-    const bool is_clear = followed.reach == Path::Reach::end ||
-                          (followed.reach == Path::Reach::entry &&
-                           followed.clear.at_m > path.length_m() - 0.5 * solid_.cell_m() &&
-                           Slide::is_beside(followed.clear.gradient, proxy.normal));
-    if (!is_clear) return;
+    const Look hand{0.0, solid_.certain_m(tick.hand_m, s.distance_m), s.gradient};
+    const bool is_seen = sees(tick.hand_m, hand, proxy.place_m, proxy.normal) ||
+                         (before.touching && sees(tick.hand_m, hand, before.place_m, before.normal));
+    if (!is_seen) return;
     release(proxy, tick);
     set_free(tick.hand_m, s, proxy);
+  }
+
+  /// Whether nothing is between a hand in the air, with the first look from there, and a place on the
+  /// surface.
+  bool sees(Vec3 hand_m, const Look& from_hand, Vec3 place_m, Vec3 normal) const noexcept {
+    const Path path(solid_, hand_m, place_m);
+    int looks = Path::kMostLooks;
+    const typename Path::Followed followed = path.follow(from_hand, looks);
+    if (followed.reach != Path::Reach::entry) return followed.reach == Path::Reach::end;
+    // Half a cell from the proxy the hand's way passes at most an edge between two faces, unless it comes
+    // from the far side of a plate.
+    return followed.clear.at_m > path.length_m() - 0.5 * solid_.cell_m() &&
+           (Slide::is_beside(followed.clear.gradient, normal) || only_grazes(path, followed.clear.at_m));
+  }
+
+  /// Whether a path is nowhere deeper than rounding between a place of it and its end, at most half a cell:
+  /// at tips and creases the faces' normals tell nothing.
+  bool only_grazes(const Path& path, double from_m) const noexcept {
+    constexpr int kPlaces = 8;
+    constexpr double kDeepest_m = 1e-6;
+    for (int k = 1; k < kPlaces; ++k) {
+      const double at_m = from_m + (1.0 * k / kPlaces) * (path.length_m() - from_m);
+      if (solid_.sample(path.at(at_m)).distance_m < -kDeepest_m) return false;
+    }
+    return true;
   }
 
   /// Moves a free proxy straight to a place. True if it meets the surface: then it stays at the first

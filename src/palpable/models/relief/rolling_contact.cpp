@@ -8,13 +8,7 @@
 namespace palpable::models {
 namespace {
 
-/// The slope of the ball's underside at a point of it. Unlike the point's offset from the centre it has no
-/// singularity at the rim, and on a plane one step of Newton's method finds it.
-struct BallSlope {
-  double x = 0.0;
-  double y = 0.0;
-};
-
+/// With slopes, one step of Newton's method finds the contact on a plane.
 BallSlope slope_at(UnderBall at, double radius_m, double steepest) noexcept {
   const double length2 = at.dx * at.dx + at.dy * at.dy;
   const double rest2 = radius_m * radius_m - length2;
@@ -72,9 +66,7 @@ Step newton_step(const CurvedSample& s, const BallPoint& on) noexcept {
   return {{ball.xx * dx + ball.xy * dy, ball.xy * dx + ball.yy * dy}, 0.5 * (gx * dx + gy * dy)};
 }
 
-/// The bend of the centre's height: with B and M those of the ball and of the ball minus the surface, B M^-1
-/// B
-/// - B.
+/// The bend of the centre's height, B M^-1 B - B: B of the ball, M of the ball minus the surface.
 Bend bend_of_centre(const CurvedSample& s, const BallPoint& on) noexcept {
   const Bend b = bend_of_ball(on);
   const Bend m = bend_between(s, b);
@@ -88,6 +80,8 @@ Bend bend_of_centre(const CurvedSample& s, const BallPoint& on) noexcept {
 }
 
 }  // namespace
+
+UnderBall point_of(BallSlope slope, double radius_m) noexcept { return point_with(slope, radius_m).at; }
 
 RestingBall rest_ball(const Relief& relief, double radius_m, double x_m, double y_m, UnderBall from,
                       int steps) noexcept {
@@ -116,7 +110,7 @@ RestingBall rest_ball(const Relief& relief, double radius_m, double x_m, double 
     s = there;
     step = newton_step(s, best);
   }
-  return {best_m, best.at, bend_of_centre(s, best)};
+  return {best_m, best.slope, bend_of_centre(s, best)};
 }
 
 }  // namespace palpable::models

@@ -20,13 +20,23 @@ struct Bend {
   double determinant() const noexcept { return xx * yy - xy * xy; }
 };
 
-/// A ball on a relief: the height of its centre, where it touches, and the bend of the surface that the
-/// centre follows as long as that contact carries the ball.
+/// The slope of the ball's underside at a point of it. Unlike the point's offset from the centre it has no
+/// singularity at the rim.
+struct BallSlope {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+/// A ball on a relief: the height of its centre, the slope at its contact, and the bend of the surface that
+/// the centre follows as long as that contact carries the ball. The slope is also that of this surface.
 struct RestingBall {
   double centre_m = 0.0;
-  UnderBall contact;
+  BallSlope slope;
   Bend bend;
 };
+
+/// The point at which a ball of this radius has this slope.
+UnderBall point_of(BallSlope slope, double radius_m) noexcept;
 
 /// Lets a ball of `radius_m` > 0 with its centre above (x_m, y_m) rest on the surface near `from`: a local
 /// maximum of z(p + d) + sqrt(r^2 - |d|^2), by at most `steps` steps of Newton's method. Each height that it
