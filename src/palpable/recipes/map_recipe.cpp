@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -50,6 +51,21 @@ std::string some_of(const std::vector<std::string>& names) {
   return words;
 }
 
+/// "is" or "are".
+std::string_view verb_for(std::size_t count) { return count == 1 ? "is" : "are"; }
+
+/// What became of the buildings.
+std::string buildings_note(std::size_t drawn, std::size_t blocks, std::size_t left_out) {
+  const std::string all = drawn == 1 ? "The only building" : fmt::format("The {} buildings", drawn);
+  if (blocks == 0)
+    return fmt::format("{} {} not felt: too small, or too near to streets.", all, verb_for(drawn));
+  std::string words = fmt::format("{} {} felt as {}", all, verb_for(drawn),
+                                  blocks == 1 ? std::string("one block") : fmt::format("{} blocks", blocks));
+  if (left_out > 0)
+    words += fmt::format("; {} {} too small, or too near to streets", left_out, verb_for(left_out));
+  return words + ".";
+}
+
 /// What was joined or left out because a finger could not tell it apart.
 std::vector<Note> notes_on(const sculpt::StreetRelief& made, const sculpt::TactileRules& rules,
                            std::size_t pieces) {
@@ -64,33 +80,33 @@ std::vector<Note> notes_on(const sculpt::StreetRelief& made, const sculpt::Tacti
   const sculpt::StreetSelection& streets = made.streets;
   if (streets.left_out > 0) {
     std::string words = fmt::format(
-        "{} of {} pieces of streets are left out: a finger could not tell them from more important ones "
-        "beside "
-        "them.",
-        streets.left_out, pieces);
+        "{} of {} pieces of streets {} left out: a finger could not tell {} from more important ones beside "
+        "{}.",
+        streets.left_out, pieces, verb_for(streets.left_out), streets.left_out == 1 ? "it" : "them",
+        streets.left_out == 1 ? "it" : "them");
     if (!streets.left_out_names.empty())
       words += fmt::format(" Nothing is felt of {}.", some_of(streets.left_out_names));
     notes.emplace_back(words + " A smaller part of the map, or a larger size, shows more.",
                        Reason::map_too_dense);
   }
   if (streets.merged > 0)
-    notes.emplace_back(fmt::format("{} pieces of second carriageways are felt as one groove with the first.",
-                                   streets.merged));
+    notes.emplace_back(
+        fmt::format("{} of second carriageways {} felt as one groove with the first.",
+                    streets.merged == 1 ? std::string("One piece") : fmt::format("{} pieces", streets.merged),
+                    verb_for(streets.merged)));
   if (made.buildings.drawn > 0 &&
       (made.buildings.left_out > 0 || made.buildings.parts < made.buildings.drawn))
-    notes.emplace_back(
-        fmt::format("The {} buildings are felt as {} blocks; {} are too small, or too near to streets.",
-                    made.buildings.drawn, made.buildings.parts, made.buildings.left_out));
+    notes.emplace_back(buildings_note(made.buildings.drawn, made.buildings.parts, made.buildings.left_out));
   if (made.waters.left_out > 0)
-    notes.emplace_back(fmt::format("{} of {} areas of water are left out: too small, or too near to streets.",
-                                   made.waters.left_out, made.waters.drawn));
+    notes.emplace_back(fmt::format("{} of {} areas of water {} left out: too small, or too near to streets.",
+                                   made.waters.left_out, made.waters.drawn, verb_for(made.waters.left_out)));
   const auto unfelt_places =
       static_cast<std::size_t>(std::count(made.felt_places.begin(), made.felt_places.end(), false));
   if (unfelt_places > 0)
-    notes.emplace_back(
-        fmt::format("{} of {} special places are not felt: there is no room for them. They are named "
-                    "when you ask what is around.",
-                    unfelt_places, made.felt_places.size()));
+    notes.emplace_back(fmt::format(
+        "{} of {} special places {} not felt: there is no room. What is not felt is named when you "
+        "ask what is around.",
+        unfelt_places, made.felt_places.size(), verb_for(unfelt_places)));
   return notes;
 }
 
