@@ -190,6 +190,26 @@ void add_network(StreetMap& map, const CentreLines& graph, const MapOutlineOptio
     if (degrees[n] > 2) map.junctions.push_back({graph.nodes[n], degrees[n], false});
 }
 
+/// Reads lines that were read and go on behind their ends once more, whole.
+Result<void> read_extended(const Raster<Rgb8>& lettering, std::vector<TextLine>& text,
+                           std::vector<ReadLine>& read, const StreetMapOptions& options, const Work& work) {
+  std::vector<TextLine> said;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (!read[i].others.empty()) said.push_back(text[i]);
+  const std::vector<TextLine> longer =
+      extended_lines(lettering, said, options.text.thickest_stroke_px, options.extension);
+  auto more = read_text_lines(lettering, longer, options.reading, work);
+  if (!more) return more.error();
+  spell_by_gazetteer(more->lines, options.names.gazetteer, options.names.least_similarity);
+  for (std::size_t i = 0; i < longer.size(); ++i) {
+    if (more->lines[i].text.empty()) continue;
+    text.push_back(longer[i]);
+    read.push_back(std::move(more->lines[i]));
+  }
+  keep_best_readings(text, read);
+  return {};
+}
+
 /// Reads the names that lie along streets and were not found, or not whole, by their letters alone.
 Result<void> read_along_streets(const Raster<Rgb8>& lettering, const CentreLines& graph,
                                 std::vector<TextLine>& text, std::vector<ReadLine>& read,
@@ -243,6 +263,7 @@ Result<FoundStreetMap> street_map_from_picture(const Image& picture, const Stree
   spell_by_gazetteer(reading->lines, options.names.gazetteer, options.names.least_similarity);
   if (auto more = read_along_streets(lettering, graph, text, reading->lines, options, work); !more)
     return more.error();
+  if (auto more = read_extended(lettering, text, reading->lines, options, work); !more) return more.error();
   join_name_pieces(text, reading->lines, options.pieces);
   add_streets_under(graph, text, reading->lines, options.under_names);
   add_network(map, graph, options.outlines);

@@ -15,6 +15,7 @@
 #include "palpable/vision/streets/street_lettering.hpp"
 #include "palpable/vision/streets/street_names.hpp"
 #include "palpable/vision/streets/streets_under_names.hpp"
+#include "palpable/vision/text/line_extension.hpp"
 #include "palpable/vision/text/read_text.hpp"
 #include "palpable/vision/text/text_lines.hpp"
 
@@ -84,6 +85,7 @@ struct StreetMapOptions {
   NamePiecesOptions pieces;
   StreetsUnderNamesOptions under_names;
   LetteringAlongOptions along_streets;
+  LineExtensionOptions extension;
   StreetNameOptions names;
 };
 /// Every parameter with its range, except languages and gazetteer.
