@@ -36,6 +36,11 @@ struct SurfaceProxy {
   /// The previous tick moved the proxy against friction: the dynamic coefficient applies.
   bool slipping = false;
 
+  /// A place of the hand that is known to be under the surface, and how deep (straight down): a hand near it
+  /// needs no evaluation to know that it is not in the air.
+  Vec3 under_at_m;
+  double under_m = 0.0;
+
   /// How deep the hand was in this tick, if its path cut a crest over which the proxy slid to the hand, which
   /// is in the air; else 0. And where it entered it.
   double crossed_m = 0.0;

@@ -155,6 +155,18 @@ class SurfacePath {
   double stretch_ = 1.0;
 };
 
+/// The least and the greatest of a few values.
+template <class T, std::size_t kCount>
+std::array<double, 2> extremes(const std::array<T, kCount>& values) noexcept {
+  T least = values[0];
+  T most = values[0];
+  for (const T value : values) {
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  return {double{least}, double{most}};
+}
+
 /// Whether a step on the surface from `place` by dx, dy keeps approaching the hand, up to its end or up to
 /// the nearest place on its way: then no crest lies between that would hold a proxy back. The derivative of
 /// the squared distance along the step is a polynomial of degree 11 in each cell; if its Bernstein
@@ -191,11 +203,12 @@ template <models::BoundedHeightField Surface>
     std::array<double, PathHeights::kCount - 1> rises;
     for (std::size_t j = 0; j < rises.size(); ++j) rises[j] = 6.0 * (double{above[j + 1]} - double{above[j]});
     begin = end;
-    // Mostly, the extremes of both factors show that the distance falls throughout.
-    const auto [least, most_above] = std::minmax_element(above.begin(), above.end());
-    const auto [falls, climbs] = std::minmax_element(rises.begin(), rises.end());
+    // Mostly, the extremes of both factors show that the distance falls throughout. No jumps here and below:
+    // the processor foresees none of them.
+    const auto [least, most_above] = extremes(above);
+    const auto [falls, climbs] = extremes(rises);
     const double grows_most =
-        std::max({*least * *falls, *least * *climbs, *most_above * *falls, *most_above * *climbs});
+        std::max(std::max(least * falls, least * climbs), std::max(most_above * falls, most_above * climbs));
     if (!has_grown && grows_most - nears + kDegree * bends <= 0.0) continue;
     std::array<double, kDegree + 1> grows{};
     // Unrolled, so that the sums stay in registers.
@@ -209,10 +222,12 @@ template <models::BoundedHeightField Surface>
       grows[k] = grows[k] * (1.0 / kEleventh[k]) - nears + bends * static_cast<double>(k);
       most = std::max(most, std::abs(grows[k]));
     }
+    bool falls_again = false;
     for (const double rate : grows) {
-      if (has_grown && rate < -kRounding * most) return false;
-      has_grown = has_grown || rate > kRounding * most;
+      falls_again |= has_grown & (rate < -kRounding * most);
+      has_grown |= rate > kRounding * most;
     }
+    if (falls_again) return false;
   }
   return true;
 }
