@@ -38,7 +38,7 @@ class ProxyFollower {
     // A proxy that does not come to rest in this tick asks about the hand, which may be far from it.
     if (tick.was_held && !is_known_below(hand.v, proxy)) surface_.prefetch(hand.v.x, hand.v.y);
     if (!reaches_hand(proxy, tick)) {
-      if (tick.waits && sees_hand(proxy, tick)) {
+      if (tick.waits && !is_known_below(hand.v, proxy) && sees_hand(proxy, tick)) {
         proxy.lift_off();
         proxy.place_m = hand.v;
       }
@@ -156,7 +156,7 @@ class ProxyFollower {
   /// contact, where that is or where it was before the tick: it may have slid behind a bump meanwhile.
   [[gnu::noinline]] bool sees_hand(const SurfaceProxy& proxy, const Tick& tick) const noexcept {
     // Mostly, one look at where the hand was shows that it was not in the air.
-    return !is_below(tick.hand_before_m) &&
+    return !is_known_below(tick.hand_before_m, proxy) && !is_below(tick.hand_before_m) &&
            ((!tick.is_blocked && is_clear(proxy.place_m, tick.hand_m)) ||
             is_clear(tick.place_before_m, tick.hand_m)) &&
            is_clear(tick.hand_before_m, tick.hand_m);
