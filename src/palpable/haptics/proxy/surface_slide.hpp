@@ -131,8 +131,8 @@ class SurfaceSlide {
       const double steep2 = 1.0 + (s.dzdx * s.dzdx + s.dzdy * s.dzdy);
       const double normal2 = lifted * lifted;
       const double along2 = std::max(0.0, way.whole2 * steep2 - normal2);
-      const double held = -mu * lifted;
-      const double near = kTolerance_m * std::sqrt(steep2) + held;
+      const double held2 = mu * mu * normal2;
+      const double near = kTolerance_m * std::sqrt(steep2) - mu * lifted;
       if (along2 <= near * near) {
         if (mu <= 0.0 || !is_beside_crest(d, s, steep2, hand_m)) break;
         mu = sliding = 0.0;
@@ -143,9 +143,8 @@ class SurfaceSlide {
         break;
       }
       const double reach_m = kSteps == Steps::longer && steep2 > kSteep2 ? surface_.pixel_m() : longest_m;
-      const double along = std::sqrt(along2);
-      auto [dx, dy] =
-          models::step_towards_nearest(way, s, {shorter * (along - held), along}, shorter * reach_m);
+      auto [dx, dy] = models::step_towards_nearest(way, s, shorter * (1.0 - std::sqrt(held2 / along2)),
+                                                   shorter * reach_m);
       if constexpr (kSteps == Steps::longer) shorten_at_walls(place, dx, dy);
       const double x = place.x + dx;
       const double y = place.y + dy;

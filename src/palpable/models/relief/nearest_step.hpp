@@ -16,12 +16,6 @@ struct GroundStep {
   double dy = 0.0;
 };
 
-/// A share of a step, as a fraction: one division less than a number.
-struct StepPart {
-  double taken;
-  double of;
-};
-
 /// The way from a surface point to a given point. Half its squared length is a function of the surface
 /// point's horizontal position; `down_x` and `down_y` are its negative gradient.
 struct WayFromSurface {
@@ -41,7 +35,7 @@ inline WayFromSurface way_from_surface(Vec3 d, const CurvedSample& s) noexcept {
 /// the current surface point, from which `way` leads to the given one. The step is scaled by `part`, in (0,
 /// 1], and at most `longest_m` long. If the Hessian is not positive definite (a point far below a ridge), it
 /// is a descent step of that length. Tick path.
-inline GroundStep step_towards_nearest(const WayFromSurface& way, const CurvedSample& s, StepPart part,
+inline GroundStep step_towards_nearest(const WayFromSurface& way, const CurvedSample& s, double part,
                                        double longest_m) noexcept {
   // The compiler's vector type, whose choices need no jumps: the processor does not foresee which kind of
   // step it is. This is on the tick's critical path.
@@ -61,7 +55,8 @@ inline GroundStep step_towards_nearest(const WayFromSurface& way, const CurvedSa
   const Pair down{way.down_x, way.down_y};
   const Pair whole = swapped(diagonal) * down - rest[0] * swapped(down);
   const double whole2 = whole[0] * whole[0] + whole[1] * whole[1];
-  double along = part.taken / (part.of * rest[1]);
+  // The division does not wait for `part`.
+  double along = part * (1.0 / rest[1]);
   // Long steps follow each other, so this jump is foreseen, and they do not wait for `part`.
   if (along * along * whole2 > longest_m * longest_m) along = longest_m / std::sqrt(whole2);
   return {along * whole[0], along * whole[1]};
