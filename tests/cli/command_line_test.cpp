@@ -97,6 +97,7 @@ TEST(CommandLine, WrongUsageIsOneSentenceAndExitCodeTwo) {
       {{"doctor", "--threads", "many"}, "--threads"},
       {{"doctor", "stray"}, "stray"},
       {{"bench", "--scene", "a.palp"}, "--path"},
+      {{"bench", "--passes", "3"}, "--scene"},
       {{"make", "a.png", "-o", "b.palp", "--size", "10by10"}, "--size"},
       {{"make", "a.png", "-o", "b.palp", "--size", "nanx10x10"}, "--size"},
       {{"show", "a.palp", "-o", "b.png", "--view", "smell"}, "--view"}};

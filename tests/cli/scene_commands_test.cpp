@@ -179,6 +179,10 @@ TEST_F(SceneCommands, BenchTimesOnePathTickByTick) {
   EXPECT_LE(b["p99_ns"], b["p99_9_ns"]);
   EXPECT_LE(b["p99_9_ns"], b["max_ns"]);
   EXPECT_GT(b["memory_bytes"], 0);
+  const auto least =
+      palpable({"bench", "--scene", in("a.palp"), "--path", in("long.csv"), "--passes", "3", "--json"})
+          .json();
+  EXPECT_EQ(least["benchmarks"][0]["ticks"], 2000);
 }
 
 TEST_F(SceneCommands, MakeComparesTheDetailOperatorsInOnePicture) {

@@ -16,6 +16,7 @@ namespace {
 
 struct BenchArguments {
   std::string scene, path;
+  int passes = 1;
   LawArguments law;
 };
 
@@ -45,14 +46,14 @@ std::string size_text(const models::Scene& scene) {
 }
 
 Result<Benchmark> time_one(const models::Scene& scene, const haptics::LawParameters& parameters,
-                           std::span<const haptics::PathSample> path) {
+                           std::span<const haptics::PathSample> path, int passes = 1) {
   const auto touchable = haptics::make_touchable(scene, parameters);
   if (!touchable) return touchable.error();
   Benchmark benchmark;
   benchmark.name =
       fmt::format("{}/{}/{}", models::kind_of(scene.model), bench_name(parameters, scene), size_text(scene));
   benchmark.ticks = path.size();
-  benchmark.times = haptics::time_path(**touchable, path);
+  benchmark.times = haptics::time_path(**touchable, path, passes);
   benchmark.memory_bytes = std::visit([](const auto& model) { return model->memory_bytes(); }, scene.model);
   return benchmark;
 }
@@ -147,7 +148,7 @@ Result<std::vector<Benchmark>> given_set(const BenchArguments& arguments, Consol
   const auto parameters = law_parameters(arguments.law, scene);
   if (!parameters) return parameters.error();
   if (const auto unused = note_on_unused(arguments.law, parameters->law)) console.note(*unused);
-  auto benchmark = time_one(scene, *parameters, *path);
+  auto benchmark = time_one(scene, *parameters, *path, arguments.passes);
   if (!benchmark) return benchmark.error();
   return std::vector{std::move(*benchmark)};
 }
@@ -176,6 +177,8 @@ Answer answer_of(const std::vector<Benchmark>& benchmarks) {
 Result<Answer> bench(const BenchArguments& arguments, Console& console) {
   if (arguments.scene.empty() != arguments.path.empty())
     return Error{ErrorCode::usage, "give --scene and --path together", {}};
+  if (arguments.scene.empty() && arguments.passes > 1)
+    return Error{ErrorCode::usage, "--passes needs --scene and --path", {}};
   if (arguments.scene.empty() && !arguments.law.law.empty())
     return Error{ErrorCode::usage, "--law needs --scene and --path; without them every law is timed", {}};
   const auto benchmarks = arguments.scene.empty() ? own_set(console.work()) : given_set(arguments, console);
@@ -195,6 +198,8 @@ void add_bench(Program& program) {
                   [arguments](Console& console) { return bench(*arguments, console); });
   options.text("--scene", arguments->scene, "A .palp scene");
   options.text("--path", arguments->path, "CSV with the columns t_s,x_m,y_m,z_m (scene frame, metres)");
+  options.integer("--passes", arguments->passes, {1, 1000},
+                  "Time each tick in this many passes over the path, and take its least time");
   add_law_options(options, arguments->law);
 }
 

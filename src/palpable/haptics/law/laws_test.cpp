@@ -259,6 +259,9 @@ TEST(ProbePath, GivesTheSameForcesEachTimeAndChecksItsInput) {
   const TickTimes times = time_path(*law, path);
   EXPECT_EQ(times.latency.count, path.size());
   EXPECT_GT(times.latency.p50_ns, 0.0);
+  const TickTimes least = time_path(*law, path, 5);
+  EXPECT_EQ(least.latency.count, path.size());
+  EXPECT_EQ(least.contact_fraction, times.contact_fraction);
   path[7].t_s = path[6].t_s;
   EXPECT_FALSE(check_path(path));
   path[7].t_s = std::nan("");

@@ -41,18 +41,19 @@ class ProxyLaw : public ContactLaw<Surface> {
         eased_contact(this->materials(), proxy.place_m, before.touching, hand.dt_s, state.memory);
     ProxyFollower<Surface>(this->surface(), {contact.static_friction, contact.dynamic_friction})
         .follow(hand.position, proxy);
+    // One object for both cases, so that the result is built in its place.
+    LawOutput output = output_of(state);
     if (!proxy.holds_the_hand()) {
       state.memory.texture.share = 0.0;
-      LawOutput output = output_of({}, {}, 0.0, state);
       if (proxy.crossed_m > 0.0) add_crossing(hand, contact, proxy, output);
       return output;
     }
     const Vec3 stretched = proxy.place_m - hand.position.v;
     const models::CurvedSample& s = proxy.surface;
     const Outward up{{-s.dzdx, -s.dzdy, 1.0}, 1.0 / (1.0 + (s.dzdx * s.dzdx + s.dzdy * s.dzdy))};
-    LawOutput output = output_of(proxy_force(hand, contact, proxy.place_m, before, up),
-                                 contact.stiffness_N_per_m * stretched,
-                                 0.5 * contact.stiffness_N_per_m * squared_norm(stretched), state);
+    output.force_N.v = proxy_force(hand, contact, proxy.place_m, before, up);
+    output.spring_N.v = contact.stiffness_N_per_m * stretched;
+    output.stored_J = 0.5 * contact.stiffness_N_per_m * squared_norm(stretched);
     if (textures_.any()) {
       const Vec3 normal = std::sqrt(up.per_length2) * up.v;
       add_texture(hand, textures_.of(state.memory.label),
@@ -79,11 +80,11 @@ class ProxyLaw : public ContactLaw<Surface> {
 
  private:
   /// Every member by name: to clear the whole first takes as long as a surface evaluation.
-  static LawOutput output_of(Vec3 force_N, Vec3 spring_N, double stored_J, const State& state) noexcept {
-    return {.force_N = {force_N},
+  static LawOutput output_of(const State& state) noexcept {
+    return {.force_N = {},
             .proxy = {state.proxy.place_m},
-            .stored_J = stored_J,
-            .spring_N = {spring_N},
+            .stored_J = 0.0,
+            .spring_N = {},
             .torque_Nm = {},
             .spring_torque_Nm = {},
             .guide_N = {},

@@ -82,10 +82,12 @@ inline Vec3 turning_damper(const Hand& hand, const Contact& contact, Vec3 place_
   const Vec3 spring_m = place_m - hand.position.v;
   const Vec3 before_m = before.place_m - before.hand_m;
   const double squares = squared_norm(spring_m) + squared_norm(before_m);
-  const double ticks = kMargin * hand.acts_after_s / hand.dt_s;
+  const double acts_s = kMargin * hand.acts_after_s;
   const double friction = contact.dynamic_friction;
   // The angle is at most twice the change over the sum of both lengths: mostly, friction is more.
-  if (4.0 * ticks * ticks * squared_norm(spring_m - before_m) <= friction * friction * squares) return {};
+  if (4.0 * acts_s * acts_s * squared_norm(spring_m - before_m) <=
+      friction * friction * squares * (hand.dt_s * hand.dt_s))
+    return {};
   const double length_m = norm(spring_m);
   const double length_before_m = norm(before_m);
   if (length_m <= 0.0 || length_before_m <= 0.0) return {};
@@ -95,7 +97,7 @@ inline Vec3 turning_damper(const Hand& hand, const Contact& contact, Vec3 place_
   const double speed = norm(along);
   if (speed <= 0.0) return {};
   const double turned_back = dot((1.0 / length_before_m) * before_m - out, along) / speed;
-  const double share = std::min(1.0, ticks * turned_back) - friction;
+  const double share = std::min(1.0, acts_s / hand.dt_s * turned_back) - friction;
   if (share <= 0.0) return {};
   const double push_N =
       std::min(contact.stiffness_N_per_m * length_m, pressing_out * std::sqrt(normal.per_length2));

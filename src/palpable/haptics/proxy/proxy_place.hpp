@@ -29,12 +29,17 @@ struct SurfaceProxy {
   /// A lower bound of the height of place_m above the surface; valid only while free.
   double clearance_m = 0.0;
   Phase phase = Phase::fresh;
+  /// The previous tick moved the proxy against friction: the dynamic coefficient applies.
+  bool slipping = false;
   /// The share of the longest step that last brought the proxy nearer; 0 = all of it. It is kept between
   /// ticks, since at a sharp kink one tick may not have enough evaluations to find a step that is short
   /// enough.
   double step_share = 0.0;
-  /// The previous tick moved the proxy against friction: the dynamic coefficient applies.
-  bool slipping = false;
+
+  /// A place of the hand that is known to be under the surface, and how deep (straight down): a hand near it
+  /// needs no evaluation to know that it is not in the air.
+  Vec3 under_at_m;
+  double under_m = 0.0;
 
   /// How deep the hand was in this tick, if its path cut a crest over which the proxy slid to the hand, which
   /// is in the air; else 0. And where it entered it.

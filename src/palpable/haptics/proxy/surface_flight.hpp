@@ -51,7 +51,8 @@ class SurfaceFlight {
 
     const int most = reach == Reach::whole_way ? SurfacePath<Surface>::kMostCells : std::max(evaluations, 1);
     int cells = most;
-    const auto followed = path_.follow(0.0, shrinks_m, cells);
+    const auto followed =
+        path_.follow(0.0, shrinks_m, cells, {proxy_.clearance_m <= 0.0, reach == Reach::short_way});
     evaluations -= 1 + (most - cells) / kCellsOfAnEvaluation;
     entry_ = followed.entry;
     if (entry_.is_found) return meet(entry_, evaluations);

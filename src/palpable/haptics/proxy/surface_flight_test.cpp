@@ -108,6 +108,7 @@ class CountedRelief {
   models::CellPath path_in_cell(Vec3 a, Vec3 b) const noexcept { return relief_.path_in_cell(a, b); }
   models::CellWalk cell_walk(Vec3 a, Vec3 b) const noexcept { return relief_.cell_walk(a, b); }
   void prefetch(Vec3, Vec3) const noexcept {}
+  void prefetch(double, double) const noexcept {}
   double steepest_slope() const noexcept { return relief_.steepest_slope(); }
   double pixel_m() const noexcept { return relief_.pixel_m(); }
   models::SurfaceBounds bounds_over(double x0_m, double y0_m, double x1_m, double y1_m) const noexcept {
@@ -139,6 +140,54 @@ TEST(SurfaceFlight, IsNotEvaluatedAgainWhereItStops) {
     EXPECT_LE(surface.evaluations, 5) << beyond_m;
   }
   EXPECT_GT(flights, 0);
+}
+
+TEST(SurfaceProxy, RemembersThatTheHandIsBelow) {
+  // A hand that rests deep in the solid, far from its proxy, which comes nearer in three steps a tick.
+  const PixelWalls walls(0.00015625, 3.0);
+  const CountedRelief surface(walls.relief);
+  const ProxyFollower<CountedRelief> follower(surface, {0.0, 0.0});
+  const Vec3 hand{walls.wall_x_m + 0.5 * walls.apart_m, 0.0, -0.003};
+  SurfaceProxy proxy;
+  const double x_m = hand.x - 0.003;
+  proxy.rest(x_m, 0.0, walls.relief->curved_sample(x_m, 0.0));
+  proxy.hand_m = hand;
+  for (int tick = 0; tick < 5; ++tick) {
+    const double before_m = proxy.place_m.x;
+    surface.evaluations = 0;
+    follower.follow({hand}, proxy);
+    EXPECT_GT(proxy.place_m.x, before_m) << tick;
+    EXPECT_LE(surface.evaluations, tick == 0 ? 4 : 3) << tick;
+  }
+}
+
+TEST(SurfaceProxy, KnowsOnlyHandsBelowToBeBelow) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  int known = 0;
+  for (const double slope : {0.5, 3.0, 20.0}) {
+    const PixelWalls walls(0.0003, slope);
+    const ProxyFollower<models::BoundedRelief> follower(*walls.bounded, {0.4, 0.3});
+    const double per_m = 1.0 / std::hypot(1.0, slope);
+    for (int stroke = 0; stroke < 40; ++stroke) {
+      SurfaceProxy proxy;
+      Vec3 hand{walls.wall_x_m + 0.006 * uniform(random), 0.004 * uniform(random), 0.0};
+      const Vec3 way{5e-4 * uniform(random), 2e-4 * uniform(random), 0.0};
+      const double deep_m = 0.0015 * (1.0 + uniform(random));
+      for (int tick = 0; tick < 30; ++tick) {
+        hand += way;
+        hand.z += 0.3 * (walls.relief->sample(hand.x, hand.y).z_m - deep_m - hand.z);
+        follower.follow({hand}, proxy);
+        if (proxy.under_m <= 0.0) continue;
+        ++known;
+        EXPECT_LE(walls.height_over(proxy.under_at_m), 1e-9 - proxy.under_m);
+        Vec3 towards{uniform(random), uniform(random), 1.0};
+        towards = 0.999 * proxy.under_m * per_m * unit(towards);
+        EXPECT_LT(walls.height_over(proxy.under_at_m + towards), 0.0);
+      }
+    }
+  }
+  EXPECT_GT(known, 500);
 }
 
 }  // namespace

@@ -52,10 +52,16 @@ class SurfacePath {
   double shrinks_m(double steepest) const noexcept { return across_m_ * steepest + std::max(0.0, -way_.z); }
   double shrinks_m() const noexcept { return shrinks_m(surface_.steepest_slope()); }
 
+  /// What is known of a path's ends: their cells need no bounds, which would show nothing.
+  struct Ends {
+    bool begins_at_surface = false;
+    bool ends_below = false;
+  };
+
   /// Follows the path from the share `from`, where it is above the surface, until it enters it. `shrinks_m`:
   /// a bound of what its height above the surface loses over the whole path. `cells` is reduced by the cells
   /// and blocks that are looked at; without any left the path is followed no farther.
-  Followed follow(double from, double shrinks_m, int& cells) const noexcept {
+  Followed follow(double from, double shrinks_m, int& cells, Ends ends = {}) const noexcept {
     Followed followed{{}, from, 0.0};
     double stretch = stretch_;
     while (followed.clear_to < 1.0 && cells > 0) {
@@ -70,7 +76,7 @@ class SurfacePath {
         }
       }
       walk<Side::above>(
-          part, cells,
+          part, {ends.begins_at_surface && part.from <= 0.0, ends.ends_below && part.to >= 1.0}, cells,
           [&](double above_m, double share) {
             followed.clear_to = share;
             followed.above_m = above_m;
@@ -91,7 +97,7 @@ class SurfacePath {
   double leaves_at(double from, int& cells) const noexcept {
     models::PathEntry exit;
     walk<Side::below>(
-        {from, 1.0}, cells, [](double, double) { return false; }, exit);
+        {from, 1.0}, {}, cells, [](double, double) { return false; }, exit);
     return exit.is_found ? exit.part.to : 1.0;
   }
 
@@ -121,7 +127,8 @@ class SurfacePath {
   /// other one, or `done` returns true: it is called at the end of each cell, with a lower bound of the
   /// path's height above the surface there (of `above`). Most cells need only the bounds.
   template <Side kSide, class Done>
-  void walk(const models::PathPart& part, int& cells, Done done, models::PathEntry& entry) const noexcept {
+  void walk(const models::PathPart& part, Ends ends, int& cells, Done done,
+            models::PathEntry& entry) const noexcept {
     const Vec3 a = at(part.from);
     const Vec3 way = at(part.to) - a;
     const double length = part.to - part.from;
@@ -129,7 +136,8 @@ class SurfacePath {
     for (double begin = 0.0; begin < 1.0 && cells > 0; --cells) {
       const double end = steps.next();
       const models::CellPath path = surface_.path_in_cell(a + begin * way, a + end * way);
-      const models::PathBounds bounds = path.bounds();
+      const bool needs_heights = (ends.begins_at_surface && begin <= 0.0) || (ends.ends_below && end >= 1.0);
+      const models::PathBounds bounds = needs_heights ? models::PathBounds{-1.0F, 1.0F, 0.0F} : path.bounds();
       double above_m = double{bounds.last};
       if (kSide == Side::above ? bounds.lowest < 0.0F : bounds.highest >= 0.0F) {
         const models::PathHeights heights = path.heights();
@@ -154,6 +162,18 @@ class SurfacePath {
   double across_m_;
   double stretch_ = 1.0;
 };
+
+/// The least and the greatest of a few values.
+template <class T, std::size_t kCount>
+std::array<double, 2> extremes(const std::array<T, kCount>& values) noexcept {
+  T least = values[0];
+  T most = values[0];
+  for (const T value : values) {
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  return {double{least}, double{most}};
+}
 
 /// Whether a step on the surface from `place` by dx, dy keeps approaching the hand, up to its end or up to
 /// the nearest place on its way: then no crest lies between that would hold a proxy back. The derivative of
@@ -191,11 +211,12 @@ template <models::BoundedHeightField Surface>
     std::array<double, PathHeights::kCount - 1> rises;
     for (std::size_t j = 0; j < rises.size(); ++j) rises[j] = 6.0 * (double{above[j + 1]} - double{above[j]});
     begin = end;
-    // Mostly, the extremes of both factors show that the distance falls throughout.
-    const auto [least, most_above] = std::minmax_element(above.begin(), above.end());
-    const auto [falls, climbs] = std::minmax_element(rises.begin(), rises.end());
+    // Mostly, the extremes of both factors show that the distance falls throughout. No jumps here and below:
+    // the processor foresees none of them.
+    const auto [least, most_above] = extremes(above);
+    const auto [falls, climbs] = extremes(rises);
     const double grows_most =
-        std::max({*least * *falls, *least * *climbs, *most_above * *falls, *most_above * *climbs});
+        std::max(std::max(least * falls, least * climbs), std::max(most_above * falls, most_above * climbs));
     if (!has_grown && grows_most - nears + kDegree * bends <= 0.0) continue;
     std::array<double, kDegree + 1> grows{};
     // Unrolled, so that the sums stay in registers.
@@ -209,10 +230,12 @@ template <models::BoundedHeightField Surface>
       grows[k] = grows[k] * (1.0 / kEleventh[k]) - nears + bends * static_cast<double>(k);
       most = std::max(most, std::abs(grows[k]));
     }
+    bool falls_again = false;
     for (const double rate : grows) {
-      if (has_grown && rate < -kRounding * most) return false;
-      has_grown = has_grown || rate > kRounding * most;
+      falls_again |= has_grown & (rate < -kRounding * most);
+      has_grown |= rate > kRounding * most;
     }
+    if (falls_again) return false;
   }
   return true;
 }

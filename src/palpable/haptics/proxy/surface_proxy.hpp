@@ -35,8 +35,10 @@ class ProxyFollower {
     // If the hand may meet the surface in the next tick: where it will probably be.
     if (!tick.was_held && proxy.clearance_m <= tick.longest_m)
       surface_.prefetch(hand.v, hand.v + (hand.v - tick.hand_before_m));
+    // A proxy that does not come to rest in this tick asks about the hand, which may be far from it.
+    if (tick.was_held && !is_known_below(hand.v, proxy)) surface_.prefetch(hand.v.x, hand.v.y);
     if (!reaches_hand(proxy, tick)) {
-      if (tick.waits && sees_hand(proxy, tick)) {
+      if (tick.waits && !is_known_below(hand.v, proxy) && sees_hand(proxy, tick)) {
         proxy.lift_off();
         proxy.place_m = hand.v;
       }
@@ -92,6 +94,8 @@ class ProxyFollower {
     bool met = false;
     /// The proxy stays in contact although nothing may be between it and the hand.
     bool waits = false;
+    /// The straight way from the proxy to the hand was followed, and is not clear.
+    bool is_blocked = false;
     /// Where the flight along the hand's path met it first, if it did.
     models::PathEntry entry;
   };
@@ -121,7 +125,7 @@ class ProxyFollower {
       tick.waits = met && tick.evaluations <= 0;
       if (tick.waits) return false;
       const bool moved = proxy.place_m != from;
-      const bool is_under = is_below(hand_m);
+      const bool is_under = is_hand_below(hand_m, proxy);
       if (is_under && (moved || slid == Slid::unfinished)) return false;
       tick.waits = slide_.passes_over({from.z, proxy.place_m.z, hand_m.z}, tick.longest_m);
       if (tick.waits) return false;
@@ -140,6 +144,7 @@ class ProxyFollower {
       if (fly(hand_m, reach, proxy, tick.evaluations) != Flown::met) break;
       proxy = there;
       tick.waits = !is_under;
+      tick.is_blocked = true;
       return false;
     }
     if (proxy.place_m == hand_m) return true;
@@ -150,8 +155,11 @@ class ProxyFollower {
   /// Whether the hand is in the air, its path of this tick was, and nothing is between it and the proxy in
   /// contact, where that is or where it was before the tick: it may have slid behind a bump meanwhile.
   [[gnu::noinline]] bool sees_hand(const SurfaceProxy& proxy, const Tick& tick) const noexcept {
-    return (is_clear(proxy.place_m, tick.hand_m) || is_clear(tick.place_before_m, tick.hand_m)) &&
-           !is_below(tick.hand_before_m) && is_clear(tick.hand_before_m, tick.hand_m);
+    // Mostly, one look at where the hand was shows that it was not in the air.
+    return !is_known_below(tick.hand_before_m, proxy) && !is_below(tick.hand_before_m) &&
+           ((!tick.is_blocked && is_clear(proxy.place_m, tick.hand_m)) ||
+            is_clear(tick.place_before_m, tick.hand_m)) &&
+           is_clear(tick.hand_before_m, tick.hand_m);
   }
 
   /// For a proxy that is free, at a hand in the air whose path in this tick may have cut the surface: the
@@ -233,6 +241,23 @@ class ProxyFollower {
       proxy.clearance_m = hand_m.z - s.z_m;
       proxy.phase = SurfaceProxy::Phase::free;
     }
+  }
+
+  /// Whether the hand is known to be below the surface, by an earlier evaluation.
+  bool is_known_below(Vec3 hand_m, const SurfaceProxy& proxy) const noexcept {
+    const double steepest = surface_.steepest_slope();
+    return squared_norm(hand_m - proxy.under_at_m) * (1.0 + steepest * steepest) <
+           proxy.under_m * proxy.under_m;
+  }
+
+  /// Whether the hand is below the surface; the proxy remembers it.
+  bool is_hand_below(Vec3 hand_m, SurfaceProxy& proxy) const noexcept {
+    if (is_known_below(hand_m, proxy)) return true;
+    const double under_m = surface_.sample(hand_m.x, hand_m.y).z_m - hand_m.z;
+    if (under_m <= 0.0) return false;
+    proxy.under_at_m = hand_m;
+    proxy.under_m = under_m;
+    return true;
   }
 
   bool is_below(Vec3 p) const noexcept { return p.z < surface_.sample(p.x, p.y).z_m; }

@@ -83,18 +83,14 @@ class SurfaceSlide {
   /// Whether a step passes over a crest that would hold a proxy back: then the squared distance to the hand
   /// falls, grows and falls again. It is examined only where the distances and their changes at the two ends
   /// are not nearly those of a parabola, whose changes sum to twice the difference.
-  bool passes_crest(Vec3 place, const models::CurvedSample& s, Vec3 next, const models::CurvedSample& there,
-                    Vec3 hand_m) const noexcept {
-    const Vec3 step = next - place;
-    const Vec3 d = hand_m - place;
-    const Vec3 e = hand_m - next;
-    const double falls = squared_norm(d) - squared_norm(e);
-    const double at_start = step.x * (d.x + d.z * s.dzdx) + step.y * (d.y + d.z * s.dzdy);
-    const double at_end = step.x * (e.x + e.z * there.dzdx) + step.y * (e.y + e.z * there.dzdy);
+  bool passes_crest(Vec3 place, const models::WayFromSurface& before, const models::WayFromSurface& after,
+                    double dx, double dy, Vec3 hand_m) const noexcept {
+    const double falls = before.whole2 - after.whole2;
+    const double at_start = dx * before.down_x + dy * before.down_y;
+    const double at_end = dx * after.down_x + dy * after.down_y;
     const double least2 = kSure_px * kSure_px * surface_.pixel_m() * surface_.pixel_m();
-    return std::abs(at_start + at_end - falls) > kUneven * falls &&
-           step.x * step.x + step.y * step.y > least2 &&
-           !keeps_approaching(surface_, place, step.x, step.y, hand_m);
+    return std::abs(at_start + at_end - falls) > kUneven * falls && dx * dx + dy * dy > least2 &&
+           !keeps_approaching(surface_, place, dx, dy, hand_m);
   }
 
   /// Whether the hand is in free air beside the crest on which the proxy is (offset `d`, sample `s`):
@@ -123,18 +119,18 @@ class SurfaceSlide {
     double shorter = proxy.step_share > 0.0 ? proxy.step_share : 1.0;
     double left_m = kSlides * longest_m;
     double top_m = place.z;
+    models::WayFromSurface way = models::way_from_surface(hand_m - place, s);
     for (;;) {
-      const Vec3 d = hand_m - place;
+      const Vec3 d = way.d;
       const double lifted = d.z - (s.dzdx * d.x + s.dzdy * d.y);
       if (lifted > 0.0) {
         slid = Slid::leaves;
         break;
       }
       // Squared components of the distance along the normal and along the surface, both times `steep2`.
-      const double whole2 = squared_norm(d);
       const double steep2 = 1.0 + (s.dzdx * s.dzdx + s.dzdy * s.dzdy);
       const double normal2 = lifted * lifted;
-      const double along2 = std::max(0.0, whole2 * steep2 - normal2);
+      const double along2 = std::max(0.0, way.whole2 * steep2 - normal2);
       const double held2 = mu * mu * normal2;
       const double near = kTolerance_m * std::sqrt(steep2) - mu * lifted;
       if (along2 <= near * near) {
@@ -147,21 +143,20 @@ class SurfaceSlide {
         break;
       }
       const double reach_m = kSteps == Steps::longer && steep2 > kSteep2 ? surface_.pixel_m() : longest_m;
-      auto [dx, dy] =
-          models::step_towards_nearest(d, s, shorter * (1.0 - std::sqrt(held2 / along2)), shorter * reach_m);
+      auto [dx, dy] = models::step_towards_nearest(way, s, shorter * (1.0 - std::sqrt(held2 / along2)),
+                                                   shorter * reach_m);
       if constexpr (kSteps == Steps::longer) shorten_at_walls(place, dx, dy);
       const double x = place.x + dx;
       const double y = place.y + dy;
       --evaluations;
-      const Vec3 ahead{x + kAhead * dx, y + kAhead * dy, 0.0};
-      surface_.prefetch(ahead, ahead);
+      surface_.prefetch(x + kAhead * dx, y + kAhead * dy);
       const models::CurvedSample next = surface_.curved_sample(x, y);
       // A step of more than a pixel must not pass over a top, which may be a wall.
       const bool over_a_top = kSteps == Steps::longer &&
                               dx * dx + dy * dy > surface_.pixel_m() * surface_.pixel_m() &&
                               s.dzdx * dx + s.dzdy * dy > 0.0 && next.dzdx * dx + next.dzdy * dy < 0.0;
-      if (over_a_top || squared_norm(hand_m - Vec3{x, y, next.z_m}) >= whole2 ||
-          passes_crest(place, s, {x, y, next.z_m}, next, hand_m)) {
+      const models::WayFromSurface after = models::way_from_surface(hand_m - Vec3{x, y, next.z_m}, next);
+      if (over_a_top || after.whole2 >= way.whole2 || passes_crest(place, way, after, dx, dy, hand_m)) {
         // Too far: the surface is curved. Steps shorter than the tolerance are not tried.
         shorter *= 0.25;
         if (dx * dx + dy * dy < kTolerance_m * kTolerance_m) {
@@ -182,6 +177,7 @@ class SurfaceSlide {
         left_m -= std::sqrt(dx * dx + dy * dy + (next.z_m - place.z) * (next.z_m - place.z));
       place = {x, y, next.z_m};
       s = next;
+      way = after;
     }
     if (moved) proxy.rest(place.x, place.y, s);
     proxy.slipping = moved;

@@ -77,6 +77,7 @@ class BoundedRelief {
   CellPath path_in_cell(Vec3 a, Vec3 b) const noexcept { return relief_->path_in_cell(a, b); }
   CellWalk cell_walk(Vec3 a, Vec3 b) const noexcept { return relief_->cell_walk(a, b); }
   [[gnu::always_inline]] void prefetch(Vec3 a, Vec3 b) const noexcept { relief_->prefetch(a, b); }
+  [[gnu::always_inline]] void prefetch(double x_m, double y_m) const noexcept { relief_->prefetch(x_m, y_m); }
   double steepest_slope() const noexcept { return relief_->steepest_slope(); }
   double pixel_m() const noexcept { return relief_->pixel_m(); }
   /// The bounds over the rectangle between two opposite corners, any finite values. Tick path.

@@ -16,38 +16,50 @@ struct GroundStep {
   double dy = 0.0;
 };
 
+/// The way from a surface point to a given point. Half its squared length is a function of the surface
+/// point's horizontal position; `down_x` and `down_y` are its negative gradient.
+struct WayFromSurface {
+  Vec3 d;
+  double whole2;
+  double down_x;
+  double down_y;
+};
+
+/// `d`: the vector from a surface point to the given point; `s`: the height field's derivatives there. Tick
+/// path.
+inline WayFromSurface way_from_surface(Vec3 d, const CurvedSample& s) noexcept {
+  return {d, squared_norm(d), d.x + d.z * s.dzdx, d.y + d.z * s.dzdy};
+}
+
 /// Newton's step towards the surface point nearest to a given point. `s`: the height field's derivatives at
-/// the current surface point; `d`: the vector from there to the given point. The step is scaled by `part` in
-/// (0, 1] and at most `longest_m` long. If the Hessian is not positive definite (a point far below a ridge),
-/// it is a descent step of that length. Tick path.
-inline GroundStep step_towards_nearest(Vec3 d, const CurvedSample& s, double part,
+/// the current surface point, from which `way` leads to the given one. The step is scaled by `part`, in (0,
+/// 1], and at most `longest_m` long. If the Hessian is not positive definite (a point far below a ridge), it
+/// is a descent step of that length. Tick path.
+inline GroundStep step_towards_nearest(const WayFromSurface& way, const CurvedSample& s, double part,
                                        double longest_m) noexcept {
-  // Half the squared distance as a function of the horizontal position: its negative gradient and its second
-  // derivatives.
-  const double down_x = d.x + d.z * s.dzdx;
-  const double down_y = d.y + d.z * s.dzdy;
-  const double level_xx = 1.0 + s.dzdx * s.dzdx;
-  const double level_xy = s.dzdx * s.dzdy;
-  const double level_yy = 1.0 + s.dzdy * s.dzdy;
-  const double bent_xx = level_xx - d.z * s.dzdxx_per_m;
-  const double bent_xy = level_xy - d.z * s.dzdxy_per_m;
-  const double bent_yy = level_yy - d.z * s.dzdyy_per_m;
-  const double bent_determinant = bent_xx * bent_yy - bent_xy * bent_xy;
+  // The compiler's vector type, whose choices need no jumps: the processor does not foresee which kind of
+  // step it is. This is on the tick's critical path.
+  using Pair = double __attribute__((vector_size(16)));
+  const auto swapped = [](auto p) { return __builtin_shufflevector(p, p, 1, 0); };
   constexpr double kLeast = 0.05;
-  const double level_determinant = level_xx * level_yy - level_xy * level_xy;
-  const bool bends_rightly = bent_xx + bent_yy > 0.0 && bent_determinant > kLeast * level_determinant;
-  const double xx = bends_rightly ? bent_xx : level_xx;
-  const double xy = bends_rightly ? bent_xy : level_xy;
-  const double yy = bends_rightly ? bent_yy : level_yy;
-  const double determinant = bends_rightly ? bent_determinant : kLeast * level_determinant;
-  const double x = yy * down_x - xy * down_y;
-  const double y = xx * down_y - xy * down_x;
-  // The division does not wait for `part`, and the length is computed only for a long step: this is on the
-  // tick's critical path.
-  double along = part * (1.0 / determinant);
-  const double whole2 = x * x + y * y;
+  const Pair level = Pair{1.0, 1.0} + Pair{s.dzdx * s.dzdx, s.dzdy * s.dzdy};
+  const Pair bent = level - way.d.z * Pair{s.dzdxx_per_m, s.dzdyy_per_m};
+  const double level_xy = s.dzdx * s.dzdy;
+  const double bent_xy = level_xy - way.d.z * s.dzdxy_per_m;
+  const double bent_determinant = bent[0] * bent[1] - bent_xy * bent_xy;
+  const double least_determinant = kLeast * (level[0] * level[1] - level_xy * level_xy);
+  const auto exceeds = Pair{bent[0] + bent[1], bent_determinant} > Pair{0.0, least_determinant};
+  const auto bends_rightly = exceeds & swapped(exceeds);
+  const Pair diagonal = bends_rightly ? bent : level;
+  const Pair rest = bends_rightly ? Pair{bent_xy, bent_determinant} : Pair{level_xy, least_determinant};
+  const Pair down{way.down_x, way.down_y};
+  const Pair whole = swapped(diagonal) * down - rest[0] * swapped(down);
+  const double whole2 = whole[0] * whole[0] + whole[1] * whole[1];
+  // The division does not wait for `part`.
+  double along = part * (1.0 / rest[1]);
+  // Long steps follow each other, so this jump is foreseen, and they do not wait for `part`.
   if (along * along * whole2 > longest_m * longest_m) along = longest_m / std::sqrt(whole2);
-  return {along * x, along * y};
+  return {along * whole[0], along * whole[1]};
 }
 
 }  // namespace palpable::models

@@ -13,6 +13,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 
 namespace palpable::models {
 
@@ -72,7 +73,9 @@ concept CurvedHeightField = HeightField<M> && requires(const M& m, double x_m, d
   { m.steepest_slope() } -> std::same_as<double>;
   { m.pixel_m() } -> std::same_as<double>;
   m.prefetch(Vec3{}, Vec3{});
-  requires noexcept(m.curved_sample(x_m, y_m))&& noexcept(m.prefetch(Vec3{}, Vec3{}));
+  m.prefetch(x_m, y_m);
+  requires noexcept(m.curved_sample(x_m, y_m))&& noexcept(m.prefetch(Vec3{}, Vec3{}))&& noexcept(
+      m.prefetch(x_m, y_m));
 };
 
 /// A height field z(x, y) over a rectangle centred on the scene's origin: a uniform cubic B-spline whose
@@ -104,6 +107,8 @@ class Relief {
   /// Prefetches the samples for later queries in the rectangle between a and b, at most 12 pixels wide and
   /// high from a on, without waiting. Tick path.
   void prefetch(Vec3 a, Vec3 b) const noexcept;
+  /// The same for a query at (x_m, y_m). Tick path.
+  void prefetch(double x_m, double y_m) const noexcept;
 
   const Raster<float>& samples_m() const { return height_m_; }
   double pixel_m() const noexcept { return pixel_m_; }
@@ -119,6 +124,11 @@ class Relief {
  private:
   Relief() = default;
   SplinePlace place_at(double x_m, double y_m, std::array<float, 16>& copy) const noexcept;
+  /// Whether the cell's 4 x 4 samples all exist; false for NaN, which border_place() clamps.
+  bool is_inside(double x_px, double y_px) const noexcept {
+    return x_px >= 1.0 && x_px < inside_x_px_ && y_px >= 1.0 && y_px < inside_y_px_;
+  }
+  SplinePlace inside_place(double x_px, double y_px) const noexcept;
   SplinePlace border_place(double x_px, double y_px, std::array<float, 16>& copy) const noexcept;
 
   Raster<float> height_m_;
@@ -138,14 +148,20 @@ class Relief {
 inline SplinePlace Relief::place_at(double x_m, double y_m, std::array<float, 16>& copy) const noexcept {
   const double x_px = middle_x_px_ + x_m * pixels_per_m_;
   const double y_px = middle_y_px_ - y_m * pixels_per_m_;
-  // Written so that NaN goes to the border case, where it is clamped.
-  if (!(x_px >= 1.0 && x_px < inside_x_px_ && y_px >= 1.0 && y_px < inside_y_px_))
-    return border_place(x_px, y_px, copy);
-  const int i = static_cast<int>(x_px);
-  const int j = static_cast<int>(y_px);
+  return is_inside(x_px, y_px) ? inside_place(x_px, y_px) : border_place(x_px, y_px, copy);
+}
+
+inline SplinePlace Relief::inside_place(double x_px, double y_px) const noexcept {
+  // As the compiler's vectors, a conversion to an integer and back takes half as long.
+  using Pair = double __attribute__((vector_size(16)));
+  using IntPair = std::int32_t __attribute__((vector_size(8)));
+  const Pair place{x_px, y_px};
+  const auto cell = __builtin_convertvector(place, IntPair);
+  const Pair fraction = place - __builtin_convertvector(cell, Pair);
   const auto stride = static_cast<std::size_t>(height_m_.width());
-  return {height_m_.data() + static_cast<std::size_t>(j - 1) * stride + static_cast<std::size_t>(i - 1),
-          stride, x_px - i, y_px - j};
+  return {height_m_.data() + static_cast<std::size_t>(cell[1] - 1) * stride +
+              static_cast<std::size_t>(cell[0] - 1),
+          stride, fraction[0], fraction[1]};
 }
 
 // Forced inline: g++ removes calls of a function that only prefetches, since it has no visible effect.
@@ -168,6 +184,17 @@ inline SplinePlace Relief::place_at(double x_m, double y_m, std::array<float, 16
     const float* const values = height_m_.data() + row * stride;
     __builtin_prefetch(values + first);
     __builtin_prefetch(values + last);
+  }
+}
+
+[[gnu::always_inline]] inline void Relief::prefetch(double x_m, double y_m) const noexcept {
+  const double x_px = middle_x_px_ + x_m * pixels_per_m_;
+  const double y_px = middle_y_px_ - y_m * pixels_per_m_;
+  if (!is_inside(x_px, y_px)) return;
+  const SplinePlace place = inside_place(x_px, y_px);
+  for (std::size_t row = 0; row < 4; ++row) {
+    __builtin_prefetch(place.first + row * place.stride);
+    __builtin_prefetch(place.first + row * place.stride + 3);
   }
 }
 

@@ -28,7 +28,8 @@ Vec3 descend(const Relief& relief, Vec3 p, double x_m, double y_m) {
   double shorter = 1.0;
   for (int k = 0; k < kMostSteps; ++k) {
     const Vec3 here = surface_at(s, x_m, y_m);
-    const auto [dx, dy] = step_towards_nearest(p - here, s, shorter, shorter * relief.pixel_m());
+    const auto [dx, dy] =
+        step_towards_nearest(way_from_surface(p - here, s), s, shorter, shorter * relief.pixel_m());
     if (std::hypot(dx, dy) < kEnough_m) break;
     const CurvedSample next = relief.curved_sample(x_m + dx, y_m + dy);
     if (squared_norm(p - surface_at(next, x_m + dx, y_m + dy)) > squared_norm(p - here)) {
