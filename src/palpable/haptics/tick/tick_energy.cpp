@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace palpable::haptics {
 
@@ -174,6 +175,68 @@ void TickPipeline::count_shown_work() noexcept {
   shown.is_contact_law =
       !has_torque_ && (now_.energy == EnergyModel::spring || now_.energy == EnergyModel::none);
   shown_.take(shown);
+}
+
+void TickPipeline::account_returns() noexcept {
+  returns_.account(received_.written_J);
+  uncontrolled_returns_.account(received_.uncontrolled_J);
+  // What a change of scene or of parameters brings is not the law's.
+  if (fading()) {
+    returns_.raise_to(stored_J_);
+    uncontrolled_returns_.raise_to(stored_J_);
+  }
+  // The last force of a contact may act after the hand has left it.
+  if (std::exchange(returns_end_, false)) {
+    returns_.begin();
+    uncontrolled_returns_.begin();
+  }
+  if (!is_free()) return;
+  for (std::size_t age = 0; age + 1 < delay_; ++age) {
+    const Sent& sent = sent_[(newest_ + sent_.size() - age) % sent_.size()];
+    if (sent.written_N != Vector<DeviceFrame>{} || sent.uncontrolled_N != Vector<DeviceFrame>{}) return;
+  }
+  returns_end_ = delay_ > 0;
+  if (returns_end_) return;
+  returns_.begin();
+  uncontrolled_returns_.begin();
+}
+
+void TickPipeline::limit_returns(double dt_s) noexcept {
+  if (!is_accounted() || fading()) return;
+  const Vector<DeviceFrame> v = motion_.velocity_m_per_s();
+  const Vector<DeviceFrame> w = rotation_.velocity_rad_per_s();
+  const auto share = [&](const ReturnLimit& limit, Vector<DeviceFrame> force_N, Vector<DeviceFrame> torque_Nm,
+                         Vector<DeviceFrame> Sent::*force, Vector<DeviceFrame> Sent::*torque) {
+    ReturnLimit::Sending sending;
+    sending.power_W =
+        dot(force_N, v) + std::max(0.0, dot(force_N, motion_.gains_m_per_s())) + dot(torque_Nm, w);
+    if (sending.power_W <= 0.0) return 1.0;
+    for (std::size_t age = 0; age < delay_; ++age) {
+      const Sent& sent = sent_[(newest_ + sent_.size() - age) % sent_.size()];
+      sending.on_the_way_J += dt_s * std::max(0.0, dot(sent.*force, v) + dot(sent.*torque, w));
+    }
+    sending.force_N = norm(force_N);
+    sending.dt_s = dt_s;
+    sending.mass_kg = device_.traits().mass_kg;
+    return limit.share(sending);
+  };
+  if (!rise_.is_weaker()) {
+    const double part = share(returns_, written_N_, written_Nm_, &Sent::written_N, &Sent::written_Nm);
+    if (part < 1.0) {
+      written_N_ = part * written_N_;
+      written_Nm_ = part * written_Nm_;
+      rise_.weakened_to(written_N_);
+    }
+  }
+  if (!uncontrolled_rise_.is_weaker()) {
+    const double part =
+        share(uncontrolled_returns_, uncontrolled_N_, uncontrolled_Nm_, &Sent::uncontrolled_N, &Sent::uncontrolled_Nm);
+    if (part < 1.0) {
+      uncontrolled_N_ = part * uncontrolled_N_;
+      uncontrolled_Nm_ = part * uncontrolled_Nm_;
+      uncontrolled_rise_.weakened_to(uncontrolled_N_);
+    }
+  }
 }
 
 void TickPipeline::control_energy(double dt_s) noexcept {
