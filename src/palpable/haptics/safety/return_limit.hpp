@@ -8,11 +8,11 @@
 namespace palpable::haptics {
 
 /// Bounds the energy that a contact returns by what the hand gave in it. The first tick inside a surface
-/// stores energy that the hand did not give, since there was no force yet. A hand that turns back has given it
-/// by then. One that grazes a bump within a tick or two does not turn: the force on the far side pushes it on,
-/// and returns what nobody gave. So a force that pushes the hand the way it goes is reduced such that, until
-/// the next tick, it gives no more than the contact has received. A force against the movement, and a hand at
-/// rest, are not affected. Tick path; no allocation.
+/// stores energy that the hand did not give, since there was no force yet. A hand that turns back has given
+/// it by then. One that grazes a bump within a tick or two does not turn: the force on the far side pushes it
+/// on, and returns what nobody gave. So a force that pushes the hand the way it goes is reduced such that,
+/// until the next tick, it gives no more than the contact has received. A force against the movement, and a
+/// hand at rest, are not affected. Tick path; no allocation.
 class ReturnLimit {
  public:
   /// A force and a torque that are about to be sent, on the hand as it will move when they act.
@@ -49,7 +49,8 @@ class ReturnLimit {
   }
 
  private:
-  /// So much may be returned in a tick in any case: a tenth of what the tests of energy allow a whole contact.
+  /// So much may be returned in a tick in any case: a tenth of what the tests of energy allow a whole
+  /// contact.
   static constexpr double kNegligible_J = 1e-7;
 
   double given_J_ = 0.0;

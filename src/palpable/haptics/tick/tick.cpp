@@ -395,8 +395,6 @@ void TickPipeline::count() noexcept {
   // No account reports less than a recording of this touch shows.
   counts_.made_max_J = std::max(observer_.made_max_J(), shown_.made_max_J());
   counts_.made_max_without_controller_J = std::max(without_controller_.made_max_J(), shown_.made_max_J());
-  counts_.since_zero_force_max_J =
-      shown_.counts() ? shown_.since_zero_max_J() : std::numeric_limits<double>::quiet_NaN();
   if (std::isnan(counts_.first_force_t_s) && written >= kFelt_N) counts_.first_force_t_s = sample_.t_s;
   ++counts_.ticks;
 }
