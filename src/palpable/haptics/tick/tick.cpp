@@ -207,8 +207,7 @@ void TickPipeline::begin_touch() noexcept {
   coming_.state = {};
   rise_.reset();
   uncontrolled_rise_.reset();
-  returns_.begin();
-  uncontrolled_returns_.begin();
+  begin_returns();
   motion_.begin();
   rotation_.begin();
   flags_ |= flag::kNewTouch;

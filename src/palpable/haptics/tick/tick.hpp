@@ -93,6 +93,7 @@ class TickPipeline {
   void account_spring(double dt_s, bool wanted) noexcept;
   void account_stall(RiseLimit::Input in, double dt_s) noexcept;
   void make_torque(double risen_s) noexcept;
+  void begin_returns() noexcept;
   void account_returns() noexcept;
   struct Sent;
   struct Forces {

@@ -189,17 +189,17 @@ void TickPipeline::account_returns() noexcept {
     uncontrolled_returns_.raise_to(stored_J_);
   }
   // The last force of a contact may act after the hand has left it.
-  if (std::exchange(returns_end_, false)) {
-    returns_.begin();
-    uncontrolled_returns_.begin();
-  }
+  if (std::exchange(returns_end_, false)) begin_returns();
   if (!is_free()) return;
   for (std::size_t age = 0; age + 1 < delay_; ++age) {
     const Sent& sent = sent_[(newest_ + sent_.size() - age) % sent_.size()];
     if (sent.written_N != Vector<DeviceFrame>{} || sent.uncontrolled_N != Vector<DeviceFrame>{}) return;
   }
   returns_end_ = delay_ > 0;
-  if (returns_end_) return;
+  if (!returns_end_) begin_returns();
+}
+
+void TickPipeline::begin_returns() noexcept {
   returns_.begin();
   uncontrolled_returns_.begin();
 }
