@@ -28,9 +28,12 @@ class ReturnLimit {
   };
 
   /// The hand is in free air and no force is on its way to it: the next contact begins with this.
-  void begin(double given_J = 0.0) noexcept { given_J_ = given_J; }
-  /// What the hand received since the last call, J; negative: it gave.
-  void account(double received_J) noexcept { given_J_ -= received_J; }
+  void begin() noexcept { given_J_ = age_s_ = 0.0; }
+  /// What the hand received since the last call, `dt_s` ago, J; negative: it gave.
+  void account(double received_J, double dt_s) noexcept {
+    given_J_ -= received_J;
+    age_s_ += dt_s;
+  }
   /// The contact may return at least this.
   void raise_to(double given_J) noexcept { given_J_ = std::max(given_J_, given_J); }
   /// What the hand gave in this contact less what it received, J.
@@ -38,7 +41,7 @@ class ReturnLimit {
 
   /// The share of force and torque that may be sent, 0 ... 1.
   double share(const Sending& sending) const noexcept {
-    if (sending.power_W <= 0.0) return 1.0;
+    if (sending.power_W <= 0.0 || age_s_ > kGrazing_s) return 1.0;
     const double by_speed_J = sending.power_W * sending.dt_s;
     const double gained_Ns = sending.force_N * sending.dt_s;
     const double by_gain_J = sending.mass_kg > 0.0 ? 0.5 * gained_Ns * gained_Ns / sending.mass_kg : 0.0;
@@ -53,7 +56,12 @@ class ReturnLimit {
   /// contact.
   static constexpr double kNegligible_J = 1e-7;
 
+  /// A longer contact is no graze: there dampers, stiffness limit and passivity controller bound the energy.
+  /// On a wall that is too stiff this limit would keep an oscillation going that the controller ends.
+  static constexpr double kGrazing_s = 0.01;
+
   double given_J_ = 0.0;
+  double age_s_ = 0.0;
 };
 
 }  // namespace palpable::haptics

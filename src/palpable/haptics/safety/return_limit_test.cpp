@@ -12,7 +12,7 @@ namespace {
 ReturnLimit after_giving(double given_J) {
   ReturnLimit limit;
   limit.begin();
-  limit.account(-given_J);
+  limit.account(-given_J, 0.001);
   return limit;
 }
 
@@ -42,9 +42,18 @@ TEST(ReturnLimit, ReturnsNoMoreThanWasGivenAndIsNotOnTheWay) {
       }
 }
 
+TEST(ReturnLimit, IsForGrazesOnly) {
+  ReturnLimit limit;
+  limit.begin();
+  for (int n = 0; n < 9; ++n) limit.account(0.0, 0.001);
+  EXPECT_LT(limit.share({.power_W = 0.5, .force_N = 3.0, .mass_kg = 0.1}), 0.01);
+  for (int n = 0; n < 3; ++n) limit.account(0.0, 0.001);
+  EXPECT_EQ(limit.share({.power_W = 0.5, .force_N = 3.0, .mass_kg = 0.1}), 1.0);
+}
+
 TEST(ReturnLimit, CountsWhatItReturnedAndBeginsAnew) {
   ReturnLimit limit = after_giving(50e-6);
-  limit.account(30e-6);
+  limit.account(30e-6, 0.001);
   EXPECT_NEAR(limit.given_J(), 20e-6, 1e-18);
   limit.raise_to(10e-6);
   EXPECT_NEAR(limit.given_J(), 20e-6, 1e-18);

@@ -94,7 +94,7 @@ class TickPipeline {
   void account_stall(RiseLimit::Input in, double dt_s) noexcept;
   void make_torque(double risen_s) noexcept;
   void begin_returns() noexcept;
-  void account_returns() noexcept;
+  void account_returns(double dt_s) noexcept;
   struct Sent;
   struct Forces {
     Vector<DeviceFrame> force_N;

@@ -180,9 +180,9 @@ void TickPipeline::count_shown_work() noexcept {
   counts_.work_since_zero_force_max_J = shown_.counts() ? shown_.since_zero_max_J() : kUnknown;
 }
 
-void TickPipeline::account_returns() noexcept {
-  returns_.account(received_.written_J);
-  uncontrolled_returns_.account(received_.uncontrolled_J);
+void TickPipeline::account_returns(double dt_s) noexcept {
+  returns_.account(received_.written_J, dt_s);
+  uncontrolled_returns_.account(received_.uncontrolled_J, dt_s);
   // What a change of scene or of parameters brings is not the law's.
   if (fading()) {
     returns_.raise_to(stored_J_);
