@@ -110,10 +110,9 @@ Json report_json(const CheckReport& report, const CheckArguments& arguments) {
                         {"max_difference_N", report.max_difference_N}};
   json["force"] = {{"max_N", report.max_force_N}, {"max_step_N", report.max_step_N}};
   json["energy"] = {{"made_max_J", number_or_null(report.made_max_J)},
-                    {"since_zero_force_max_J", number_or_null(report.since_zero_force_max_J)},
-                    {"observed_made_max_J", number_or_null(report.observed_made_max_J)},
-                    {"observed_made_max_without_controller_J",
-                     number_or_null(report.observed_made_max_without_controller_J)}};
+                    {"made_max_without_controller_J", number_or_null(report.made_max_without_controller_J)},
+                    {"work_made_max_J", number_or_null(report.work_made_max_J)},
+                    {"work_since_zero_force_max_J", number_or_null(report.work_since_zero_force_max_J)}};
   json["missed"] = {{"ticks", report.missed}, {"longest_period_ms", 1e-6 * report.periods.max_ns}};
   json["lost_ticks"] = report.lost;
   json["findings"] = Json::array();
@@ -137,10 +136,17 @@ std::string recomputed_sentence(const CheckReport& report) {
 }
 
 std::string energy_sentence(const CheckReport& report) {
-  if (std::isfinite(report.made_max_J)) return fmt::format("Energy made: {:.2g} J.", report.made_max_J);
-  if (std::isfinite(report.observed_made_max_J))
-    return fmt::format("Generated energy, as counted by the observer: {:.2g} J.", report.observed_made_max_J);
-  return "Energy: not known without the scene.";
+  const auto by_work = [&] {
+    return std::isfinite(report.work_made_max_J)
+               ? fmt::format("{:.2g} J by the recorded work alone", report.work_made_max_J)
+               : std::string();
+  };
+  if (!std::isfinite(report.made_max_J))
+    return std::isfinite(report.work_made_max_J) ? "Energy made: " + by_work() + "."
+                                                 : "Energy made: not known without the scene.";
+  std::string text = fmt::format("Energy made: {:.2g} J by the touch's account", report.made_max_J);
+  if (const std::string work = by_work(); !work.empty()) text += ", " + work;
+  return text + ".";
 }
 
 std::string text_of(const CheckReport& report, const CheckArguments& arguments) {

@@ -64,6 +64,29 @@ struct Ground {
   double sunk_m = 1e-9;
 };
 
+/// The least height of a path over the surface, sampled three times, each time around the lowest sample: a
+/// fast hand's samples are 8 um apart, and a crest that is cut between two of them may be 3 um higher than
+/// both.
+double lowest_over(const Ground& ground, Vec3 from, Vec3 to) {
+  constexpr int kRounds = 3;
+  double begin = 0.0, end = 1.0, lowest_m = ground.height_over(to);
+  for (int round = 0; round < kRounds; ++round) {
+    double lowest_at = end;
+    const double step = (end - begin) / kBetween;
+    for (int k = 1; k <= kBetween; ++k) {
+      const double at = begin + k * step;
+      const double over_m = ground.height_over(from + at * (to - from));
+      if (over_m < lowest_m) {
+        lowest_m = over_m;
+        lowest_at = at;
+      }
+    }
+    begin = std::max(0.0, lowest_at - step);
+    end = std::min(1.0, lowest_at + step);
+  }
+  return lowest_m;
+}
+
 /// One touch. If several models are given, the touch changes between them about every 20 ticks.
 void wander(std::span<const Ground> grounds, const Room& room, std::mt19937_64& random, Findings& findings) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -79,6 +102,7 @@ void wander(std::span<const Ground> grounds, const Room& room, std::mt19937_64& 
   // Whether the hand has been in free air since the start, or since the last tick without force.
   bool is_free = true;
   const Ground* ground = &grounds.front();
+  double cut_before_m = 0.0;
   for (int n = 0; n < kTicks; ++n) {
     const bool changes = grounds.size() > 1 && n > 0 && unit(random) < 0.05;
     if (changes) {
@@ -107,18 +131,23 @@ void wander(std::span<const Ground> grounds, const Room& room, std::mt19937_64& 
     findings.pulled += dot(output.proxy.v - p, output.force_N.v) < -1e-9 ? 1 : 0;
     findings.sunk += ground->height_over(output.proxy.v) < -ground->sunk_m ? 1 : 0;
     findings.crossed += n > 0 && ground->divides(before.proxy.v, output.proxy.v) ? 1 : 0;
-    for (int k = 1; is_free && k <= kBetween; ++k)
-      is_free = ground->height_over(last + (static_cast<double>(k) / kBetween) * (p - last)) > kMargin_m;
+    is_free = is_free && lowest_over(*ground, last, p) > kMargin_m;
     findings.pushed_in_air += is_free && force_N > 0.0 ? 1 : 0;
     is_free = is_free || (!inside && !output.contact);
-    // Releasing a hand into free air at once is not counted as a kick, nor if its path cut a crest: then the
-    // spring is weaker than the distance to the place of that contact.
-    const double moved_m = norm(p - last) + norm(output.proxy - before.proxy);
-    const double step_N = norm(output.force_N - before.force_N);
-    const bool is_held = force_N > 0.99 * kStrokeStiffness_N_per_m * norm(output.proxy.v - p);
-    if (n > 0 && !changes && output.contact && is_held &&
-        step_N > 1.05 * kStrokeStiffness_N_per_m * moved_m + 1e-6)
+    // A hand in the air of which the surface lets go has no force at once, whatever it was. If it cut a crest
+    // on its way, it is pushed by the depth of the cut, at most half of its way. Otherwise the force changes
+    // by no more than stiffness times the movements of hand and proxy, and what the last tick's cut pushed.
+    const double way_m = norm(p - last);
+    const bool is_held =
+        output.contact && force_N > 0.99 * kStrokeStiffness_N_per_m * norm(output.proxy.v - p);
+    const double cut_m = is_held ? 0.0 : 0.5 * way_m;
+    const double step_N = is_held ? norm(output.force_N - before.force_N) : force_N;
+    const double moved_m = is_held ? way_m + norm(output.proxy - before.proxy) + cut_before_m : cut_m;
+    const bool is_in_air = ground->height_over(p) > -kMargin_m;
+    if (n > 0 && !changes &&
+        (step_N > 1.05 * kStrokeStiffness_N_per_m * moved_m + 1e-6 || (!is_held && !is_in_air)))
       ++findings.kicked;
+    cut_before_m = cut_m;
     before = output;
     last = p;
   }

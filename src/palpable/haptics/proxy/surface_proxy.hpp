@@ -66,6 +66,8 @@ class ProxyFollower {
   /// (after a jump of many pixels).
   static constexpr int kEvaluations = 3;
   static constexpr double kPerPixel = 0.75;
+  /// What a slide may use at least after the first contact of a flight.
+  static constexpr int kAfterMeeting = 2;
   static constexpr int kMaxEvaluations = SurfaceFlight<Surface>::kMaxEvaluations;
   /// A contact within this distance of a place is at this place.
   static constexpr double kReturned_m = 1e-5;
@@ -115,7 +117,12 @@ class ProxyFollower {
         SurfaceFlight<Surface> flight(surface_, proxy, hand_m);
         met = flight.fly(reach, tick.evaluations) == Flown::met;
         if (!met) break;
-        if (!tick.met) tick.entry = flight.entry();
+        if (!tick.met) {
+          tick.entry = flight.entry();
+          // In a pit the flight may be far shorter than a pixel. If it left nothing for the slide, the proxy
+          // would stay there, however far the hand went.
+          tick.evaluations = std::max(tick.evaluations, kAfterMeeting);
+        }
         tick.met = true;
       }
       const Vec3 from = proxy.place_m;

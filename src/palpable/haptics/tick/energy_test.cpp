@@ -127,7 +127,7 @@ Rolled rolled(const models::Scene& scene, const device::HandOptions& options, bo
     while (events.take()) {
     }
   }
-  EXPECT_TRUE(std::isnan(tick.counts().since_zero_force_max_J)) << "the sum alone shows nothing";
+  EXPECT_TRUE(std::isnan(tick.counts().work_since_zero_force_max_J)) << "the sum alone shows nothing";
   return {tick.counts().made_max_J, tick.counts().made_max_without_controller_J};
 }
 

@@ -132,10 +132,13 @@ struct TickCounts {
   /// (ShownWork). J.
   double made_max_J = 0.0;
   double made_max_without_controller_J = 0.0;
+  /// The same from forces and movements alone, as a recording shows it (ShownWork::made_max_J), J; never more
+  /// than made_max_J. NaN as below.
+  double work_made_max_J = 0.0;
   /// The most work on the hand since the written force was last zero (ShownWork), J: with what the hand
   /// itself delivered in the same contact before a stall, so not all of it was generated. NaN while no tick
   /// was of a contact law: for others the work alone shows nothing.
-  double since_zero_force_max_J = 0.0;
+  double work_since_zero_force_max_J = 0.0;
   /// Greatest energy that the rise limit withheld from a spring, J. The wall is weaker by that until the hand
   /// leaves it.
   double withheld_max_J = 0.0;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace palpable::haptics {
@@ -88,6 +87,7 @@ const TouchSample& TickPipeline::step(double clock_t_s, double clock_dt_s) noexc
   if (fading()) fade(dt_s);
   const bool valid = good && evaluate_laws(dt_s);
   if (!is_glitch) account_spring(dt_s, valid && !paused_);
+  account_returns(dt_s);
   if (fading() && faded_ >= 1.0) end_fade();
   observe(dt_s);
   if (!is_glitch) make_force(dt_s);
@@ -207,6 +207,7 @@ void TickPipeline::begin_touch() noexcept {
   coming_.state = {};
   rise_.reset();
   uncontrolled_rise_.reset();
+  begin_returns();
   motion_.begin();
   rotation_.begin();
   flags_ |= flag::kNewTouch;
@@ -278,6 +279,7 @@ void TickPipeline::make_force(double dt_s) noexcept {
   uncontrolled_N_ = uncontrolled_rise_.limit(capped.force_N, rest_N, max_rise_N).force_N;
   written_N_ = risen.force_N;
   if (has_torque_) make_torque(risen_s);
+  limit_returns(risen_s);
   if (gain > 0.0) control_energy(dt_s);
   if (rise_.is_weaker()) counts_.withheld_max_J = std::max(counts_.withheld_max_J, rise_.withheld_J());
   if (capped.limited) flags_ |= flag::kForceCapped;
@@ -391,8 +393,6 @@ void TickPipeline::count() noexcept {
   // No account reports less than a recording of this touch shows.
   counts_.made_max_J = std::max(observer_.made_max_J(), shown_.made_max_J());
   counts_.made_max_without_controller_J = std::max(without_controller_.made_max_J(), shown_.made_max_J());
-  counts_.since_zero_force_max_J =
-      shown_.counts() ? shown_.since_zero_max_J() : std::numeric_limits<double>::quiet_NaN();
   if (std::isnan(counts_.first_force_t_s) && written >= kFelt_N) counts_.first_force_t_s = sample_.t_s;
   ++counts_.ticks;
 }

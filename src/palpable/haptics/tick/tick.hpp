@@ -6,6 +6,7 @@
 #include "palpable/device/device.hpp"
 #include "palpable/haptics/safety/limits.hpp"
 #include "palpable/haptics/safety/passivity.hpp"
+#include "palpable/haptics/safety/return_limit.hpp"
 #include "palpable/haptics/safety/rise_limit.hpp"
 #include "palpable/haptics/tick/hand_motion.hpp"
 #include "palpable/haptics/tick/reading_filter.hpp"
@@ -92,6 +93,20 @@ class TickPipeline {
   void account_spring(double dt_s, bool wanted) noexcept;
   void account_stall(RiseLimit::Input in, double dt_s) noexcept;
   void make_torque(double risen_s) noexcept;
+  void begin_returns() noexcept;
+  void account_returns(double dt_s) noexcept;
+  struct Sent;
+  struct Forces {
+    Vector<DeviceFrame> force_N;
+    Vector<DeviceFrame> torque_Nm;
+  };
+  /// A share 0 ... 1 to which an account of energy reduces the forces, raised so that they fall by no more
+  /// than the rise limit allows them to grow.
+  double without_step(double share, const Forces& wanted, const Forces& before, double dt_s) const noexcept;
+  double returned_share(const ReturnLimit& limit, const Forces& wanted, Forces (*sent_as)(const Sent&),
+                        double dt_s) const noexcept;
+  /// Reduces the forces of this tick to what the contact may return.
+  void limit_returns(double dt_s) noexcept;
   void control_energy(double dt_s) noexcept;
   void bound(double dt_s) noexcept;
   void send() noexcept;
@@ -151,6 +166,11 @@ class TickPipeline {
   /// For the written force, and for the force as it would be without the controller.
   RiseLimit rise_;
   RiseLimit uncontrolled_rise_;
+  /// The same pair.
+  ReturnLimit returns_;
+  ReturnLimit uncontrolled_returns_;
+  /// The contact is over once the force that acts now has acted.
+  bool returns_end_ = false;
   /// What the springs held before the current change of scene; the work on the hand during it; and the most
   /// energy that it has brought so far. On the same surface: the sum of what it changed.
   double stored_before_change_J_ = 0.0;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace palpable::haptics {
 
@@ -174,13 +175,91 @@ void TickPipeline::count_shown_work() noexcept {
   shown.is_contact_law =
       !has_torque_ && (now_.energy == EnergyModel::spring || now_.energy == EnergyModel::none);
   shown_.take(shown);
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  counts_.work_made_max_J = shown_.counts() ? shown_.made_max_J() : kUnknown;
+  counts_.work_since_zero_force_max_J = shown_.counts() ? shown_.since_zero_max_J() : kUnknown;
+}
+
+void TickPipeline::account_returns(double dt_s) noexcept {
+  returns_.account(received_.written_J, dt_s);
+  uncontrolled_returns_.account(received_.uncontrolled_J, dt_s);
+  // What a change of scene or of parameters brings is not the law's.
+  if (fading()) {
+    returns_.raise_to(stored_J_);
+    uncontrolled_returns_.raise_to(stored_J_);
+  }
+  // The last force of a contact may act after the hand has left it.
+  if (std::exchange(returns_end_, false)) begin_returns();
+  if (!is_free()) return;
+  for (std::size_t age = 0; age + 1 < delay_; ++age) {
+    const Sent& sent = sent_[(newest_ + sent_.size() - age) % sent_.size()];
+    if (sent.written_N != Vector<DeviceFrame>{} || sent.uncontrolled_N != Vector<DeviceFrame>{}) return;
+  }
+  returns_end_ = delay_ > 0;
+  if (!returns_end_) begin_returns();
+}
+
+void TickPipeline::begin_returns() noexcept {
+  returns_.begin();
+  uncontrolled_returns_.begin();
+}
+
+double TickPipeline::without_step(double share, const Forces& wanted, const Forces& before,
+                                  double dt_s) const noexcept {
+  const auto least = [](double wanted_size, double before_size, double most_step) {
+    return wanted_size > 0.0 ? std::clamp((before_size - most_step) / wanted_size, 0.0, 1.0) : 0.0;
+  };
+  return std::max(
+      {share, least(norm(wanted.force_N), norm(before.force_N), options_.max_force_rate_N_per_s * dt_s),
+       least(norm(wanted.torque_Nm), norm(before.torque_Nm), options_.max_torque_rate_Nm_per_s * dt_s)});
+}
+
+double TickPipeline::returned_share(const ReturnLimit& limit, const Forces& wanted,
+                                    Forces (*sent_as)(const Sent&), double dt_s) const noexcept {
+  const Vector<DeviceFrame> v = motion_.velocity_m_per_s();
+  const Vector<DeviceFrame> w = rotation_.velocity_rad_per_s();
+  ReturnLimit::Sending sending;
+  sending.power_W = dot(wanted.force_N, v) + std::max(0.0, dot(wanted.force_N, motion_.gains_m_per_s())) +
+                    dot(wanted.torque_Nm, w);
+  if (sending.power_W <= 0.0) return 1.0;
+  for (std::size_t age = 0; age < delay_; ++age) {
+    const Forces sent = sent_as(sent_[(newest_ + sent_.size() - age) % sent_.size()]);
+    sending.on_the_way_J += dt_s * std::max(0.0, dot(sent.force_N, v) + dot(sent.torque_Nm, w));
+  }
+  sending.force_N = norm(wanted.force_N);
+  sending.dt_s = dt_s;
+  sending.mass_kg = device_.traits().mass_kg;
+  return without_step(limit.share(sending), wanted, sent_as(sent_[newest_]), dt_s);
+}
+
+void TickPipeline::limit_returns(double dt_s) noexcept {
+  if (!is_accounted() || fading()) return;
+  const auto reduce = [&](const ReturnLimit& limit, RiseLimit& rise, Vector<DeviceFrame>& force_N,
+                          Vector<DeviceFrame>& torque_Nm, Forces (*sent_as)(const Sent&)) {
+    if (rise.is_weaker()) return;
+    const double share = returned_share(limit, {force_N, torque_Nm}, sent_as, dt_s);
+    if (share >= 1.0) return;
+    force_N = share * force_N;
+    torque_Nm = share * torque_Nm;
+    rise.weakened_to(force_N);
+  };
+  reduce(returns_, rise_, written_N_, written_Nm_, [](const Sent& sent) {
+    return Forces{sent.written_N, sent.written_Nm};
+  });
+  reduce(uncontrolled_returns_, uncontrolled_rise_, uncontrolled_N_, uncontrolled_Nm_, [](const Sent& sent) {
+    return Forces{sent.uncontrolled_N, sent.uncontrolled_Nm};
+  });
 }
 
 void TickPipeline::control_energy(double dt_s) noexcept {
   if (options_.passivity != Passivity::control || now_.energy == EnergyModel::self_limited) return;
   const double gives_W =
       dot(written_N_, motion_.velocity_m_per_s()) + dot(written_Nm_, rotation_.velocity_rad_per_s());
-  const double factor = passivity_factor(gives_W, observer_.made_J(), dt_s);
+  const double wanted = passivity_factor(gives_W, observer_.made_J(), dt_s);
+  if (wanted >= 1.0) return;
+  const Sent& before = sent_[newest_];
+  const double factor = without_step(wanted, {written_N_, written_Nm_}, {before.written_N, before.written_Nm},
+                                     std::min(dt_s, options_.max_rise_time_s));
   if (factor >= 1.0) return;
   flags_ |= flag::kPassivityActed;
   written_N_ = factor * written_N_;

@@ -197,12 +197,12 @@ CheckReport Check::finish(const device::RecordingReader& reader) {
   report_.max_step_N = forces_.max_step_N();
   report_.periods = forces_.periods();
   report_.missed = forces_.missed();
-  report_.made_max_J = forces_.made_max_J();
-  report_.since_zero_force_max_J = forces_.since_zero_max_J();
+  report_.work_made_max_J = forces_.work_made_max_J();
+  report_.work_since_zero_force_max_J = forces_.work_since_zero_max_J();
   if (report_.recomputed > 0) {
     const auto counts = touch_.counts();
-    report_.observed_made_max_J = counts.made_max_J;
-    report_.observed_made_max_without_controller_J = counts.made_max_without_controller_J;
+    report_.made_max_J = counts.made_max_J;
+    report_.made_max_without_controller_J = counts.made_max_without_controller_J;
   }
   report_.findings = findings_.take();
   report_.not_listed = findings_.not_kept();

@@ -50,13 +50,13 @@ struct CheckReport {
   /// Recomputed ticks in which any bit differs, and the greatest difference of a force.
   std::uint64_t differing = 0;
   double max_difference_N = 0.0;
-  /// Energy generated in contacts: computed from the recorded forces alone (RecordedForces::made_max_J), and
+  /// Energy generated in contacts: from the recorded forces and positions alone (RecordedForces), and
   /// by the recomputed passivity observer with and without the controller (NaN if not recomputed).
-  double made_max_J = 0.0;
+  double work_made_max_J = 0.0;
   /// The plain sum of forces times movements, an upper bound (haptics::ShownWork::since_zero_max_J).
-  double since_zero_force_max_J = 0.0;
-  double observed_made_max_J = std::numeric_limits<double>::quiet_NaN();
-  double observed_made_max_without_controller_J = std::numeric_limits<double>::quiet_NaN();
+  double work_since_zero_force_max_J = 0.0;
+  double made_max_J = std::numeric_limits<double>::quiet_NaN();
+  double made_max_without_controller_J = std::numeric_limits<double>::quiet_NaN();
   std::vector<Finding> findings;
   /// Number of findings that are not listed.
   std::uint64_t not_listed = 0;

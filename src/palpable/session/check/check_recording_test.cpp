@@ -159,7 +159,7 @@ TEST(CheckRecording, FindsEnergyThatARecordingShows) {
   for (int touch = 0; touch < kTouches && !found(report, FindingKind::energy_made); ++touch)
     report = report_on_a_kick("kick-" + std::to_string(touch) + ".rec");
   EXPECT_TRUE(found(report, FindingKind::energy_made)) << said(report);
-  EXPECT_GT(report.made_max_J, 1e-4);
+  EXPECT_GT(report.work_made_max_J, 1e-4);
 }
 
 TEST(CheckRecording, ReadsWhatAnOlderProgramRecorded) {
@@ -218,7 +218,22 @@ TEST(CheckRecording, RecomputesALawThatLooksAheadWhereTheFirstSceneIsNotGiven) {
   EXPECT_EQ(report.recomputed, 0U);
   EXPECT_GT(report.law_recomputed, report.ticks / 2) << said(report);
   EXPECT_EQ(report.differing, 0U);
-  EXPECT_LE(report.made_max_J, statistics->servo.touch.made_max_J) << "the touch says no less";
+  EXPECT_LE(report.work_made_max_J, statistics->servo.touch.made_max_J) << "the touch says no less";
+}
+
+TEST(CheckRecording, StatesTheEnergiesThatTheTouchStated) {
+  auto options = recorded_touch_of(2.0, "energies.rec");
+  options.device_url = "sim:?speed-mm=200&seed=3";
+  const auto statistics = touch_headless(makes({waves(0.010)}), options, {});
+  ASSERT_TRUE(statistics) << statistics.error().sentence();
+  const haptics::TickCounts& touch = statistics->servo.touch;
+  const auto report = checked(options.recording, {waves(0.010)});
+  ASSERT_EQ(report.recomputed, report.ticks) << said(report);
+  EXPECT_EQ(report.made_max_J, touch.made_max_J);
+  EXPECT_EQ(report.made_max_without_controller_J, touch.made_max_without_controller_J);
+  EXPECT_EQ(report.work_made_max_J, touch.work_made_max_J);
+  EXPECT_EQ(report.work_since_zero_force_max_J, touch.work_since_zero_force_max_J);
+  EXPECT_LE(report.work_made_max_J, report.made_max_J);
 }
 
 TEST(CheckRecording, CanBeStopped) {

@@ -30,9 +30,9 @@ class RecordedForces {
   double duration_s() const { return duration_s_; }
   /// Greatest work on the hand in a contact that began in free air, J. NaN if no contact law was used
   /// without a guide: for others the work alone proves nothing.
-  double made_max_J() const { return known(work_.made_max_J()); }
+  double work_made_max_J() const { return known(work_.made_max_J()); }
   /// haptics::ShownWork::since_zero_max_J(), J. NaN as above.
-  double since_zero_max_J() const { return known(work_.since_zero_max_J()); }
+  double work_since_zero_max_J() const { return known(work_.since_zero_max_J()); }
   haptics::LatencySummary periods() const { return periods_.summary(); }
 
  private:

@@ -54,7 +54,8 @@ std::string to_json(const TouchStatistics& statistics) {
                    {"rate_capped_ticks", touch.rise_limited_ticks}};
   json["energy"] = {{"made_max_J", number(touch.made_max_J)},
                     {"made_max_without_controller_J", number(touch.made_max_without_controller_J)},
-                    {"since_zero_force_max_J", number(touch.since_zero_force_max_J)},
+                    {"work_made_max_J", number(touch.work_made_max_J)},
+                    {"work_since_zero_force_max_J", number(touch.work_since_zero_force_max_J)},
                     {"controlled_ticks", touch.passivity_ticks},
                     {"rise_limit_withheld_max_J", number(touch.withheld_max_J)},
                     {"scene_change_J", number(touch.scene_change_J)}};
