@@ -30,6 +30,11 @@ std::span<const std::byte> input() {
   return {static_cast<const std::byte*>(begin), size};
 }
 
+bool report_begin() {
+  constexpr char kBegin = 'b';
+  return write(protocol::kAliveDescriptor, &kBegin, 1) == 1;
+}
+
 /// The reply in its memory file. Small parts are collected, so that each write fills whole pages of the file:
 /// those need not be cleared first.
 class ReplyFile final : public ReplySink {
@@ -83,7 +88,8 @@ int run_decoder(int argc, char** argv, const Decoder& decoder) {
   const Allowance allowance{static_cast<std::uint64_t>(*memory), static_cast<std::uint64_t>(*written),
                             static_cast<std::uint64_t>(*seconds)};
   const auto file = input();
-  if (file.empty() || !confine(allowance, protocol::kAliveDescriptor + 1)) return protocol::kNotConfined;
+  if (file.empty()) return protocol::kNoInput;
+  if (!confine(allowance, protocol::kAliveDescriptor + 1) || !report_begin()) return protocol::kNotConfined;
   ReplyFile reply;
   const bool replied = run_guarded(decoder.run, *job, file, reply) && reply.flush();
   return replied ? protocol::kReplied : protocol::kNotWritten;
