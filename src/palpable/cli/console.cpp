@@ -89,24 +89,9 @@ Console::Console(const CommonOptions& options)
     : options_(options),
       shows_progress_(!options.quiet && isatty(STDERR_FILENO) != 0),
       started_(std::chrono::steady_clock::now()),
-      last_shown_(started_) {
-  if (shows_progress_)
-    first_second_ = std::jthread([this](const std::stop_token& stop) { show_first_step(stop); });
-}
+      last_shown_(started_) {}
 
-Console::~Console() {
-  if (first_second_.joinable()) {
-    first_second_.request_stop();
-    first_second_.join();
-  }
-  remove_progress();
-}
-
-void Console::show_first_step(const std::stop_token& stop) {
-  std::unique_lock lock(mutex_);
-  stopped_.wait_until(lock, stop, started_ + kProgressAfter, [] { return false; });
-  if (!stop.stop_requested() && shows_progress_ && !first_step_.empty()) write_progress(first_step_);
-}
+Console::~Console() { remove_progress(); }
 
 void Console::note(const Note& note) {
   if (options_.quiet) return;
@@ -144,24 +129,15 @@ void Console::show_progress(double fraction, std::string_view what) {
   const std::lock_guard lock(mutex_);
   const auto now = std::chrono::steady_clock::now();
   if (!shows_progress_) return;
-  const bool is_first = now - started_ < kProgressAfter;
-  if (!is_first && now - last_shown_ < kProgressEvery) return;
+  if (now - started_ < kProgressAfter || now - last_shown_ < kProgressEvery) return;
   std::string line = fmt::format("{}: {} %", what, std::lround(100.0 * std::clamp(fraction, 0.0, 1.0)));
-  if (is_first)
-    first_step_ = fraction > 0.0 ? std::string() : std::move(line);
-  else if (line != progress_)
-    write_progress(std::move(line));
-}
-
-void Console::write_progress(std::string line) {
-  last_shown_ = std::chrono::steady_clock::now();
+  if (line == progress_) return;
+  last_shown_ = now;
   progress_ = std::move(line);
-  first_step_.clear();
   write_error(progress_, kClearLine);
 }
 
 void Console::remove_progress() {
-  first_step_.clear();
   if (progress_.empty()) return;
   progress_.clear();
   write_error({}, kClearLine);

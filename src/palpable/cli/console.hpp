@@ -7,12 +7,9 @@
 
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <mutex>
-#include <stop_token>
 #include <string>
 #include <string_view>
-#include <thread>
 #include <vector>
 
 namespace palpable::cli {
@@ -29,8 +26,7 @@ struct CommonOptions {
 
 /// Where a command writes: results on standard output, everything else on standard error. Progress of work
 /// that takes longer than a second is one line on a terminal, rewritten at most twice a second and removed
-/// before anything else is written. A step that began (0 %) in the first second and reports nothing
-/// more, as while another process reads a file, is shown too. Any thread.
+/// before anything else is written. Any thread.
 class Console {
  public:
   explicit Console(const CommonOptions& options);
@@ -51,24 +47,16 @@ class Console {
 
  private:
   void show_progress(double fraction, std::string_view what);
-  /// Shows a step of the first second once that has passed.
-  void show_first_step(const std::stop_token& stop);
-  // Under mutex_.
+  /// Under mutex_.
   void remove_progress();
-  void write_progress(std::string line);
 
   CommonOptions options_;
   bool shows_progress_ = false;
   /// The progress line on the terminal; empty = none.
   std::string progress_;
-  /// The line of the newest step of the first second, if it has only begun; empty once it is shown, or
-  /// something else is written.
-  std::string first_step_;
   std::mutex mutex_;
   std::chrono::steady_clock::time_point started_;
   std::chrono::steady_clock::time_point last_shown_;
-  std::condition_variable_any stopped_;
-  std::jthread first_second_;
 };
 
 /// Set by the first SIGINT, SIGTERM or SIGHUP after catch_interrupts() was called. If the work has not ended

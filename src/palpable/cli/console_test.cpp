@@ -68,25 +68,5 @@ TEST_F(ATerminal, ShowsNoProgressAfterItsEnd) {
       report_until(1200, [](const std::string& text) { return text.find("matching") != std::string::npos; }));
 }
 
-TEST_F(ATerminal, ShowsAStepThatReportsOnceAndThenTakesLong) {
-  Console console(CommonOptions{});
-  console.work().report(0.0, "reading the mesh");
-  EXPECT_EQ(written(0).find("reading"), std::string::npos) << "not in the first second";
-  std::string text;
-  for (int waited = 0; waited < 20000 && text.find("reading the mesh: 0 %") == std::string::npos;
-       waited += 20)
-    text += written(20);
-  EXPECT_NE(text.find("reading the mesh: 0 %"), std::string::npos);
-}
-
-TEST_F(ATerminal, ShowsNoStepThatHasEndedWithANote) {
-  Console console(CommonOptions{});
-  console.work().report(0.0, "reading the mesh");
-  console.note(Note{"is small"});
-  std::string text;
-  for (int waited = 0; waited < 1500; waited += 20) text += written(20);
-  EXPECT_EQ(text.find("reading"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace palpable::cli

@@ -104,6 +104,7 @@ Result<pid_t> start_child(const std::filesystem::path& program, std::vector<std:
   pid_t process = -1;
   const int fault =
       ::posix_spawn(&process, name.c_str(), &settings.actions, &settings.attributes, words.data(), environ);
+  errno = fault;
   if (fault != 0) return system_failure(fault);
   return process;
 }

@@ -50,7 +50,7 @@ Result<std::filesystem::path> helper_program(std::string_view name, const char* 
 /// standard streams are /dev/null, and all other descriptors are closed. All signals have their default
 /// actions and are unblocked. The process gets its own process group, so that Ctrl-C in a terminal does not
 /// reach it. The address space is not copied, so any thread may call it, also while a servo runs. Errors:
-/// failed, without a place, with the system's reason.
+/// failed, without a place, with the system's reason, which is in errno, too.
 Result<pid_t> start_child(const std::filesystem::path& program, std::vector<std::string> arguments,
                           std::span<const int> descriptors);
 

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <system_error>
 #include <vector>
 
 #include <sys/mman.h>
@@ -101,6 +102,8 @@ void serve(int argc, char** argv, const Decoder& decoder) {
   // Without running the libraries' destructors: the reply is written, and nothing else is left to do.
   try {
     _exit(run_decoder(argc, argv, decoder));
+  } catch (const std::system_error&) {
+    _exit(protocol::kNoThread);
   } catch (const std::exception&) {
     _exit(protocol::kNotWritten);
   }

@@ -94,6 +94,10 @@ Result<fs::path> decoder_program(Job job) {
       {}};
 }
 
+Error gives_too_much() {
+  return invalid_input("is damaged or too large: it gives more than its size explains");
+}
+
 /// Why the program did not even begin: "ended with 127 before it began to read".
 std::string end_before_begin(const DecoderEnd& end) {
   constexpr int kNotLoaded = 127;
@@ -122,6 +126,8 @@ Result<void> judge(const DecoderEnd& end, const fs::path& program, const Limits&
         return incomplete(program, "is of another version");
       case kNotConfined:
         return cannot_start("it cannot limit itself");
+      case kNoThread:
+        return cannot_start("the system gives it no further thread (ulimit -u)");
       case kNoInput:
         return cannot_start("there is not enough memory for it and the file");
       default:
@@ -141,7 +147,7 @@ Result<void> judge(const DecoderEnd& end, const fs::path& program, const Limits&
     case kReplied:
       return {};
     case kNotWritten:
-      return invalid_input("is damaged or too large: it gives more than its size explains");
+      return gives_too_much();
     default:
       return invalid_input(fmt::format("is damaged: its decoder ended with {}", WEXITSTATUS(*status)));
   }
@@ -149,8 +155,9 @@ Result<void> judge(const DecoderEnd& end, const fs::path& program, const Limits&
 
 Result<Reply> mapped(int reply, std::uint64_t most_bytes) {
   struct stat now {};
-  if (::fstat(reply, &now) != 0 || now.st_size <= 0 || static_cast<std::uint64_t>(now.st_size) > most_bytes)
+  if (::fstat(reply, &now) != 0 || now.st_size <= 0)
     return invalid_input("is damaged: its decoder gave nothing");
+  if (static_cast<std::uint64_t>(now.st_size) > most_bytes) return gives_too_much();
   const auto size = static_cast<std::size_t>(now.st_size);
   void* begin = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, reply, 0);
   if (begin == MAP_FAILED) return cannot_start(reason_of(errno));
@@ -240,7 +247,11 @@ Result<Reply> decode(Job job, FileView file, const Limits& limits) {
       {std::string(kProtocolVersion), std::string(name_of(job)), std::to_string(limits.memory_bytes),
        std::to_string(limits.result_bytes), std::to_string(limits.processor_time.count())},
       std::array{file.descriptor(), reply.number(), its_end.number()});
-  if (!process) return incomplete(*program, "cannot be started: " + process.error().message);
+  if (!process) {
+    const bool is_short_of = errno == EAGAIN || errno == ENOMEM || errno == EMFILE || errno == ENFILE;
+    const std::string& why = process.error().message;
+    return is_short_of ? cannot_start(why) : incomplete(*program, "cannot be started: " + why);
+  }
   its_end.close();
   const DecoderEnd end = wait_for_end(*process, std::move(alive), limits.time);
   if (auto good = judge(end, *program, limits); !good) return std::move(good).error();

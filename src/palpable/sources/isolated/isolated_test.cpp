@@ -160,6 +160,14 @@ TEST(Isolated, AProgramThatDoesNotBeginIsNoFaultOfTheFile) {
   }
 }
 
+TEST(Isolated, AProgramThatGetsNoThreadIsNoFaultOfTheFile) {
+  const WithDecoder starved(kBegin + "exit 14");
+  const auto reply = decode(Job::obj, as_bytes(kTetrahedron), kOneSecond);
+  ASSERT_FALSE(reply);
+  EXPECT_EQ(reply.error().code, ErrorCode::failed);
+  EXPECT_THAT(reply.error().message, HasSubstr("thread"));
+}
+
 TEST(Isolated, AMissingOrDifferentDecoderIsReported) {
   ::setenv("PALPABLE_MESH_DECODER", "/nowhere/palpable-mesh-decoder", 1);
   const auto missing = decode_mesh(as_bytes(kTetrahedron), "obj");

@@ -24,5 +24,6 @@ inline constexpr int kWrongVersion = 10;
 inline constexpr int kNotConfined = 11;
 inline constexpr int kNotWritten = 12;
 inline constexpr int kNoInput = 13;
+inline constexpr int kNoThread = 14;
 
 }  // namespace palpable::sources::isolated

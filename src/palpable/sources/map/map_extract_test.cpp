@@ -79,8 +79,12 @@ TEST(MapExtractFile, AWayOfMoreNodesThanAnyIsRefused) {
 
 TEST(MapExtractFile, AWindowOfMoreStreetsThanAnyIsRefused) {
   std::string text = there_and_back(50'000);
-  const std::string way = text.substr(text.find("<way"), text.find("</way>") + 6 - text.find("<way"));
-  text.insert(text.find("</osm>"), way + way);
+  const auto begin = text.find("<way"), end = text.find("</osm>");
+  const std::string way = text.substr(begin, end - begin);
+  for (const char* number : {"101", "102"}) {
+    std::string other = way;
+    text.insert(begin, other.replace(other.find("100"), 3, number));
+  }
   const auto extract = parsed(text);
   ASSERT_TRUE(extract) << extract.error().sentence();
   const auto map = street_map_of(*extract, window_at(0.0, 0.0005, 300.0));
