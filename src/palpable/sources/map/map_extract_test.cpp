@@ -83,7 +83,7 @@ TEST(MapExtractFile, AWindowOfMoreStreetsThanAnyIsRefused) {
   const std::string way = text.substr(begin, end - begin);
   for (const char* number : {"101", "102"}) {
     std::string other = way;
-    text.insert(begin, other.replace(other.find("100"), 3, number));
+    text.insert(text.find("</osm>"), other.replace(other.find("100"), 3, number));
   }
   const auto extract = parsed(text);
   ASSERT_TRUE(extract) << extract.error().sentence();
