@@ -80,6 +80,8 @@ void catch_interrupts() {
   sigaction(SIGALRM, &action, nullptr);
   // A pipe without a reader and a file at its size limit are errors of the write call.
   for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);
+  // Ignored when the program was started, it would hide how programs end that this one starts.
+  std::signal(SIGCHLD, SIG_DFL);
   refuse_commits_after(&interrupt_flag);
 }
 

@@ -238,6 +238,10 @@ int run(int argc, char** argv) {
     return parse_and_run(argc, argv);
   } catch (const std::bad_alloc&) {
     return report({ErrorCode::failed, "there is not enough memory for this", {}});
+  } catch (const std::system_error& error) {
+    if (error.code() == std::errc::resource_unavailable_try_again)
+      return report({ErrorCode::failed, "the system gives no further thread or process (ulimit -u)", {}});
+    return report({ErrorCode::failed, error.what(), {}});
   } catch (const std::exception& exception) {
     return report({ErrorCode::failed, fmt::format("this is a bug in palpable: {}", exception.what()), {}});
   }

@@ -25,6 +25,7 @@ struct Closer {
 using File = std::unique_ptr<std::FILE, Closer>;
 
 Error unreadable(const std::filesystem::path& path, int reason) {
+  if (reason == EAGAIN) return invalid_input("is a stream of the system, not a file", path.string());
   return invalid_input("cannot be read: " + std::generic_category().message(reason), path.string());
 }
 
@@ -60,7 +61,10 @@ Result<File> open_for_reading(const std::filesystem::path& path) {
   if (std::filesystem::is_character_file(status) || std::filesystem::is_block_file(status))
     return invalid_input("is a device, not a file", path.string());
   if (std::filesystem::is_fifo(status)) return open_pipe(path);
-  File file(std::fopen(path.c_str(), "rbe"));
+  // Some files of the system, such as /proc/kmsg, are waited for like a pipe.
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) return unreadable(path, errno);
+  File file(fdopen(descriptor, "rb"));
   if (!file) return unreadable(path, errno);
   return file;
 }

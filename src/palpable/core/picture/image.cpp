@@ -13,8 +13,11 @@ std::string size_text(int width, int height) {
 
 Result<void> check_picture_size(std::int64_t width, std::int64_t height) {
   const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
-  if (width < 1 || height < 1) return invalid_input("states a size of " + size);
-  if (width > kMaxPixels || height > kMaxPixels || width * height > kMaxPixels)
+  // No camera and no scanner gives such a side.
+  constexpr std::int64_t kLongestSide = 1'000'000;
+  if (width < 1 || height < 1 || width > kLongestSide || height > kLongestSide)
+    return invalid_input("is damaged: it states a size of " + size);
+  if (width * height > kMaxPixels)
     return invalid_input(size + " are more than the " + std::to_string(kMaxPixels >> 20) +
                          " million that can be read: make the picture smaller first");
   return {};

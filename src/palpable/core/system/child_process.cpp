@@ -48,7 +48,10 @@ void Descriptor::close() {
 
 Descriptor passable(Descriptor descriptor) {
   if (descriptor.number() < 0) return Descriptor();
-  return Descriptor(::fcntl(descriptor.number(), F_DUPFD_CLOEXEC, kPassable));
+  const int copy = ::fcntl(descriptor.number(), F_DUPFD_CLOEXEC, kPassable);
+  // The system says so of a number that the limit of open files does not allow.
+  if (copy < 0 && errno == EINVAL) errno = EMFILE;
+  return Descriptor(copy);
 }
 
 Result<std::pair<Descriptor, Descriptor>> make_pipe() {
@@ -65,8 +68,12 @@ Result<std::filesystem::path> helper_program(std::string_view name, const char* 
     return std::filesystem::path(named);
   std::error_code none;
   const auto beside = std::filesystem::read_symlink("/proc/self/exe", none).parent_path() / name;
-  if (is_executable(beside)) return beside;
-  if (is_executable(installed / name)) return installed / name;
+  const std::array places{beside, installed / name};
+  for (const auto& place : places)
+    if (is_executable(place)) return place;
+  for (const auto& place : places)
+    if (std::filesystem::exists(place, none))
+      return Error{ErrorCode::failed, place.string() + " may not be executed", {}};
   return Error{ErrorCode::failed,
                "neither " + beside.string() + " nor " + (installed / name).string() + " is there (" +
                    variable + " names another place)",
@@ -97,6 +104,7 @@ Result<pid_t> start_child(const std::filesystem::path& program, std::vector<std:
   pid_t process = -1;
   const int fault =
       ::posix_spawn(&process, name.c_str(), &settings.actions, &settings.attributes, words.data(), environ);
+  errno = fault;
   if (fault != 0) return system_failure(fault);
   return process;
 }

@@ -33,8 +33,8 @@ class Descriptor {
   int number_;
 };
 
-/// A duplicate of `descriptor`, close-on-exec, with a number that start_child() can pass on. None if
-/// `descriptor` is none.
+/// A duplicate of `descriptor`, close-on-exec, with a number that start_child() can pass on. None, with
+/// errno, if `descriptor` is none or too many are open.
 Descriptor passable(Descriptor descriptor);
 
 /// A pipe, close-on-exec: the end to read and the end to write, which is passable. Errors: failed.
@@ -42,7 +42,7 @@ Result<std::pair<Descriptor, Descriptor>> make_pipe();
 
 /// Finds the helper program `name`: at the path in the environment variable `variable`; else beside the
 /// running program, as in a build tree and in a copied folder; else in `installed`. Errors: failed, without a
-/// place; the message lists the paths that were tried.
+/// place; the message lists the paths that were tried, or names the one that may not be executed.
 Result<std::filesystem::path> helper_program(std::string_view name, const char* variable,
                                              const std::filesystem::path& installed);
 
@@ -50,7 +50,7 @@ Result<std::filesystem::path> helper_program(std::string_view name, const char* 
 /// standard streams are /dev/null, and all other descriptors are closed. All signals have their default
 /// actions and are unblocked. The process gets its own process group, so that Ctrl-C in a terminal does not
 /// reach it. The address space is not copied, so any thread may call it, also while a servo runs. Errors:
-/// failed, without a place, with the system's reason.
+/// failed, without a place, with the system's reason, which is in errno, too.
 Result<pid_t> start_child(const std::filesystem::path& program, std::vector<std::string> arguments,
                           std::span<const int> descriptors);
 

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -60,6 +62,16 @@ TEST(ChildProcess, AHelperProgramIsNamedByTheEnvironmentOrItsPlacesAreListed) {
   ASSERT_FALSE(missing);
   EXPECT_THAT(missing.error().message, testing::HasSubstr("/opt/no-such-helper"));
   EXPECT_THAT(missing.error().message, testing::HasSubstr("PALPABLE_TEST_HELPER"));
+}
+
+TEST(ChildProcess, AHelperProgramThatMayNotBeExecutedIsNamed) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "palpable-helpers";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "no-such-helper") << "#!/bin/sh\n";
+  const auto forbidden = helper_program("no-such-helper", "PALPABLE_TEST_HELPER", folder);
+  std::filesystem::remove_all(folder);
+  ASSERT_FALSE(forbidden);
+  EXPECT_THAT(forbidden.error().message, testing::HasSubstr("no-such-helper may not be executed"));
 }
 
 }  // namespace

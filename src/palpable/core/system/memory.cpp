@@ -62,14 +62,20 @@ Bytes left_in_groups(const MemoryFiles& files) {
 }
 
 Bytes left_in_address_space(const MemoryFiles& files) {
-  rlimit limit{};
-  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return std::nullopt;
+  const Bytes limit = address_space_limit_bytes();
+  if (!limit) return std::nullopt;
   const Bytes pages = named_number(files.process / "statm", "");
   const auto page_bytes = static_cast<std::uint64_t>(std::max(sysconf(_SC_PAGESIZE), 1L));
-  return left(limit.rlim_cur, pages.value_or(0) * page_bytes);
+  return left(*limit, pages.value_or(0) * page_bytes);
 }
 
 }  // namespace
+
+std::optional<std::uint64_t> address_space_limit_bytes() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return std::nullopt;
+  return limit.rlim_cur;
+}
 
 std::optional<std::size_t> available_memory_bytes(const MemoryFiles& files) {
   constexpr std::uint64_t kKibi = 1024;

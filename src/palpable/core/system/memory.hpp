@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 
@@ -19,5 +20,8 @@ struct MemoryFiles {
 /// its control group (version 2, as in containers) and of its address space (ulimit -v). nullopt if none of
 /// these is known. Reads small files; any thread.
 std::optional<std::size_t> available_memory_bytes(const MemoryFiles& files = {});
+
+/// The limit of this process's address space (ulimit -v); nullopt if there is none.
+std::optional<std::uint64_t> address_space_limit_bytes();
 
 }  // namespace palpable

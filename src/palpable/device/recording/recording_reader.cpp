@@ -136,7 +136,8 @@ Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const std::filesy
     return invalid_input(std::string("cannot be read: ") + std::strerror(errno), file.string());
   impl->size = std::filesystem::file_size(file, error);
   if (error) return invalid_input("cannot be read: " + error.message(), file.string());
-  if (!impl->read(format::kMagic.size()) || !has_magic(impl->buffer, format::kMagic))
+  // Files of the system that state no size, such as /proc/kmsg, may be waited for without end.
+  if (impl->size == 0 || !impl->read(format::kMagic.size()) || !has_magic(impl->buffer, format::kMagic))
     return not_a_recording(impl->buffer, file.string());
   RecordingChunk chunk;
   if (impl->next_chunk(chunk) != RecordingEnd::not_yet || !is_header(chunk))

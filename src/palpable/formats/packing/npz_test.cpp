@@ -5,6 +5,7 @@
 #include "palpable/core/files/byte_reader.hpp"
 #include "palpable/formats/packing/zip.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -100,6 +101,19 @@ TEST(Zip, RefusesAnImpossibleSizeBeforeUnpacking) {
   ASSERT_NE(central, std::string_view::npos);
   // Both stated sizes (local header, central directory): 1 GiB from a few bytes.
   for (const std::size_t place : {std::size_t{22}, central + 24}) file[place + 3] = std::byte{0x40};
+  const auto members = unzip(file);
+  ASSERT_FALSE(members);
+  EXPECT_NE(members.error().message.find("unpacks to more"), std::string::npos) << members.error().message;
+}
+
+TEST(Zip, RefusesAMemberThatIsCompressedAgainToMuchLess) {
+  auto file = *zip({{"a.txt", Bytes(1'000'000, std::byte{7})}});
+  ASSERT_TRUE(unzip(file));
+  // Both names (local header, central directory): what is compressed by zstd hardly gets smaller.
+  const std::string_view text = as_text(file);
+  for (const std::size_t place : {text.find("a.txt"), text.rfind("a.txt")})
+    std::copy_n(as_bytes(std::string_view("a.zst")).begin(), 5,
+                file.begin() + static_cast<std::ptrdiff_t>(place));
   const auto members = unzip(file);
   ASSERT_FALSE(members);
   EXPECT_NE(members.error().message.find("unpacks to more"), std::string::npos) << members.error().message;

@@ -119,10 +119,12 @@ Result<ZipMembers> unzip(std::span<const std::byte> file) {
     constexpr zip_uint64_t kNeeded = ZIP_STAT_NAME | ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE;
     if (zip_stat_index(archive, index, 0, &stated) != 0 || (stated.valid & kNeeded) != kNeeded)
       return damaged("a member without name or size");
-    // Deflate compresses by at most 1032 : 1, so a larger stated size is false.
-    constexpr zip_uint64_t kMaxRatio = 1040;
+    // Deflate compresses by at most 1032 : 1, so a larger stated size is false; and what is compressed
+    // already, hardly at all.
+    constexpr zip_uint64_t kMaxRatio = 1040, kMaxRatioAgain = 2, kSmall = 65536;
+    const zip_uint64_t ratio = is_compressed_already(stated.name) ? kMaxRatioAgain : kMaxRatio;
     if (stated.size > kMaxUnpackedBytes || total + stated.size > kMaxUnpackedBytes ||
-        stated.size / kMaxRatio > stated.comp_size)
+        (stated.size > kSmall && stated.size / ratio > stated.comp_size))
       return invalid_input("unpacks to more than a file of ours may");
     total += stated.size;
     auto bytes = unpack(archive, index, stated);

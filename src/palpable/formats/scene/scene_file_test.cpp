@@ -288,7 +288,7 @@ TEST(SceneFile, RefusesInvalidDescriptionsWithASentence) {
     const char* says;
   } kCases[] = {
       {"\"kind\": \"relief\"", "\"kind\": \"cloud\"", "kind 'cloud'"},
-      {"\"columns\": 40", "\"columns\": 20000000", "more than the 64 million"},
+      {"\"columns\": 40", "\"columns\": 20000000", "states a size of 20000000 x 30"},
       {"\"columns\": 40", "\"columns\": -4", "states a size"},
       {"\"columns\": 40", "\"columns\": 41", "damaged"},
       {"\"columns\": 40", "\"columns\": \"x\"", "scene.json that is damaged"},

@@ -37,7 +37,8 @@ bool run_mesh_job(isolated::Job job, std::span<const std::byte> file, ReplySink&
 bool run_picture_job(isolated::Job job, std::span<const std::byte> file, ReplySink& reply);
 bool run_video_job(isolated::Job job, std::span<const std::byte> file, ReplySink& reply);
 
-/// Runs a job; an exception becomes an error in the reply.
+/// Runs a job; an exception becomes an error in the reply, but for the std::system_error that the system
+/// gives no further thread, which is thrown on.
 bool run_guarded(RunJob run, isolated::Job job, std::span<const std::byte> file, ReplySink& reply);
 
 }  // namespace palpable::sources::decoder

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <system_error>
 #include <vector>
 
 #include <sys/mman.h>
@@ -28,6 +29,11 @@ std::span<const std::byte> input() {
   const void* begin = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, protocol::kInputDescriptor, 0);
   if (begin == MAP_FAILED) return {};
   return {static_cast<const std::byte*>(begin), size};
+}
+
+bool report_begin() {
+  constexpr char kBegin = 'b';
+  return write(protocol::kAliveDescriptor, &kBegin, 1) == 1;
 }
 
 /// The reply in its memory file. Small parts are collected, so that each write fills whole pages of the file:
@@ -83,7 +89,8 @@ int run_decoder(int argc, char** argv, const Decoder& decoder) {
   const Allowance allowance{static_cast<std::uint64_t>(*memory), static_cast<std::uint64_t>(*written),
                             static_cast<std::uint64_t>(*seconds)};
   const auto file = input();
-  if (file.empty() || !confine(allowance, protocol::kAliveDescriptor + 1)) return protocol::kNotConfined;
+  if (file.empty()) return protocol::kNoInput;
+  if (!confine(allowance, protocol::kAliveDescriptor + 1) || !report_begin()) return protocol::kNotConfined;
   ReplyFile reply;
   const bool replied = run_guarded(decoder.run, *job, file, reply) && reply.flush();
   return replied ? protocol::kReplied : protocol::kNotWritten;
@@ -95,6 +102,8 @@ void serve(int argc, char** argv, const Decoder& decoder) {
   // Without running the libraries' destructors: the reply is written, and nothing else is left to do.
   try {
     _exit(run_decoder(argc, argv, decoder));
+  } catch (const std::system_error&) {
+    _exit(protocol::kNoThread);
   } catch (const std::exception&) {
     _exit(protocol::kNotWritten);
   }

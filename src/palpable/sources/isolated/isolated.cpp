@@ -4,6 +4,7 @@
 
 #include "palpable/core/system/child_process.hpp"
 #include "palpable/core/system/memory.hpp"
+#include "palpable/sources/isolated/decoder_process.hpp"
 #include "palpable/sources/isolated/protocol.hpp"
 
 #include <algorithm>
@@ -18,7 +19,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -86,36 +86,56 @@ Result<fs::path> decoder_program(Job job) {
   const auto& [name, variable] = entry_of(job).program;
   auto program = helper_program(name, variable, PALPABLE_DECODER_FOLDER);
   if (program) return program;
-  return Error{ErrorCode::failed,
-               fmt::format("cannot be read: the program {}, which reads this kind of file, is missing: {}",
-                           name, program.error().message),
-               {}};
+  return Error{
+      ErrorCode::failed,
+      fmt::format("cannot be read: the installation of Palpable is incomplete: the program {}, which "
+                  "reads this kind of file, cannot be used: {}",
+                  name, program.error().message),
+      {}};
 }
 
-/// Waits until the other end is closed; false after `patience`.
-bool wait_for_end(int alive, std::chrono::seconds patience) {
-  const auto deadline = std::chrono::steady_clock::now() + patience;
-  while (true) {
-    const auto left =
-        std::chrono::duration_cast<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
-    if (left.count() <= 0) return false;
-    pollfd ended{alive, POLLIN, 0};
-    const int ready = ::poll(&ended, 1, static_cast<int>(std::min<std::int64_t>(left.count(), 60'000)));
-    if (ready > 0) return true;
-    if (ready < 0 && errno != EINTR) return false;
-  }
+Error gives_too_much() {
+  return invalid_input("is damaged or too large: it gives more than its size explains");
 }
 
-/// The exit status of the process, if it has ended.
-std::optional<int> status_of(pid_t process) {
-  int status = 0;
-  while (::waitpid(process, &status, 0) < 0)
-    if (errno != EINTR) return std::nullopt;
-  return status;
+/// Why the program did not even begin: "ended with 127 before it began to read".
+std::string end_before_begin(const DecoderEnd& end) {
+  constexpr int kNotLoaded = 127;
+  if (!end.in_time) return "did not begin to read in time";
+  if (!end.status) return "ended, and the system did not say how";
+  if (WIFSIGNALED(*end.status))
+    return fmt::format("crashed before it began to read (signal {})", WTERMSIG(*end.status));
+  return fmt::format("ended with {} before it began to read{}", WEXITSTATUS(*end.status),
+                     WEXITSTATUS(*end.status) == kNotLoaded ? ", since the system could not load it" : "");
 }
 
-Result<void> judge(std::optional<int> status, bool in_time, const Limits& limits) {
-  if (!in_time || (status && WIFSIGNALED(*status) && WTERMSIG(*status) == SIGXCPU))
+/// The file is not at fault.
+Error incomplete(const fs::path& program, const std::string& what) {
+  std::string sentence =
+      fmt::format("cannot be read: its decoder {} {}: the installation of Palpable is incomplete",
+                  program.string(), what);
+  if (const auto most = address_space_limit_bytes())
+    sentence += fmt::format(", or the limit of this shell is too low (ulimit -v, {} MiB)", *most / kMiB);
+  return {ErrorCode::failed, std::move(sentence), {}};
+}
+
+Result<void> judge(const DecoderEnd& end, const fs::path& program, const Limits& limits) {
+  const auto& status = end.status;
+  if (status && WIFEXITED(*status)) switch (WEXITSTATUS(*status)) {
+      case kWrongVersion:
+        return incomplete(program, "is of another version");
+      case kNotConfined:
+        return cannot_start("it cannot limit itself");
+      case kNoThread:
+        return cannot_start("the system gives it no further thread (ulimit -u)");
+      case kNoInput:
+        return cannot_start("there is not enough memory for it and the file");
+      default:
+        break;
+    }
+  const bool overran = !end.in_time || (status && WIFSIGNALED(*status) && WTERMSIG(*status) == SIGXCPU);
+  if (!end.began) return incomplete(program, end_before_begin(end));
+  if (overran)
     return invalid_input(fmt::format("is damaged or too large: it was not read within {} s of processor time",
                                      limits.processor_time.count()));
   if (!status) return cannot_start("its end was not reported");
@@ -126,12 +146,8 @@ Result<void> judge(std::optional<int> status, bool in_time, const Limits& limits
   switch (WEXITSTATUS(*status)) {
     case kReplied:
       return {};
-    case kWrongVersion:
-      return cannot_start("it is of another version");
-    case kNotConfined:
-      return cannot_start("it cannot limit itself");
     case kNotWritten:
-      return invalid_input("is damaged or too large: it gives more than its size explains");
+      return gives_too_much();
     default:
       return invalid_input(fmt::format("is damaged: its decoder ended with {}", WEXITSTATUS(*status)));
   }
@@ -139,8 +155,9 @@ Result<void> judge(std::optional<int> status, bool in_time, const Limits& limits
 
 Result<Reply> mapped(int reply, std::uint64_t most_bytes) {
   struct stat now {};
-  if (::fstat(reply, &now) != 0 || now.st_size <= 0 || static_cast<std::uint64_t>(now.st_size) > most_bytes)
+  if (::fstat(reply, &now) != 0 || now.st_size <= 0)
     return invalid_input("is damaged: its decoder gave nothing");
+  if (static_cast<std::uint64_t>(now.st_size) > most_bytes) return gives_too_much();
   const auto size = static_cast<std::size_t>(now.st_size);
   void* begin = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, reply, 0);
   if (begin == MAP_FAILED) return cannot_start(reason_of(errno));
@@ -230,11 +247,14 @@ Result<Reply> decode(Job job, FileView file, const Limits& limits) {
       {std::string(kProtocolVersion), std::string(name_of(job)), std::to_string(limits.memory_bytes),
        std::to_string(limits.result_bytes), std::to_string(limits.processor_time.count())},
       std::array{file.descriptor(), reply.number(), its_end.number()});
-  if (!process) return cannot_start(process.error().message);
+  if (!process) {
+    const bool is_short_of = errno == EAGAIN || errno == ENOMEM || errno == EMFILE || errno == ENFILE;
+    const std::string& why = process.error().message;
+    return is_short_of ? cannot_start(why) : incomplete(*program, "cannot be started: " + why);
+  }
   its_end.close();
-  const bool in_time = wait_for_end(alive.number(), limits.time);
-  if (!in_time) ::kill(*process, SIGKILL);
-  if (auto good = judge(status_of(*process), in_time, limits); !good) return std::move(good).error();
+  const DecoderEnd end = wait_for_end(*process, std::move(alive), limits.time);
+  if (auto good = judge(end, *program, limits); !good) return std::move(good).error();
   return mapped(reply.number(), limits.result_bytes);
 }
 

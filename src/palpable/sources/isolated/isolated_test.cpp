@@ -56,6 +56,13 @@ class WithDecoder {
   fs::path file_;
 };
 
+/// What a decoder reports before it reads the file.
+const std::string kBegin = "printf b >&5; ";
+
+/// Of processor time; more of wall time, since a busy machine may start a program late.
+constexpr Limits kOneSecond{std::uint64_t{1} << 30U, std::uint64_t{1} << 20U, std::chrono::seconds(1),
+                            std::chrono::seconds(3)};
+
 std::string message_of(const Result<Mesh>& mesh) { return mesh ? "a mesh" : mesh.error().message; }
 
 TEST(Isolated, GivesEveryTriangleOfAMesh) {
@@ -89,7 +96,7 @@ TEST(Isolated, SaysWhatTheDecoderRefused) {
 }
 
 TEST(Isolated, ACrashIsDamage) {
-  const WithDecoder crashing("kill -SEGV $$");
+  const WithDecoder crashing(kBegin + "kill -SEGV $$");
   const auto mesh = decode_mesh(as_bytes(kTetrahedron), "obj");
   ASSERT_FALSE(mesh);
   EXPECT_EQ(mesh.error().code, ErrorCode::invalid_input);
@@ -110,13 +117,55 @@ TEST(Isolated, DeepNestingDoesNotEndThisProcess) {
 }
 
 TEST(Isolated, EndlessWorkIsEnded) {
-  const Limits limits{std::uint64_t{1} << 30U, std::uint64_t{1} << 20U, std::chrono::seconds(1),
-                      std::chrono::seconds(1)};
-  const WithDecoder endless("while :; do :; done");
-  const auto reply = decode(Job::obj, as_bytes(kTetrahedron), limits);
+  const WithDecoder endless(kBegin + "while :; do :; done");
+  const auto reply = decode(Job::obj, as_bytes(kTetrahedron), kOneSecond);
   ASSERT_FALSE(reply);
   EXPECT_EQ(reply.error().code, ErrorCode::invalid_input);
   EXPECT_THAT(reply.error().message, HasSubstr("was not read within 1 s"));
+}
+
+TEST(Isolated, AProgramThatHangsIsEndedWhateverItDoesWithItsDescriptors) {
+  const fs::path left = fs::path(testing::TempDir()) / "palpable-isolated-left";
+  for (const std::string& script : {std::string("sleep 60"), std::string("exec 5>&-; sleep 60"),
+                                    "(sleep 5; touch " + left.string() + ") & sleep 60"}) {
+    const WithDecoder hanging(kBegin + script);
+    const auto begin = std::chrono::steady_clock::now();
+    const auto reply = decode(Job::obj, as_bytes(kTetrahedron), kOneSecond);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30)) << script;
+    ASSERT_FALSE(reply) << script;
+    EXPECT_THAT(reply.error().message, HasSubstr("was not read within 1 s")) << script;
+  }
+  // What it has started ends with it.
+  std::this_thread::sleep_for(std::chrono::seconds(4));
+  EXPECT_FALSE(fs::exists(left));
+}
+
+TEST(Isolated, AProgramThatRestsIsEndedBeforeItsTime) {
+  const WithDecoder hanging(kBegin + "exec sleep 300");
+  Limits patient = kOneSecond;
+  patient.time = std::chrono::seconds(300);
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_FALSE(decode(Job::obj, as_bytes(kTetrahedron), patient));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(100));
+}
+
+TEST(Isolated, AProgramThatDoesNotBeginIsNoFaultOfTheFile) {
+  for (const char* script : {"exit 127", "kill -SEGV $$", "exit 0", "exit 3", "while :; do :; done"}) {
+    const WithDecoder broken(script);
+    const auto reply = decode(Job::obj, as_bytes(kTetrahedron), kOneSecond);
+    ASSERT_FALSE(reply) << script;
+    EXPECT_EQ(reply.error().code, ErrorCode::failed) << script;
+    EXPECT_THAT(reply.error().message, HasSubstr("palpable-decoder-AProgram")) << script;
+    EXPECT_THAT(reply.error().message, HasSubstr("the installation of Palpable is incomplete")) << script;
+  }
+}
+
+TEST(Isolated, AProgramThatGetsNoThreadIsNoFaultOfTheFile) {
+  const WithDecoder starved(kBegin + "exit 14");
+  const auto reply = decode(Job::obj, as_bytes(kTetrahedron), kOneSecond);
+  ASSERT_FALSE(reply);
+  EXPECT_EQ(reply.error().code, ErrorCode::failed);
+  EXPECT_THAT(reply.error().message, HasSubstr("thread"));
 }
 
 TEST(Isolated, AMissingOrDifferentDecoderIsReported) {
@@ -125,6 +174,7 @@ TEST(Isolated, AMissingOrDifferentDecoderIsReported) {
   ::unsetenv("PALPABLE_MESH_DECODER");
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, ErrorCode::failed);
+  EXPECT_THAT(missing.error().message, HasSubstr("/nowhere/palpable-mesh-decoder"));
   const WithDecoder older("exit 10");
   const auto other = decode_mesh(as_bytes(kTetrahedron), "obj");
   ASSERT_FALSE(other);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -151,6 +152,7 @@ class Collector : public osmium::handler::Handler {
   }
 
   void way(const osmium::Way& way) {
+    if (way.nodes().size() > kMostReferences) longest = std::max(longest, way.nodes().size());
     const osmium::TagList& tags = way.tags();
     auto kind = way_kind(tags);
     if (!kind || !way.visible() || value_of(tags, "area") == "yes") return;
@@ -183,7 +185,12 @@ class Collector : public osmium::handler::Handler {
         extract.areas.push_back({tag->kind, std::move(points)});
   }
 
+  /// OpenStreetMap takes ways of 2000 nodes; other programs may write longer ones.
+  static constexpr std::size_t kMostReferences = 100'000;
+
   MapExtract extract;
+  /// The number of references of the longest way that has too many; 0 if none has.
+  std::size_t longest = 0;
 
  private:
   static std::vector<GeoPoint> points_of(const osmium::OuterRing& ring) {
@@ -257,6 +264,9 @@ Result<MapExtract> parse_map_extract(std::span<const std::byte> file) {
     osmium::apply(buffer, collector);
   }));
   reader.close();
+  if (collector.longest > 0)
+    return invalid_input("is damaged: it has a way of " + std::to_string(collector.longest) +
+                         " nodes, and OpenStreetMap allows 2000");
   return std::move(collector.extract);
 }
 

@@ -265,6 +265,11 @@ Result<WindowMap> street_map_of(const MapExtract& extract, const ExtractWindow& 
   if (out.map.streets.empty())
     return invalid_input(fmt::format("has no streets in the {:.0f} m around {:.5f},{:.5f}", window.width_m,
                                      center->latitude, center->longitude));
+  // The densest cities have a tenth of this in the widest window.
+  constexpr std::size_t kMostStreets = 200'000;
+  if (out.map.streets.size() > kMostStreets)
+    return invalid_input(fmt::format("is damaged, or its window is too wide: it has {} streets in {:.0f} m",
+                                     out.map.streets.size(), window.width_m));
   add_areas(out.map, extract, project);
   add_places(out.map, extract, layers, project);
   if (!window.center)

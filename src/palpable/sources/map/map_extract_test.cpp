@@ -64,6 +64,34 @@ TEST(MapExtractFile, WaysAndAreasAreReadWithTheirNamesAndPlaces) {
   EXPECT_EQ(extract->areas[0].ring.size(), 4U);
 }
 
+/// Main Street as one way through nodes 2 and 3, `times` there and back.
+std::string there_and_back(int times) {
+  std::string text = kCrossing.substr(0, kCrossing.find("<way id=\"100\">")) + "<way id=\"100\">";
+  for (int k = 0; k < times; ++k) text += "<nd ref=\"2\"/><nd ref=\"3\"/>";
+  return text + "<tag k=\"highway\" v=\"residential\"/></way></osm>";
+}
+
+TEST(MapExtractFile, AWayOfMoreNodesThanAnyIsRefused) {
+  const auto extract = parsed(there_and_back(50'001));
+  ASSERT_FALSE(extract);
+  EXPECT_THAT(extract.error().message, HasSubstr("a way of 100002 nodes"));
+}
+
+TEST(MapExtractFile, AWindowOfMoreStreetsThanAnyIsRefused) {
+  std::string text = there_and_back(50'000);
+  const auto begin = text.find("<way"), end = text.find("</osm>");
+  const std::string way = text.substr(begin, end - begin);
+  for (const char* number : {"101", "102"}) {
+    std::string other = way;
+    text.insert(text.find("</osm>"), other.replace(other.find("100"), 3, number));
+  }
+  const auto extract = parsed(text);
+  ASSERT_TRUE(extract) << extract.error().sentence();
+  const auto map = street_map_of(*extract, window_at(0.0, 0.0005, 300.0));
+  ASSERT_FALSE(map);
+  EXPECT_THAT(map.error().message, HasSubstr("streets in 300 m"));
+}
+
 TEST(MapExtractFile, NodesAfterTheirWaysAndBelowZeroAreFound) {
   const auto extract = parsed(R"(<?xml version='1.0'?><osm version="0.6">
 <way id="-1"><nd ref="-2"/><nd ref="3"/><tag k="highway" v="residential"/><tag k="width" v="40 ft"/></way>

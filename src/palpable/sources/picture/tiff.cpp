@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <tiffio.h>
@@ -257,17 +258,19 @@ bool read_into(TIFF* tiff, StoredImage image, SampleSink& sink) {
 
 Result<void> decode_tiff(std::span<const std::byte> file, SampleSink& sink) {
   Source source{file, 0, {}};
-  const auto damaged = [&source] {
-    return invalid_input(std::string("is a TIFF picture that is damaged, cut off or of an unknown kind (") +
-                         source.message.data() + ")");
+  const auto damaged = [&source](std::string_view otherwise) {
+    const std::string_view why = source.message.data();
+    return invalid_input("is a TIFF picture that is damaged, cut off or of an unknown kind (" +
+                         std::string(why.empty() ? otherwise : why) + ")");
   };
   const Handle tiff = open(source);
-  if (!tiff) return damaged();
+  if (!tiff) return damaged("it has no directory");
   const auto width = field<std::uint32_t>(tiff.get(), TIFFTAG_IMAGEWIDTH, 0);
   const auto height = field<std::uint32_t>(tiff.get(), TIFFTAG_IMAGELENGTH, 0);
+  if (width == 0 || height == 0) return damaged("its directory states no width or no height");
   if (auto size = check_picture_size(width, height); !size) return std::move(size).error();
   if (!read_into(tiff.get(), {static_cast<int>(width), static_cast<int>(height), 1, 8, {}}, sink))
-    return damaged();
+    return damaged("its rows or tiles are smaller than its size");
   return {};
 }
 

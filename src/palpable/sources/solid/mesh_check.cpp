@@ -3,6 +3,7 @@
 #include "palpable/sources/solid/mesh_check.hpp"
 
 #include "palpable/core/files/byte_reader.hpp"
+#include "palpable/sources/solid/polygon.hpp"
 #include "palpable/sources/solid/text_words.hpp"
 
 #include <algorithm>
@@ -20,7 +21,16 @@ namespace {
 
 constexpr std::size_t kStlHeader = 84, kStlTriangle = 50;
 
+/// A file with holes, or whose end the disk never got, has zeros there, which are no text.
+Result<void> check_text(std::string_view text, std::string_view kind) {
+  const std::size_t zero = text.find('\0');
+  if (zero == std::string_view::npos) return {};
+  return invalid_input(
+      fmt::format("is {} file that is damaged: byte {} is zero, which is no text", kind, zero));
+}
+
 Result<void> check_text_stl(std::string_view text) {
+  if (auto plain = check_text(text, "an STL"); !plain) return plain;
   std::size_t begun = 0, ended = 0, corners = 0;
   bool is_open = false;
   while (!text.empty()) {
@@ -65,6 +75,7 @@ std::optional<long long> face_corner_of(std::string_view word) {
 class ObjCheck {
  public:
   Result<void> check(std::string_view text) {
+    if (auto plain = check_text(text, "an OBJ"); !plain) return plain;
     const bool has_end = text.ends_with('\n');
     while (!text.empty()) {
       std::string_view line = next_line(text);
@@ -83,6 +94,9 @@ class ObjCheck {
       }
       const std::string_view word = next_word(line);
       const bool good = word == "v" ? add_vertex(line) : word != "f" || add_face(line);
+      if (corners_ > kMostCorners)
+        return invalid_input(
+            fmt::format("has a face of more than {} corners, in line {}", kMostCorners, line_number_));
       if (!good)
         return invalid_input(
             fmt::format("is an OBJ file that is cut off or damaged: line {} is not a complete {}",
@@ -119,16 +133,16 @@ class ObjCheck {
   }
   /// Vertices may follow the faces that use them.
   bool add_face(std::string_view rest) {
-    int corners = 0;
-    for (std::string_view word = next_word(rest); !word.empty() && word.front() != '#';
-         word = next_word(rest)) {
+    corners_ = 0;
+    for (std::string_view word = next_word(rest);
+         !word.empty() && word.front() != '#' && corners_ <= kMostCorners; word = next_word(rest)) {
       const auto index = face_corner_of(word);
       if (!index || *index == 0 || -*index > vertices_) return false;
       if (*index > highest_) highest_ = *index, line_of_highest_ = line_number_;
       use(*index > 0 ? *index : vertices_ + 1 + *index);
-      ++corners;
+      ++corners_;
     }
-    return corners >= 3;
+    return corners_ >= 3;
   }
 
   void use(long long vertex) {
@@ -142,6 +156,8 @@ class ObjCheck {
 
   std::vector<bool> used_;
   std::size_t line_number_ = 0;
+  /// Of the last face.
+  std::size_t corners_ = 0;
   long long vertices_ = 0;
   long long highest_ = 0;
   std::size_t line_of_highest_ = 0;

@@ -64,6 +64,19 @@ TEST(MeshCheck, RefusesAnObjWhoseFacesNameVerticesThatThereAreNot) {
               HasSubstr("1 of its 4 vertices belong to no face"));
 }
 
+TEST(MeshCheck, RefusesTextWithHoles) {
+  using namespace std::string_literals;
+  EXPECT_THAT(refusal("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n# \0\0\n"s, "obj"), HasSubstr("byte 34 is zero"));
+  EXPECT_THAT(refusal("solid a\n" + std::string(kFacet) + "\0endsolid a\n"s, "stl"), HasSubstr("is zero"));
+}
+
+TEST(MeshCheck, RefusesAFaceOfMoreCornersThanOneHas) {
+  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf";
+  for (int k = 0; k < 1024; ++k) text += ' ' + std::to_string(k % 3 + 1);
+  EXPECT_TRUE(checked(text + "\n", "obj"));
+  EXPECT_THAT(refusal(text + " 1\n", "obj"), HasSubstr("a face of more than 1024 corners, in line 4"));
+}
+
 TEST(MeshCheck, RefusesAGlbOfAnotherLengthThanItStates) {
   std::string glb = std::string("glTF\2\0\0\0", 8) + std::string("\x20\0\0\0", 4) + std::string(20, '\0');
   EXPECT_TRUE(checked(glb, "glb"));

@@ -64,6 +64,73 @@ TEST(MeshFile, InTextKeepsItsShapeFarFromItsOrigin) {
     }
 }
 
+/// The tetrahedron as GLB, in the node that the JSON describes; `{}` in it stands for the mesh.
+std::string glb_in(const std::string& nodes) {
+  std::string binary;
+  const auto put = [&binary](auto value) {
+    binary.append(reinterpret_cast<const char*>(&value), sizeof value);
+  };
+  for (const Vec3& c : kCorners)
+    for (const double v : {c.x, c.y, c.z}) put(static_cast<float>(v));
+  for (const auto& f : kFaces)
+    for (const std::uint32_t k : f) put(k);
+  std::string json =
+      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[)" + nodes +
+      R"(],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"buffers":[{"byteLength":96}],)"
+      R"("bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":48}],)"
+      R"("accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[0.04,0.03,0.02]},)"
+      R"({"bufferView":1,"componentType":5125,"count":12,"type":"SCALAR"}]})";
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const std::string chunks = [&] {
+    const std::string content = std::move(binary);
+    binary.clear();
+    put(static_cast<std::uint32_t>(json.size()));
+    binary += "JSON" + json;
+    put(static_cast<std::uint32_t>(content.size()));
+    binary += std::string("BIN\0", 4) + content;
+    return std::move(binary);
+  }();
+  binary = "glTF";
+  put(std::uint32_t{2});
+  put(static_cast<std::uint32_t>(12 + chunks.size()));
+  return binary + chunks;
+}
+
+Result<Mesh> glb_mesh_in(const std::string& nodes) { return decode_mesh(as_bytes(glb_in(nodes)), "glb"); }
+
+double volume_of(const Mesh& mesh, Vec3 from) {
+  double six_volumes = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles)
+    six_volumes +=
+        dot(mesh.vertices_m[a] - from, cross(mesh.vertices_m[b] - from, mesh.vertices_m[c] - from));
+  return six_volumes / 6.0;
+}
+
+TEST(MeshFile, GlbKeepsItsShapeInANodeFarFromTheOrigin) {
+  // Numbers that single precision has.
+  for (const Vec3 place : {Vec3{0, 0, 0}, Vec3{5000, -2500, 10}, Vec3{6'378'136, 1e6, 2e6}}) {
+    const auto mesh = glb_mesh_in(
+        fmt::format(R"({{"children":[1],"translation":[{},{},{}]}},{{"mesh":0,"translation":[2,0,0]}})",
+                    place.x, place.y, place.z));
+    ASSERT_TRUE(mesh) << mesh.error().message;
+    EXPECT_EQ(mesh->triangles.size(), 4U);
+    EXPECT_LT(error_of(*mesh, place + Vec3{2, 0, 0}), 2 * kStated_m) << place.x;
+  }
+}
+
+TEST(MeshFile, GlbMovesAMeshAlsoByMillimetres) {
+  const auto mesh = glb_mesh_in(R"({"mesh":0,"translation":[0.005,0,0]})");
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  EXPECT_LT(error_of(*mesh, {0.005, 0, 0}), 2 * kStated_m);
+}
+
+TEST(MeshFile, GlbInAMirroredNodeHasItsInsideWithin) {
+  const auto plain = glb_mesh_in(R"({"mesh":0})"), mirrored = glb_mesh_in(R"({"mesh":0,"scale":[-1,1,1]})");
+  ASSERT_TRUE(plain && mirrored);
+  EXPECT_GT(volume_of(*plain, {}), 0.0);
+  EXPECT_NEAR(volume_of(*mirrored, {}), volume_of(*plain, {}), 1e-12);
+}
+
 TEST(MeshFile, WithVerticesOfAnotherKindIsReadAsItIs) {
   // A fourth number is a weight, by which the others are divided.
   const auto weighted = decode_mesh(as_bytes(obj_at({5000, 0, 0}, " 2")), "obj");

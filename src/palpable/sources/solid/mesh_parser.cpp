@@ -9,6 +9,8 @@
 
 #include <exception>
 #include <new>
+#include <utility>
+#include <vector>
 
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
@@ -18,24 +20,44 @@
 namespace palpable::sources {
 namespace {
 
+/// In double precision: a node far from the origin would round the shape of its mesh, and Assimp's own
+/// transformation (aiProcess_PreTransformVertices) leaves out those below a hundredth.
+using Transform = aiMatrix4x4t<double>;
+
+/// Appends a mesh of a node.
+Result<void> append(const aiMesh& part, const Transform& world, Mesh& mesh) {
+  if (mesh.triangles.size() + part.mNumFaces > kMostTriangles)
+    return invalid_input("has more than 20 million triangles; simplify it first");
+  const auto first = static_cast<std::uint32_t>(mesh.vertices_m.size());
+  for (unsigned v = 0; v < part.mNumVertices; ++v) {
+    const aiVector3D& p = part.mVertices[v];
+    const auto at = world * aiVector3t<double>(static_cast<double>(p.x), static_cast<double>(p.y),
+                                               static_cast<double>(p.z));
+    mesh.vertices_m.push_back({at.x, at.y, at.z});
+  }
+  // A mirrored mesh is turned inside out otherwise.
+  const bool is_mirrored = world.Determinant() < 0.0;
+  for (unsigned f = 0; f < part.mNumFaces; ++f) {
+    const aiFace& face = part.mFaces[f];
+    if (face.mNumIndices != 3) continue;
+    const auto corner = [&](unsigned k) { return first + face.mIndices[k]; };
+    mesh.triangles.push_back({corner(0), corner(is_mirrored ? 2 : 1), corner(is_mirrored ? 1 : 2)});
+  }
+  return {};
+}
+
 Result<Mesh> mesh_from(const aiScene& scene) {
   Mesh mesh;
-  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
-    const aiMesh& part = *scene.mMeshes[m];
-    const auto first = static_cast<std::uint32_t>(mesh.vertices_m.size());
-    for (unsigned v = 0; v < part.mNumVertices; ++v) {
-      const aiVector3D& p = part.mVertices[v];
-      mesh.vertices_m.push_back(
-          {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)});
-    }
-    for (unsigned f = 0; f < part.mNumFaces; ++f) {
-      const aiFace& face = part.mFaces[f];
-      if (face.mNumIndices != 3) continue;
-      mesh.triangles.push_back(
-          {first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]});
-    }
-    if (mesh.triangles.size() > kMostTriangles)
-      return invalid_input("has more than 20 million triangles; simplify it first");
+  std::vector<std::pair<const aiNode*, Transform>> left{{scene.mRootNode, Transform()}};
+  while (!left.empty()) {
+    const auto [node, parent] = left.back();
+    left.pop_back();
+    const Transform world = parent * static_cast<Transform>(node->mTransformation);
+    for (unsigned k = 0; k < node->mNumMeshes; ++k)
+      if (auto appended = append(*scene.mMeshes[node->mMeshes[k]], world, mesh); !appended)
+        return std::move(appended).error();
+    // In their order.
+    for (unsigned k = node->mNumChildren; k > 0; --k) left.emplace_back(node->mChildren[k - 1], world);
   }
   if (mesh.triangles.empty()) return invalid_input("is a mesh without triangles");
   return mesh;
@@ -53,12 +75,11 @@ Result<Mesh> parse_by_assimp(std::span<const std::byte> file, const std::string&
       "cannot be read as a mesh: what it holds is not valid for a file of this kind (" + ending + ")");
   try {
     Assimp::Importer importer;
-    // Lines and points are not surfaces; transforms of nodes are applied to their vertices.
+    // Lines and points are not surfaces.
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_LINE | aiPrimitiveType_POINT);
     const aiScene* scene = importer.ReadFileFromMemory(
-        file.data(), file.size(),
-        aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices, ending.c_str());
-    if (scene == nullptr) return unreadable;
+        file.data(), file.size(), aiProcess_Triangulate | aiProcess_SortByPType, ending.c_str());
+    if (scene == nullptr || scene->mRootNode == nullptr) return unreadable;
     return mesh_from(*scene);
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::failed, "needs more memory than there is", {}};
