@@ -115,7 +115,7 @@ TEST(RemoteWire, EndsAtBytesThatAreNoMessage) {
     reader.take(bytes);
     const auto message = reader.next();
     // A changed kind is no surface; a changed length waits for more, or is too long.
-    if (message) EXPECT_FALSE(parse_surface(*message));
+    EXPECT_FALSE(message && parse_surface(*message));
   }
   MessageReader reader;
   for (int k = 0; k < 100; ++k) reader.take(std::vector<std::byte>(4096, std::byte{'P'}));

@@ -79,7 +79,7 @@ bool ReopeningLoop::wait(std::chrono::milliseconds longest) {
 void ReopeningLoop::watch() {
   std::optional<Clock::time_point> failed_since;
   while (wait(loop() ? kReopenLook : kBetweenTries)) {
-    const auto current = loop();
+    auto current = loop();
     if (!current) {
       try_to_open();
       continue;
@@ -91,6 +91,8 @@ void ReopeningLoop::watch() {
     if (!failed_since) failed_since = Clock::now();
     if (Clock::now() - *failed_since < kFailedFor) continue;
     failed_since.reset();
+    // Else the loop would not be freed.
+    current.reset();
     close_failed();
   }
 }

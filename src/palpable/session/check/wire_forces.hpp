@@ -48,24 +48,33 @@ class WireForces {
 
  private:
   static constexpr std::size_t kLeft = 400;
-  /// How many written forces a driver may leave out at once.
-  static constexpr std::size_t kSkipped = 300;
+  /// How many written forces are searched: a device on a busy machine may be seconds behind, and a spell in
+  /// the air is as many equal ones.
+  static constexpr std::size_t kSkipped = 5000;
+  static constexpr std::size_t kNear = 20;
 
   void match(Vec3 force_N) {
+    if (force_N == Vec3{}) {
+      // Zero is written for long spells, and may be sent without having been written: it tells nothing of
+      // how far the device is.
+      const auto near = written_.begin() + static_cast<std::ptrdiff_t>(std::min(kNear, written_.size()));
+      const bool was_written = std::find(written_.begin(), near, Vec3{}) != near;
+      ++(was_written ? matched_ : withheld_);
+      return;
+    }
     const std::size_t most = std::min(kSkipped, written_.size());
+    const auto off_N = [&](std::size_t k) { return norm(written_[k] - force_N); };
     for (std::size_t k = 0; k < most; ++k) {
-      const double off_N = norm(written_[k] - force_N);
-      if (off_N > step_N_) continue;
+      if (off_N(k) > step_N_) continue;
+      // A slowly changing force: the nearest one of those that follow.
+      while (k + 1 < most && off_N(k + 1) < off_N(k)) ++k;
+      max_difference_N_ = std::max(max_difference_N_, off_N(k));
       written_.erase(written_.begin(), written_.begin() + static_cast<std::ptrdiff_t>(k));
-      max_difference_N_ = std::max(max_difference_N_, off_N);
-      with_force_ += norm(force_N) > 0.0 ? 1U : 0U;
+      ++with_force_;
       ++matched_;
       return;
     }
-    if (force_N == Vec3{})
-      ++withheld_;
-    else
-      ++different_;
+    ++different_;
   }
 
   double step_N_;

@@ -103,11 +103,11 @@ TEST(RemoteTouch, IsPassiveAndNeverStepsWhateverTheLinkIsLike) {
       EXPECT_LE(touched.max_growth_N, 1e-6 + limits.max_force_rate_N_per_s * RemoteBench::kTick_s)
           << link.name;
       EXPECT_LE(touched.max_force_N, 3.3 + 1e-6) << link.name;
-      if (link.is_usable) EXPECT_GT(touched.contact_ticks, 500.0) << link.name;
+      EXPECT_TRUE(touched.contact_ticks > 500.0 || !link.is_usable) << link.name;
       // A late change of the surface may spend what the hand lost to damper and friction in half a second,
       // which the observer does not count; without a delay nothing is made.
       EXPECT_LE(touched.counts.made_max_J, 1e-3) << link.name << ", seed " << seed;
-      if (link.quality.delay_s == 0.0) EXPECT_LE(touched.counts.made_max_J, 1e-6) << seed;
+      EXPECT_TRUE(touched.counts.made_max_J <= 1e-6 || link.quality.delay_s > 0.0) << seed;
       if (std::getenv("PALPABLE_REMOTE_SECONDS") != nullptr)
         std::cout << link.name << ", seed " << seed << ": contact " << touched.contact_ticks
                   << " ticks, growth " << touched.max_growth_N << " N, most " << touched.max_force_N
