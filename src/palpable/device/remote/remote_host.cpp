@@ -110,8 +110,8 @@ void RemoteHost::admit(const std::string& secret) {
   client_ = std::move(visitor_);
   visitor_.reset();
   client_->heard = client_->second = Clock::now();
-  client_->stream.send(welcome_message(secret_, options_.traits));
   exchange_->connected = true;
+  client_->stream.send(welcome_message(secret_, options_.traits));
   tell(returns ? "The program that touches is connected again." : "A program touches with this device now.");
 }
 

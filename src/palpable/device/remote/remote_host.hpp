@@ -41,7 +41,7 @@ struct HostOptions {
 /// to wait for kWrongTokenWait.
 class RemoteHost {
  public:
-  static constexpr int kMostMessages = 8000;
+  static constexpr int kMostMessages = 3000;
   static constexpr std::chrono::milliseconds kHelloWithin{1000};
   static constexpr std::chrono::milliseconds kWrongTokenWait{500};
   /// A client that was lost for this long has gone, and a new token is made.

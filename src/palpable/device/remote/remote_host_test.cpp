@@ -220,7 +220,7 @@ const Hostile kHostile[]{
      [] {
        std::vector<std::byte> bytes;
        const auto one = surface_message({});
-       for (int k = 0; k < 2 * RemoteHost::kMostMessages; ++k)
+       for (int k = 0; k < 20 * RemoteHost::kMostMessages; ++k)
          bytes.insert(bytes.end(), one.begin(), one.end());
        return bytes;
      },
