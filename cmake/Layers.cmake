@@ -97,6 +97,7 @@ set(PALPABLE_MAY_USE_haptics/servo safety effect law tick)
 set(PALPABLE_ROOMS_session make touch share check)
 set(PALPABLE_MAY_USE_describe core models)
 set(PALPABLE_MAY_USE_session/touch make)
+set(PALPABLE_MAY_USE_session/share touch)
 set(PALPABLE_MAY_USE_session/check touch)
 
 set(PALPABLE_ROOMS_onefile wasm)
