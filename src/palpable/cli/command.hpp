@@ -75,6 +75,7 @@ void add_score_contours(Program& program);
 void add_score_map(Program& program);
 void add_score_structure(Program& program);
 void add_show(Program& program);
+void add_share(Program& program);
 void add_study_stability(Program& program);
 void add_study_tracing(Program& program);
 void add_study_trajectories(Program& program);

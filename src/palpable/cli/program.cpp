@@ -85,6 +85,7 @@ void add_commands(Program& program) {
   add_study_tracing(program);
   add_study_trajectories(program);
   add_devices(program);
+  add_share(program);
   add_methods(program);
   add_doctor(program);
   add_help(program);

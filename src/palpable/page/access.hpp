@@ -2,20 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/result.hpp"
-
 #include <cstdint>
-#include <string>
 #include <string_view>
 
 namespace palpable::page {
-
-/// 128 bits from the operating system's random generator as 32 hexadecimal digits. Errors: the generator
-/// fails.
-Result<std::string> random_secret();
-
-/// Compares in constant time, independent of how many characters agree.
-bool same_secret(std::string_view a, std::string_view b);
 
 /// The value of the cookie `name` in a Cookie header's value; empty if it is absent.
 std::string_view cookie_value(std::string_view header, std::string_view name);
@@ -24,23 +14,5 @@ std::string_view cookie_value(std::string_view header, std::string_view name);
 /// means DNS rebinding; another Origin means a foreign page in the same browser.
 bool is_own_host(std::string_view host, std::uint16_t port);
 bool is_own_origin(std::string_view origin, std::uint16_t port);
-
-/// Exchanges the token of the printed address, once, for the session's secret.
-class SessionAccess {
- public:
-  SessionAccess(std::string token, std::string secret)
-      : token_(std::move(token)), secret_(std::move(secret)) {}
-
-  /// The session's secret for the right token, once; empty for a wrong token or one that was used.
-  std::string exchange(std::string_view token);
-  bool used() const { return used_; }
-  /// Whether this is the session's secret.
-  bool admits(std::string_view secret) const { return same_secret(secret, secret_); }
-
- private:
-  std::string token_;
-  std::string secret_;
-  bool used_ = false;
-};
 
 }  // namespace palpable::page

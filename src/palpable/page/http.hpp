@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/system/secret.hpp"
 #include "palpable/page/access.hpp"
 
 #include <cstdint>

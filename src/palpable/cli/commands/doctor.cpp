@@ -172,6 +172,21 @@ Finding modem_manager() {
   return finding;
 }
 
+/// What can be touched with here, and why the other kinds of devices cannot: a library or a service that is
+/// missing, permissions, or that none is plugged in.
+Finding found_devices() {
+  Finding finding{"devices", Finding::State::good, {}, {}};
+  std::string missing;
+  for (const device::DeviceKind& kind : device::list_devices()) {
+    if (kind.available)
+      finding.found += (finding.found.empty() ? "available: " : ", ") + kind.url;
+    else
+      missing += fmt::format("{}{} ({})", missing.empty() ? "" : "; ", kind.url, kind.note);
+  }
+  if (!missing.empty()) finding.found += "; not available: " + missing;
+  return finding;
+}
+
 std::string_view name_of(Finding::State state) {
   switch (state) {
     case Finding::State::good:
@@ -229,7 +244,7 @@ Result<Answer> examine(const std::string& hand_on_device, Console& console) {
   answer.json["findings"] = Json::array();
   bool ready = true;
   for (const Finding& finding : {processors(), realtime_priority(), servo_rate(), watchdog(), locked_memory(),
-                                 loopback(), device_rules(), modem_manager()}) {
+                                 loopback(), device_rules(), modem_manager(), found_devices()}) {
     answer.json["findings"].push_back({{"name", finding.name},
                                        {"state", name_of(finding.state)},
                                        {"found", finding.found},

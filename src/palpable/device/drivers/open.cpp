@@ -9,6 +9,7 @@
 #include "palpable/device/open_haptics/open_haptics.hpp"
 #include "palpable/device/pointer/pointer.hpp"
 #include "palpable/device/recording/replay.hpp"
+#include "palpable/device/remote/remote_device.hpp"
 #include "palpable/device/simulated/simulated_hand.hpp"
 #include "palpable/device/two_diy/two_diy.hpp"
 #include "palpable/device/url.hpp"
@@ -31,6 +32,9 @@ struct Driver {
 
 Result<std::vector<std::string>> serial_ports() { return two_diy_ports(); }
 Result<std::vector<std::string>> joysticks() { return evdev_ports(); }
+Result<std::vector<std::string>> remote_ports() {
+  return Error{ErrorCode::device, "needs the address that palpable share prints at the other computer", {}};
+}
 
 constexpr std::array kDrivers{
     Driver{"pointer", open_pointer, "pointer", "The page's mouse, finger, pen or arrow keys; no motors.",
@@ -58,6 +62,9 @@ constexpr std::array kDrivers{
            open_haptics_ports},
     Driver{"evdev", open_evdev, "joystick or gamepad",
            "With force feedback, in the plane; gamepads only rumble.", false, joysticks},
+    Driver{"remote", open_remote, "device of another computer",
+           "Where palpable share serves it: remote:HOST:PORT?token=…, as printed there.", false,
+           remote_ports},
 };
 
 Result<const Driver*> driver_of(const DeviceUrl& url) {
@@ -91,6 +98,13 @@ Result<std::unique_ptr<Device>> open_device(std::string_view url, const OpenOpti
   const auto driver = driver_of(*parsed);
   if (!driver) return driver.error();
   return (*driver)->open(*parsed, options);
+}
+
+std::function<Result<std::unique_ptr<Device>>()> reopener(const std::string& url, double rate_hz) {
+  if (is_virtual_device(url) || url.starts_with("remote:")) return {};
+  OpenOptions options;
+  options.rate_hz = rate_hz;
+  return [url, options] { return open_device(url, options); };
 }
 
 std::vector<DeviceKind> list_devices() {

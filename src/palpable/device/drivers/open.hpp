@@ -6,6 +6,7 @@
 #include "palpable/device/device.hpp"
 #include "palpable/device/open_options.hpp"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -17,6 +18,10 @@ namespace palpable::device {
 /// (unknown scheme or option, a value out of range), device (not present, permission denied, no answer),
 /// invalid_input (a recording that cannot be read).
 Result<std::unique_ptr<Device>> open_device(std::string_view url, const OpenOptions& options);
+
+/// Opens the same device again, after it has failed. Empty for virtual devices, and for those that connect
+/// again themselves (remote:).
+std::function<Result<std::unique_ptr<Device>>()> reopener(const std::string& url, double rate_hz);
 
 /// Checks that a URL is well formed and names a known kind of device, without opening it, so that errors are
 /// reported before long computations. Errors: usage.

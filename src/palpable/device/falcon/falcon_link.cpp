@@ -78,7 +78,7 @@ void FalconLink::send() noexcept {
   FalconCommand command;
   command.lights =
       homed ? FalconCommand::kGreen : static_cast<std::uint8_t>(FalconCommand::kRed | FalconCommand::kHoming);
-  if (taken.valid) command.motors = words_for(taken.force_N);
+  if (taken.valid) command.motors = words_for(taken.command);
   if (!usb_.send(falcon_packet(command))) return;
   awaited_ = true;
   sent_s_ = now_s_;

@@ -282,7 +282,7 @@ void Inverse3::Link::send() {
   in_flight_ = forces.take(seconds_between(last_take_, now));
   last_take_ = now;
   in_flight_.valid = in_flight_.valid && calibrated_ && ready_;
-  const Vec3 force = in_flight_.valid ? in_flight_.force_N : Vec3{};
+  const Vec3 force = in_flight_.valid ? in_flight_.command : Vec3{};
   command_ = inverse3_command(device_id_, force, options_.form, std::exchange(first_, false));
   writing_ = true;
   has_pushed_ = has_pushed_ || force != Vec3{};

@@ -131,7 +131,7 @@ void OpenHaptics::exchange() noexcept {
 
   auto taken = forces_.take(kCallPeriod_s);
   taken.valid = taken.valid && state.calibrated;
-  const Vec3 force = taken.valid ? taken.force_N : Vec3{};
+  const Vec3 force = taken.valid ? taken.command : Vec3{};
   const std::array<double, 3> written{force.x, force.y, force.z};
   hd_.hdSetDoublev(hd::kCurrentForce, written.data());
   hd_.hdEndFrame(handle_);

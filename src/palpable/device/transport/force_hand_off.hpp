@@ -12,32 +12,39 @@
 
 namespace palpable::device {
 
-/// Passes forces from the servo's thread to the thread of a driver that exchanges them with its device. A
-/// force that is older than kUnwritten_s, or was put before a cut, is not used any more: a hanging servo
-/// never holds a force. Neither side waits, locks or allocates, except wait_for_zero().
-class ForceHandOff {
+/// Passes commands (forces, or surfaces that make forces) from the servo's thread to the thread of a driver
+/// that exchanges them with its device. A command that is older than `longest_s`, or was put before a cut, is
+/// not used any more: a hanging servo never holds a force. A default Command makes no force. Neither side
+/// waits, locks or allocates, except wait_for_zero().
+template <class Command>
+class CommandHandOff {
  public:
   static constexpr double kUnwritten_s = 0.005;
 
+  explicit CommandHandOff(double longest_s = kUnwritten_s) noexcept
+      : longest_s_(longest_s), since_put_s_(longest_s) {}
+
   struct Taken {
-    /// Zero if there is no valid force.
-    Vec3 force_N;
+    /// The default if there is no valid one.
+    Command command{};
     bool valid = false;
     std::uint32_t cuts = 0;
   };
 
   /// The servo's thread.
-  void put(Vec3 force_N) noexcept { commands_.put({force_N, cuts_.load(std::memory_order_acquire)}); }
+  void put(const Command& command) noexcept {
+    commands_.put({command, cuts_.load(std::memory_order_acquire)});
+  }
 
-  /// Any thread: from the next take() on there is no force until the next put().
+  /// Any thread: from the next take() on there is no command until the next put().
   void cut() noexcept { cuts_.fetch_add(1, std::memory_order_acq_rel); }
 
-  /// The driver's thread: the force to send, `elapsed_s` after the last call.
+  /// The driver's thread: the command to send, `elapsed_s` after the last call.
   Taken take(double elapsed_s) noexcept {
-    since_put_s_ = commands_.take(command_) ? 0.0 : since_put_s_ + elapsed_s;
+    since_put_s_ = commands_.take(last_) ? 0.0 : since_put_s_ + elapsed_s;
     const std::uint32_t cuts = cuts_.load(std::memory_order_acquire);
-    if (since_put_s_ < kUnwritten_s && command_.cuts == cuts) return {command_.force_N, true, cuts};
-    since_put_s_ = kUnwritten_s;
+    if (since_put_s_ < longest_s_ && last_.cuts == cuts) return {last_.command, true, cuts};
+    since_put_s_ = longest_s_;
     return {{}, false, cuts};
   }
 
@@ -55,16 +62,19 @@ class ForceHandOff {
   }
 
  private:
-  struct Command {
-    Vec3 force_N;
+  double longest_s_;
+  struct Put {
+    Command command{};
     std::uint32_t cuts = 0;
   };
-  LatestValue<Command> commands_;
+  LatestValue<Put> commands_;
   std::atomic<std::uint32_t> cuts_{0};
   std::atomic<std::uint32_t> zero_after_cuts_{0};
   // The driver's thread only.
-  Command command_;
-  double since_put_s_ = kUnwritten_s;
+  Put last_;
+  double since_put_s_;
 };
+
+using ForceHandOff = CommandHandOff<Vec3>;
 
 }  // namespace palpable::device

@@ -17,8 +17,10 @@ class FreshReading {
   static constexpr double kStale_s = 0.008;
   static constexpr double kSilent_s = 0.5;
 
-  /// `period_s`: of the servo's ticks. Not ready until renew().
-  explicit FreshReading(double period_s) noexcept : period_s_(period_s) {
+  /// `period_s`: of the servo's ticks; `stale_s`, `silent_s`: as above, for a slower connection. Not ready
+  /// until renew().
+  explicit FreshReading(double period_s, double stale_s = kStale_s, double silent_s = kSilent_s) noexcept
+      : period_s_(period_s), stale_s_(stale_s), silent_s_(silent_s) {
     reading_.status = Status::not_ready;
   }
 
@@ -37,8 +39,8 @@ class FreshReading {
 
   /// The reading of this tick; `failed`: the device is known to have failed.
   const Reading& now(bool failed) noexcept {
-    reading_.status = failed || age_s_ > kSilent_s ? Status::fault
-                      : age_s_ > kStale_s          ? Status::stale
+    reading_.status = failed || age_s_ > silent_s_ ? Status::fault
+                      : age_s_ > stale_s_          ? Status::stale
                                                    : last_;
     return reading_;
   }
@@ -52,6 +54,8 @@ class FreshReading {
 
  private:
   double period_s_;
+  double stale_s_;
+  double silent_s_;
   double age_s_ = 0.0;
   Reading reading_;
   Status last_ = Status::not_ready;

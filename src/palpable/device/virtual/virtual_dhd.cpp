@@ -20,6 +20,8 @@ struct VirtualDhd {
   bool initialised = false;
   LibraryFault fault = LibraryFault::none;
   int buttons = 0;
+  void (*on_force)(void*, double, double, double) = nullptr;
+  void* data = nullptr;
 };
 
 VirtualDhd& the_device() {
@@ -76,6 +78,7 @@ int dhdSetForce(double x, double y, double z, char /*number*/) {
   VirtualDhd& device = the_device();
   if (is_gone()) return -1;
   device.force_N = {x, y, z};
+  if (device.on_force != nullptr) device.on_force(device.data, x, y, z);
   device.handle.move(device.enabled ? device.force_N : Vec3{}, 0.001);
   // "Sent too early" is an answer of the real library, and no error.
   return 1;
@@ -98,6 +101,11 @@ int drdAutoInit(char /*number*/) {
 void virtual_dhd_reset() { the_device() = VirtualDhd{}; }
 void virtual_dhd_inject(int fault) { the_device().fault = static_cast<LibraryFault>(fault); }
 void virtual_dhd_pull_to(double x, double y, double z) { the_device().handle.goal_m = {x, y, z}; }
+/// Calls `on_force` with each force that is set.
+void virtual_dhd_report(void (*on_force)(void*, double, double, double), void* data) {
+  the_device().on_force = on_force;
+  the_device().data = data;
+}
 void virtual_dhd_press(int buttons) { the_device().buttons = buttons; }
 /// The force that the motors hold.
 void virtual_dhd_force(double* x, double* y, double* z) {

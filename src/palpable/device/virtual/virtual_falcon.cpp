@@ -132,6 +132,7 @@ void VirtualFalcon::take_command() {
   for (std::size_t k = 0; k < 3; ++k) motors_[k] = word_of(std::span(whole).subspan(1 + 4 * k, 4));
   lights_ = static_cast<std::uint8_t>(std::to_integer<unsigned>(whole[13]) - 0x41U);
   ++commands_;
+  if (on_command) on_command();
   reply();
 }
 

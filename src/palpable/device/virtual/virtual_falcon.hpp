@@ -59,6 +59,8 @@ class VirtualFalcon {
 
   /// Called at each step of a tenth of a millisecond.
   std::function<void()> on_step;
+  /// Called after each command, when its motors hold it.
+  std::function<void()> on_command;
 
   void inject(Fault fault) { fault_ = fault; }
   void pull_to(Vec3 goal_m) { grip_.goal_m = goal_m; }

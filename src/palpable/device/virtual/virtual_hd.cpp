@@ -62,6 +62,8 @@ struct VirtualHd {
   LibraryFault fault = LibraryFault::none;
   int buttons = 0;
   unsigned updated_by = 0;
+  void (*on_force)(void*, double, double, double) = nullptr;
+  void* reported_to = nullptr;
   /// Runs the scheduler in a thread.
   bool threaded = false;
   std::atomic<bool> ends{false};
@@ -152,7 +154,9 @@ void hdGetIntegerv(unsigned what, int* value) {
 void hdSetDoublev(unsigned what, const double* values) {
   // The real library takes forces only within a frame.
   if (what != hd::kCurrentForce || !the_device().in_frame) return fail(kInvalidValue);
-  the_device().force_N = {values[0], values[1], values[2]};
+  VirtualHd& device = the_device();
+  device.force_N = {values[0], values[1], values[2]};
+  if (device.on_force != nullptr) device.on_force(device.reported_to, values[0], values[1], values[2]);
 }
 
 const char* hdGetString(unsigned what) { return what == hd::kModel ? "Virtual Touch" : ""; }
@@ -213,6 +217,7 @@ void virtual_hd_reset() {
   device.fault = LibraryFault::none;
   device.buttons = 0;
   device.updated_by = 0;
+  device.on_force = nullptr;
 }
 void virtual_hd_run() { the_device().threaded = true; }
 void virtual_hd_call() { call(); }
@@ -223,6 +228,12 @@ void virtual_hd_inject(int fault) {
 void virtual_hd_pull_to(double x, double y, double z) {
   const std::scoped_lock lock(the_device().mutex);
   the_device().handle.goal_m = {x, y, z};
+}
+/// Calls `on_force` with each force that is set.
+void virtual_hd_report(void (*on_force)(void*, double, double, double), void* data) {
+  const std::scoped_lock lock(the_device().mutex);
+  the_device().on_force = on_force;
+  the_device().reported_to = data;
 }
 void virtual_hd_press(int buttons) { the_device().buttons = buttons; }
 /// The force that the motors hold.

@@ -102,6 +102,7 @@ class VirtualInverse3::Server {
     if (message.value("/inverse3/0/device_id"_json_pointer, "") == "0417" && command.contains(wanted)) {
       const json& v = command[wanted];
       force_N_ = {v["x"].get<double>(), v["y"].get<double>(), v["z"].get<double>()};
+      if (options_.on_force) options_.on_force(force_N_);
     }
     handle_.move(force_N_, kStep_s);
   }

@@ -5,6 +5,7 @@
 #include "palpable/device/virtual/moved_handle.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -34,6 +35,8 @@ class VirtualInverse3 {
     closed
   };
   struct Options {
+    /// Called with each force, in the service's frame, by the service's thread.
+    std::function<void(Vec3)> on_force{};
     /// Older services take `values`, newer ones `vector`.
     bool takes_values = false;
     bool calibrated = true;

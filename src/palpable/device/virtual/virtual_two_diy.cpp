@@ -182,6 +182,8 @@ bool VirtualTwoDiy::take_torques(std::uint8_t id) {
   if (!read_into(bytes, 8)) return false;
   const std::lock_guard lock(mutex_);
   std::memcpy(torques_.data(), bytes, 8);
+  if (const auto angles = variant_.linkage.angles_at(place_); angles && on_force)
+    on_force(force_of(variant_.linkage, *angles, torques_by_motor()));
   move();
   answer(id);
   ++messages_;

@@ -8,6 +8,7 @@
 #include <array>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -57,6 +58,9 @@ class VirtualTwoDiy {
   /// Where the hand wants to be, in the pantograph's plane.
   void pull_to(InPlane goal);
   void inject(Fault fault);
+  /// Called with the force of each message's torques, where the handle is then; set it before the port is
+  /// opened.
+  std::function<void(InPlane)> on_force;
 
  private:
   void run();

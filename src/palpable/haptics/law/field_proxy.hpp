@@ -68,6 +68,22 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     return hand_over_of(state.proxy, state.proxy.normal, state.memory);
   }
 
+  TangentPlane tangent_plane(const Hand& hand, const State& state) const noexcept {
+    const bool touches = state.proxy.holds_the_hand();
+    const Vec3 at = touches ? state.proxy.place_m : hand.position.v;
+    const Contact& here = this->materials().contact(this->materials().label_at(at.x, at.y));
+    if (touches)
+      return {true, {at}, {state.proxy.normal}, state.memory.is_known ? state.memory.contact : here};
+    const DilatedSolid<Surface> solid(this->surface(), radius_m_);
+    const models::DistanceSample s = solid.sample(at);
+    const double length = norm(s.gradient);
+    // Where a field has no direction there is no surface near.
+    constexpr double kShortest = 0.1;
+    if (!(length > kShortest)) return {};
+    const Vec3 normal = s.gradient / length;
+    return {true, {at - (s.distance_m / length) * normal}, {normal}, here};
+  }
+
   /// FieldFollower::take_over().
   void take_over(const HandOver& from, State& state) const noexcept {
     if (!from.has_proxy) return;

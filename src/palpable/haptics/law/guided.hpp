@@ -27,6 +27,9 @@ class GuidedTouchable final : public Touchable {
   void take_over(const HandOver& from, TouchState& state) const noexcept override {
     law_->take_over(from, state);
   }
+  TangentPlane tangent_plane(const Hand& hand, const TouchState& state) const noexcept override {
+    return law_->tangent_plane(hand, state);
+  }
   EnergyModel energy_model() const noexcept override { return law_->energy_model(); }
   double damping_Ns_per_m() const noexcept override { return law_->damping_Ns_per_m(); }
   void touch_pages() const noexcept override;

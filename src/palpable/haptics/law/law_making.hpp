@@ -68,8 +68,8 @@ void read_pages(const models::ReliefDepth& depth) noexcept;
 void read_pages(const models::OccupancyGrid& grid) noexcept;
 
 /// Adapter from a law to Touchable. A law has a State, evaluate(), energy_model(), surface(),
-/// damping_Ns_per_m(), memory_bytes() and, if it has a proxy, hand_over() and take_over(); read_pages()
-/// exists for its surface.
+/// damping_Ns_per_m(), memory_bytes() and, if it has a proxy, hand_over(), take_over() and tangent_plane();
+/// read_pages() exists for its surface.
 template <class L>
 class LawTouchable final : public Touchable {
  public:
@@ -88,6 +88,12 @@ class LawTouchable final : public Touchable {
   void take_over(const HandOver& from, TouchState& state) const noexcept override {
     if constexpr (requires(typename L::State & s) { law_.take_over(from, s); })
       law_.take_over(from, state_as<typename L::State>(state));
+  }
+  TangentPlane tangent_plane(const Hand& hand, const TouchState& state) const noexcept override {
+    if constexpr (requires(const typename L::State& s) { law_.tangent_plane(hand, s); })
+      return law_.tangent_plane(hand, state_as<typename L::State>(state));
+    else
+      return {};
   }
   double damping_Ns_per_m() const noexcept override { return law_.damping_Ns_per_m(); }
   void touch_pages() const noexcept override { read_pages(law_.surface()); }

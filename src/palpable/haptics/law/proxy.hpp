@@ -70,6 +70,18 @@ class ProxyLaw : public ContactLaw<Surface> {
     return hand_over_of(state.proxy, unit(Vec3{-s.dzdx, -s.dzdy, 1.0}), state.memory);
   }
 
+  TangentPlane tangent_plane(const Hand& hand, const State& state) const noexcept {
+    const bool touches = state.proxy.holds_the_hand();
+    const Vec3 at = touches ? state.proxy.place_m : hand.position.v;
+    const models::HeightSample below = this->surface().sample(at.x, at.y);
+    const bool is_eased = touches && state.memory.is_known;
+    return {
+        true,
+        {{at.x, at.y, touches ? at.z : below.z_m}},
+        {unit(Vec3{-below.dzdx, -below.dzdy, 1.0})},
+        is_eased ? state.memory.contact : this->materials().contact(this->materials().label_at(at.x, at.y))};
+  }
+
   /// A proxy that was in contact moves vertically onto this surface and keeps its friction state. A free one
   /// keeps its position, unless it is below this surface.
   void take_over(const HandOver& from, State& state) const noexcept {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/haptics/effect/law_output.hpp"
+#include "palpable/haptics/effect/material_map.hpp"
 #include "palpable/haptics/effect/route_pull.hpp"
 #include "palpable/haptics/proxy/hand_over.hpp"
 
@@ -48,6 +49,15 @@ const State& state_as(const TouchState& state) noexcept {
   return *reinterpret_cast<const State*>(state.bytes.data());
 }
 
+/// The plane that touches a surface near the hand.
+struct TangentPlane {
+  bool is_known = false;
+  /// A point on it, and its outward unit normal.
+  Point<SceneFrame> place;
+  Vector<SceneFrame> normal;
+  Contact contact;
+};
+
 /// A surface with a law and effects, which the servo loop evaluates once per tick. Immutable; changed
 /// parameters need a new Touchable.
 class Touchable {
@@ -67,6 +77,11 @@ class Touchable {
   /// state; `state` is all zero before. Tick path.
   virtual HandOver hand_over(const TouchState& /*state*/) const noexcept { return {}; }
   virtual void take_over(const HandOver& /*from*/, TouchState& /*state*/) const noexcept {}
+  /// The plane of the surface at the proxy, or, in free air, below the hand, after evaluate() with the same
+  /// hand: for devices that render it themselves (device/local_surface.hpp). Tick path.
+  virtual TangentPlane tangent_plane(const Hand& /*hand*/, const TouchState& /*state*/) const noexcept {
+    return {};
+  }
   virtual EnergyModel energy_model() const noexcept { return EnergyModel::none; }
   /// Viscous damping that the law guarantees in contact, N·s/m: the passivity observer's reserve.
   virtual double damping_Ns_per_m() const noexcept = 0;

@@ -106,6 +106,7 @@ struct ServoLoop::Impl {
   // From the servo to other threads.
   LatestValue<TouchSample> latest;
   LatestValue<LoopCounts> counts_out;
+  std::atomic<device::Status> status{device::Status::not_ready};
   Ring<TouchEvent> events{kEvents};
   Ring<MissedDeadline> missed{kEvents};
   Ring<TouchSample> recorded;
@@ -205,6 +206,7 @@ void ServoLoop::Impl::tick_once(const Pacer::Wake& wake, double dt_s) {
   rest.update(sample, dt_s);
   counts.touch = tick.counts();
   latest.put(sample);
+  status.store(sample.status, std::memory_order_relaxed);
   if (recording.load(std::memory_order_relaxed)) recorded.put(sample);
   tick_further(std::max(dt_s, shortest_s));
   // Not earlier: the further probes may still use the scene until here.
@@ -372,6 +374,7 @@ RealTimeOutcome ServoLoop::real_time() const {
   return impl_->real_time;
 }
 const device::Traits& ServoLoop::device_traits() const { return impl_->device->traits(); }
+device::Status ServoLoop::device_status() const { return impl_->status.load(std::memory_order_relaxed); }
 std::string ServoLoop::device_fault() const { return impl_->device->fault(); }
 std::string ServoLoop::device_guidance() const { return impl_->device->guidance(); }
 

@@ -65,6 +65,8 @@ class ServoLoop {
   /// Complete after the first tick.
   RealTimeOutcome real_time() const;
   const device::Traits& device_traits() const;
+  /// The status of the device's newest reading.
+  device::Status device_status() const;
   /// The device's description of its fault; empty if there is none.
   std::string device_fault() const;
   /// What the person does next so that the device becomes ready; empty if nothing.

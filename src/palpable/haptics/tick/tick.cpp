@@ -42,6 +42,7 @@ bool is_usable(const LawOutput& output) {
 TickPipeline::TickPipeline(device::Device& device, const HapticScene& scene, const TickOptions& options,
                            Ring<TouchEvent>& events, std::uint8_t probe)
     : device_(device),
+      takes_surface_(dynamic_cast<device::TakesLocalSurface*>(&device)),
       events_(events),
       options_(options),
       max_force_N_(max_force_N_of(options, device.traits())),
@@ -93,8 +94,7 @@ const TouchSample& TickPipeline::step(double clock_t_s, double clock_dt_s) noexc
   if (!is_glitch) make_force(dt_s);
   bound(dt_s);
   send();
-  if (has_torque_) device_.write_torque(written_Nm_);
-  device_.write(written_N_);
+  write_device(valid, is_glitch);
 
   sample_.t_s = t_s;
   sample_.dt_s = dt_s;

@@ -4,6 +4,7 @@
 
 #include "palpable/core/system/hand_off.hpp"
 #include "palpable/device/device.hpp"
+#include "palpable/device/local_surface.hpp"
 #include "palpable/haptics/safety/limits.hpp"
 #include "palpable/haptics/safety/passivity.hpp"
 #include "palpable/haptics/safety/return_limit.hpp"
@@ -110,6 +111,9 @@ class TickPipeline {
   void control_energy(double dt_s) noexcept;
   void bound(double dt_s) noexcept;
   void send() noexcept;
+  /// What is touched near the hand, in the device's frame.
+  device::LocalSurface local_surface() const noexcept;
+  void write_device(bool wanted, bool is_glitch) noexcept;
   bool evaluate_laws(double dt_s) noexcept;
   void fade(double dt_s) noexcept;
   void end_fade() noexcept;
@@ -133,6 +137,9 @@ class TickPipeline {
   void count() noexcept;
 
   device::Device& device_;
+  /// The device, if it computes forces itself; else null.
+  device::TakesLocalSurface* takes_surface_;
+  device::LocalSurface surface_;
   Ring<TouchEvent>& events_;
   TickOptions options_;
   double max_force_N_;

@@ -21,12 +21,12 @@ constexpr auto kInterval = std::chrono::milliseconds(50);
 }  // namespace
 
 struct Recorder::Impl {
-  Impl(haptics::ServoLoop& recorded, std::unique_ptr<device::RecordingWriter> file)
+  Impl(haptics::ReopeningLoop& recorded, std::unique_ptr<device::RecordingWriter> file)
       : loop(recorded), writer(std::move(file)), parts([this] { return loop.take_recorded(); }) {}
   void run();
   void write_what_came();
 
-  haptics::ServoLoop& loop;
+  haptics::ReopeningLoop& loop;
   std::unique_ptr<device::RecordingWriter> writer;
   RecordedParts parts;
   std::mutex mutex;
@@ -59,7 +59,8 @@ void Recorder::Impl::write_what_came() {
 
 Recorder::Recorder(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
-Result<std::unique_ptr<Recorder>> Recorder::start(haptics::ServoLoop& loop, const std::filesystem::path& file,
+Result<std::unique_ptr<Recorder>> Recorder::start(haptics::ReopeningLoop& loop,
+                                                  const std::filesystem::path& file,
                                                   const std::string& header_json,
                                                   const device::RecordedScene& scene) {
   PALPABLE_CHECK(loop.is_recording());

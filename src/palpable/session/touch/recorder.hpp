@@ -4,7 +4,7 @@
 
 #include "palpable/core/result.hpp"
 #include "palpable/device/recording/recording.hpp"
-#include "palpable/haptics/servo/servo_loop.hpp"
+#include "palpable/haptics/servo/reopening_loop.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -18,7 +18,8 @@ class Recorder {
  public:
   /// The loop must record from its first tick (ServoOptions::recording); the ticks so far are written too.
   /// Errors (failed): the file cannot be created.
-  static Result<std::unique_ptr<Recorder>> start(haptics::ServoLoop& loop, const std::filesystem::path& file,
+  static Result<std::unique_ptr<Recorder>> start(haptics::ReopeningLoop& loop,
+                                                 const std::filesystem::path& file,
                                                  const std::string& header_json,
                                                  const device::RecordedScene& scene);
   /// Ends the file as finish() does; errors are ignored.

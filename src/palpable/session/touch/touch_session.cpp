@@ -5,6 +5,7 @@
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/device/pointer/pointer.hpp"
 #include "palpable/haptics/servo/pacing.hpp"
+#include "palpable/haptics/servo/reopening_loop.hpp"
 #include "palpable/haptics/servo/start_touch.hpp"
 #include "palpable/session/touch/haptic_scene.hpp"
 #include "palpable/session/touch/recorded_touch.hpp"
@@ -53,7 +54,7 @@ struct TouchSession::Impl {
   std::int64_t servo_begin_ns = 0;
   /// Passes each probe's position from the page, the hand's first.
   std::vector<std::shared_ptr<device::PointerFeed>> pointers;
-  std::unique_ptr<haptics::ServoLoop> loop;
+  std::unique_ptr<haptics::ReopeningLoop> loop;
 
   std::mutex changing;
   /// Read and written under `changing`.
@@ -162,11 +163,15 @@ Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const m
   impl->radius_in_use_m = prepared->law.radius_m.value_or(0.0);
   impl->scene_from_device = place;
   impl->notices = std::move(prepared->notices);
-  std::vector<std::unique_ptr<device::Device>> further;
-  for (std::size_t probe = 1; probe < impl->pointers.size(); ++probe)
-    further.push_back(std::make_unique<device::PointerDevice>(impl->pointers[probe], options.servo.rate_hz));
-  auto loop = haptics::ServoLoop::start(std::move(*device), std::move(prepared->scene), impl->options.servo,
-                                        std::move(further));
+  const auto further = [pointers = impl->pointers, rate_hz = options.servo.rate_hz] {
+    std::vector<std::unique_ptr<device::Device>> devices;
+    for (std::size_t probe = 1; probe < pointers.size(); ++probe)
+      devices.push_back(std::make_unique<device::PointerDevice>(pointers[probe], rate_hz));
+    return devices;
+  };
+  auto loop =
+      haptics::ReopeningLoop::start(std::move(*device), std::move(prepared->scene), impl->options.servo,
+                                    device::reopener(device_url, options.servo.rate_hz), further);
   if (!loop) return std::move(loop).error();
   impl->servo_begin_ns = haptics::monotonic_ns();
   impl->loop = std::move(*loop);

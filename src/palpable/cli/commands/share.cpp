@@ -1,0 +1,94 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/command.hpp"
+#include "palpable/device/drivers/open.hpp"
+#include "palpable/haptics/safety/zero_force.hpp"
+#include "palpable/haptics/servo/signal_thread.hpp"
+#include "palpable/session/share/share_device.hpp"
+
+#include <array>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace palpable::cli {
+namespace {
+
+struct ShareArguments {
+  std::string device;
+  std::string listen = "127.0.0.1";
+  int port = 0;
+  double hand_damping_Ns_per_m = haptics::kLeastHandDamping_Ns_per_m;
+  std::optional<double> seconds;
+};
+
+/// What another computer calls this one, if it listens at all of its addresses.
+std::string name_for_others(const std::string& listen) {
+  if (listen != "0.0.0.0" && listen != "::")
+    return listen.find(':') == std::string::npos ? listen : "[" + listen + "]";
+  std::array<char, 256> name{};
+  const bool known = ::gethostname(name.data(), name.size() - 1) == 0 && name.front() != '\0';
+  return known ? name.data() : "THIS-COMPUTER";
+}
+
+Result<Answer> share(const ShareArguments& arguments, Console& console) {
+  haptics::write_zero_force_on_crash();
+  if (auto known = device::check_device_url(arguments.device); !known) return known.error();
+  session::ShareOptions options;
+  options.device_url = arguments.device;
+  options.address = arguments.listen;
+  options.port = static_cast<std::uint16_t>(arguments.port);
+  options.seed = console.options().seed;
+  options.hand_damping_Ns_per_m = arguments.hand_damping_Ns_per_m;
+  if (arguments.seconds) options.seconds = *arguments.seconds;
+  options.on_address = [&](std::uint16_t port, const std::string& token) {
+    console.say(fmt::format("palpable touch SCENE --device 'remote:{}:{}?token={}'",
+                            name_for_others(arguments.listen), port, token));
+  };
+  options.on_news = [&console](const std::string& sentence) { console.note(sentence); };
+  if (arguments.listen == "127.0.0.1")
+    console.note(
+        "Only programs of this computer can connect. With --listen 0.0.0.0 those of your network can, by the "
+        "address that is printed; what they send is not encrypted.");
+  std::optional<Result<haptics::ServoStatistics>> ended;
+  haptics::run_beside_signals(options.servo.realtime_priority - 1,
+                              [&] { ended.emplace(session::share_device(options, console.work())); });
+  if (!*ended) return ended->error();
+  const haptics::ServoStatistics& servo = **ended;
+  Answer answer;
+  answer.json = {{"ticks", servo.touch.ticks},
+                 {"rate_hz", servo.rate_hz},
+                 {"missed", servo.missed},
+                 {"contact_ticks", servo.touch.contact_ticks},
+                 {"max_force_N", servo.touch.max_force_N},
+                 {"made_max_J", servo.touch.made_max_J},
+                 {"allocations_in_ticks", servo.allocations_in_ticks}};
+  answer.text = fmt::format("Shared for {} ticks, {} of them in contact; greatest force {:.2f} N.\n",
+                            servo.touch.ticks, servo.touch.contact_ticks, servo.touch.max_force_N);
+  return answer;
+}
+
+}  // namespace
+
+void add_share(Program& program) {
+  const auto arguments = std::make_shared<ShareArguments>();
+  Options options = add_command(
+      program, "share", "Let another computer touch with the device of this one",
+      "  palpable share 2diy:\n"
+      "  palpable share falcon: --listen 0.0.0.0 --port 7425\n"
+      "It prints what to type at the computer with the scene: palpable touch SCENE --device 'remote:…'. The "
+      "address is good for one touch; after it the next one is printed. Ctrl-C ends the sharing.",
+      [arguments](Console& console) { return share(*arguments, console); });
+  options.argument("DEVICE", arguments->device, "The device to share (palpable devices lists them)");
+  options.text("--listen", arguments->listen,
+               "Address of this computer at which to listen, in numbers; 0.0.0.0 = all; default: 127.0.0.1");
+  options.integer("--port", arguments->port, {0, 65535}, "Port to listen at; 0 = any free one");
+  options.number("--hand-damping", arguments->hand_damping_Ns_per_m, {0.1, 40.0},
+                 "Least damping that the hand adds to the device, N·s/m; the stiffness limit depends on it");
+  options.number("--seconds", arguments->seconds, {0.1, 86400.0}, "End after this time");
+}
+
+}  // namespace palpable::cli

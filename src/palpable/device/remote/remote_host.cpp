@@ -1,0 +1,177 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/device/remote/remote_host.hpp"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace palpable::device {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr auto kHostLook = milliseconds(1);
+constexpr auto kHostIdleLook = milliseconds(20);
+constexpr auto kHostLeaving = milliseconds(50);
+constexpr std::size_t kHostTakes_bytes = std::size_t{16} << 10U;
+
+}  // namespace
+
+Result<std::unique_ptr<RemoteHost>> RemoteHost::open(HostOptions options,
+                                                     std::shared_ptr<SharedExchange> exchange) {
+  auto listener = TcpListener::open(options.address, options.port);
+  if (!listener) return std::move(listener).error();
+  std::unique_ptr<RemoteHost> host(
+      new RemoteHost(std::move(options), std::move(exchange), *std::move(listener)));
+  if (auto renewed = host->renew_token(); !renewed) return std::move(renewed).error();
+  host->thread_ = std::thread([&it = *host] { it.run(); });
+  return host;
+}
+
+RemoteHost::~RemoteHost() {
+  ends_ = true;
+  if (thread_.joinable()) thread_.join();
+  exchange_->connected = false;
+  if (!client_) return;
+  client_->stream.send(bye_message());
+  client_->stream.close_after_sending(kHostLeaving);
+}
+
+std::string RemoteHost::token() const {
+  const std::lock_guard lock(mutex_);
+  return token_;
+}
+
+Result<void> RemoteHost::renew_token() {
+  auto token = random_secret();
+  auto secret = random_secret();
+  if (!token || !secret) return token ? secret.error() : token.error();
+  access_.emplace(*token, *secret);
+  secret_ = *std::move(secret);
+  const std::lock_guard lock(mutex_);
+  token_ = *std::move(token);
+  return {};
+}
+
+void RemoteHost::tell(const std::string& sentence) const {
+  if (options_.on_news) options_.on_news(sentence);
+}
+
+void RemoteHost::run() {
+  while (!ends_) {
+    if (!visitor_) accept();
+    if (visitor_) greet();
+    if (client_) serve();
+    const bool forgotten = !client_ && access_->used() && Clock::now() - lost_since_ > kForgottenAfter;
+    if (forgotten) end_session("The program that touched has not come back.");
+    const std::array waited{listener_.descriptor(), client_ ? client_->stream.descriptor() : -1,
+                            visitor_ ? visitor_->stream.descriptor() : -1};
+    // A visitor that waits longer for its turn must not be looked for all the time.
+    const bool may_accept = !visitor_ && Clock::now() >= accepts_from_;
+    wait_for_any(std::span(waited).subspan(may_accept ? 0 : 1),
+                 client_ || visitor_ ? kHostLook : kHostIdleLook);
+  }
+}
+
+void RemoteHost::accept() {
+  if (Clock::now() < accepts_from_) return;
+  if (auto stream = listener_.accept()) visitor_.emplace(*std::move(stream));
+}
+
+void RemoteHost::greet() {
+  std::vector<std::byte> bytes;
+  const bool open = visitor_->stream.receive(bytes, kHostTakes_bytes);
+  visitor_->reader.take(bytes);
+  if (const auto message = visitor_->reader.next()) {
+    const auto secret = parse_hello(*message);
+    return secret ? admit(*secret) : refuse(Refusal::not_understood, "it sent no token");
+  }
+  if (visitor_->reader.is_other_version())
+    return refuse(Refusal::wrong_version, "it is another version of Palpable");
+  if (visitor_->reader.is_broken()) return refuse(Refusal::not_understood, "it is no Palpable");
+  if (!open) visitor_.reset();
+  if (visitor_ && Clock::now() - visitor_->since > kHelloWithin)
+    refuse(Refusal::not_understood, "it sent no token in time");
+}
+
+void RemoteHost::admit(const std::string& secret) {
+  const bool returns = access_->used() && access_->admits(secret);
+  // The program that touches may have lost a connection that is still open here.
+  const bool is_busy = client_ && !(returns && Clock::now() - client_->heard > milliseconds(100));
+  const bool is_known = returns || (!access_->used() && same_secret(secret, token()));
+  if (!is_known) {
+    accepts_from_ = Clock::now() + kWrongTokenWait;
+    // Whether a session is going on is told to nobody without a token.
+    return refuse(Refusal::wrong_token, "its token is wrong or was used already");
+  }
+  if (is_busy) return refuse(Refusal::in_use, "another program touches already");
+  if (!returns) static_cast<void>(access_->exchange(secret));
+  client_ = std::move(visitor_);
+  visitor_.reset();
+  client_->heard = client_->second = Clock::now();
+  exchange_->connected = true;
+  client_->stream.send(welcome_message(secret_, options_.traits));
+  tell(returns ? "The program that touches is connected again." : "A program touches with this device now.");
+}
+
+void RemoteHost::refuse(Refusal refusal, const std::string& why) {
+  visitor_->stream.send(refused_message(refusal));
+  visitor_->stream.close_after_sending(client_ ? milliseconds(2) : kHostLeaving);
+  visitor_.reset();
+  tell("A connection was refused: " + why + ".");
+}
+
+void RemoteHost::serve() {
+  const std::string ending = take_messages();
+  if (!ending.empty()) return end_session(ending);
+  if (client_->stream.is_lost()) {
+    client_.reset();
+    exchange_->connected = false;
+    lost_since_ = Clock::now();
+    return tell("The connection is broken; the force is off until the program comes back.");
+  }
+  RemoteReading reading;
+  // A reading that would wait behind others is not sent: a newer one comes.
+  if (client_->stream.has_sent_all() && exchange_->readings.take(reading))
+    client_->stream.send(reading_message(reading));
+  client_->stream.flush();
+}
+
+std::string RemoteHost::take_messages() {
+  const auto now = Clock::now();
+  if (now - client_->second >= std::chrono::seconds(1)) {
+    client_->second = now;
+    client_->in_this_second = 0;
+  }
+  std::vector<std::byte> bytes;
+  client_->stream.receive(bytes, kHostTakes_bytes);
+  client_->reader.take(bytes);
+  while (const auto message = client_->reader.next()) {
+    client_->heard = now;
+    if (++client_->in_this_second > kMostMessages) return "The program that touched sent too many messages.";
+    if (std::string ending = take(*message); !ending.empty()) return ending;
+  }
+  return client_->reader.is_broken() ? "The program that touched sent what is no message." : std::string();
+}
+
+std::string RemoteHost::take(const Message& message) {
+  if (message.kind == MessageKind::bye) return "The program that touched has ended.";
+  const auto surface = parse_surface(message);
+  if (!surface) return "The program that touched sent a surface that is out of range.";
+  const LocalSurface limited = options_.limited ? options_.limited(*surface) : *surface;
+  using Kind = LocalSurface::Kind;
+  if (limited.kind > Kind::free) exchange_->kind.store(limited.kind, std::memory_order_relaxed);
+  exchange_->surfaces.put(limited);
+  return {};
+}
+
+void RemoteHost::end_session(const std::string& why) {
+  exchange_->connected = false;
+  if (client_) client_->stream.close_after_sending(kHostLeaving);
+  client_.reset();
+  if (auto renewed = renew_token(); !renewed) tell(renewed.error().sentence());
+  tell(why);
+}
+
+}  // namespace palpable::device

@@ -1,0 +1,378 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/device/remote/remote_host.hpp"
+
+#include "palpable/core/system/allocations.hpp"
+#include "palpable/device/drivers/open.hpp"
+#include "palpable/device/remote/remote_device.hpp"
+
+#include <array>
+#include <chrono>
+#include <random>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+namespace palpable::device {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr auto kSoon = milliseconds(5000);
+
+/// A host on the loopback interface, whose servo is the test.
+class RemoteHostTest : public testing::Test {
+ protected:
+  void SetUp() override { share(0); }
+
+  void share(std::uint16_t port) {
+    HostOptions options;
+    options.port = port;
+    options.traits.name = "shared test device";
+    options.traits.max_force_N = 4.5;
+    options.on_news = [this](const std::string& sentence) {
+      const std::lock_guard lock(mutex_);
+      news_.push_back(sentence);
+    };
+    auto host = RemoteHost::open(std::move(options), exchange_);
+    ASSERT_TRUE(host) << host.error().sentence();
+    host_ = *std::move(host);
+  }
+
+  std::string url() const {
+    return "remote:127.0.0.1:" + std::to_string(host_->port()) + "?token=" + host_->token();
+  }
+  Result<std::unique_ptr<Device>> connect() const { return open_device(url(), {}); }
+
+  TcpStream raw() const {
+    auto stream = TcpStream::connect("127.0.0.1", std::to_string(host_->port()), milliseconds(1000));
+    EXPECT_TRUE(stream);
+    return *std::move(stream);
+  }
+  /// What the host answers to these bytes before it closes, or the first message of a session.
+  static std::optional<Message> answer_to(TcpStream& stream, std::span<const std::byte> bytes) {
+    stream.send(bytes);
+    MessageReader reader;
+    for (const auto until = std::chrono::steady_clock::now() + kSoon;
+         std::chrono::steady_clock::now() < until;) {
+      std::vector<std::byte> got;
+      const bool open = stream.receive(got, 4096);
+      reader.take(got);
+      if (auto message = reader.next()) return message;
+      if (!open) return {};
+      stream.flush();
+      wait_for_any(std::array{stream.descriptor()}, milliseconds(5));
+    }
+    return {};
+  }
+  bool has_news(const std::string& part) {
+    for (const auto until = std::chrono::steady_clock::now() + kSoon;
+         std::chrono::steady_clock::now() < until; std::this_thread::sleep_for(milliseconds(2))) {
+      const std::lock_guard lock(mutex_);
+      for (const auto& sentence : news_)
+        if (sentence.find(part) != std::string::npos) return true;
+    }
+    return false;
+  }
+  /// Ticks of both servos until the condition holds.
+  template <class Condition>
+  bool tick_until(Device& device, const LocalSurface& surface, Condition&& condition) {
+    for (const auto until = std::chrono::steady_clock::now() + kSoon;
+         std::chrono::steady_clock::now() < until; std::this_thread::sleep_for(milliseconds(1))) {
+      exchange_->readings.put({shared_clock_s(), {{0.01, 0.02, 0.03}}, Status::ok, 3});
+      const Reading reading = device.read();
+      dynamic_cast<TakesLocalSurface&>(device).write_surface(surface);
+      device.write({});
+      LocalSurface came;
+      if (exchange_->surfaces.take(came)) came_ = came;
+      if (condition(reading)) return true;
+    }
+    return false;
+  }
+  static LocalSurface a_plane() {
+    LocalSurface surface;
+    surface.kind = LocalSurface::Kind::plane;
+    surface.normal.v = {0.0, 0.0, 1.0};
+    surface.stiffness_N_per_m = 300.0;
+    return surface;
+  }
+
+  std::shared_ptr<SharedExchange> exchange_ = std::make_shared<SharedExchange>();
+  LocalSurface came_;
+  std::mutex mutex_;
+  std::vector<std::string> news_;
+  std::unique_ptr<RemoteHost> host_;
+};
+
+TEST_F(RemoteHostTest, PassesReadingsAndSurfaces) {
+  auto device = connect();
+  ASSERT_TRUE(device) << device.error().sentence();
+  EXPECT_EQ((*device)->traits().name, "shared test device");
+  EXPECT_EQ((*device)->traits().max_force_N, 4.5);
+  EXPECT_TRUE(tick_until(**device, a_plane(), [&](const Reading& reading) {
+    return reading.status == Status::ok && reading.buttons == 3 &&
+           reading.position.v == Vec3{0.01, 0.02, 0.03} && came_.kind == LocalSurface::Kind::plane &&
+           came_.read_at_s > 0.0;
+  }));
+  EXPECT_EQ(came_.stiffness_N_per_m, 300.0);
+  // The surface is taken away when the touch stops.
+  (*device)->stop();
+  EXPECT_TRUE(
+      tick_until(**device, {}, [&](const Reading&) { return came_.kind == LocalSurface::Kind::none; }));
+}
+
+TEST_F(RemoteHostTest, TakesATokenOnce) {
+  const std::string first = url();
+  {
+    auto device = open_device(first, {});
+    ASSERT_TRUE(device);
+    const auto second = open_device(first, {});
+    ASSERT_FALSE(second);
+    EXPECT_NE(second.error().message.find("used already"), std::string::npos) << second.error().message;
+  }
+  EXPECT_TRUE(has_news("has ended"));
+  const auto late = open_device(first, {});
+  ASSERT_FALSE(late);
+  EXPECT_EQ(late.error().code, ErrorCode::device);
+  std::this_thread::sleep_for(RemoteHost::kWrongTokenWait);
+  EXPECT_NE(url(), first);
+  EXPECT_TRUE(connect());
+}
+
+TEST_F(RemoteHostTest, RefusesWhoIsNoClient) {
+  const std::string wrong(kSecret_bytes, '0');
+  auto stream = raw();
+  const auto answer = answer_to(stream, hello_message(wrong));
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(parse_refused(*answer), Refusal::wrong_token);
+  EXPECT_TRUE(has_news("token is wrong"));
+  auto web = raw();
+  const std::string_view request = "GET / HTTP/1.1\r\nHost: x\r\n\r\n";
+  const auto to_web = answer_to(web, std::as_bytes(std::span(request)));
+  ASSERT_TRUE(to_web);
+  EXPECT_EQ(parse_refused(*to_web), Refusal::not_understood);
+  EXPECT_TRUE(has_news("is no Palpable"));
+  auto next = raw();
+  auto other_version = hello_message(host_->token());
+  other_version[2] = std::byte{7};
+  next.send(other_version);
+  EXPECT_TRUE(has_news("another version"));
+  auto silent = raw();
+  EXPECT_TRUE(has_news("no token in time"));
+  // And the next one who has the token is served.
+  EXPECT_TRUE(connect());
+}
+
+TEST_F(RemoteHostTest, ServesOneClientAtATime) {
+  auto device = connect();
+  ASSERT_TRUE(device);
+  ASSERT_TRUE(
+      tick_until(**device, a_plane(), [&](const Reading& reading) { return reading.status == Status::ok; }));
+  auto stream = raw();
+  const auto answer = answer_to(stream, hello_message(host_->token()));
+  ASSERT_TRUE(answer);
+  EXPECT_TRUE(parse_refused(*answer));
+  // The first one goes on.
+  came_ = {};
+  EXPECT_TRUE(tick_until(**device, a_plane(),
+                         [&](const Reading&) { return came_.kind == LocalSurface::Kind::plane; }));
+}
+
+/// What a client that has the token sends, and the sentence about it.
+struct Hostile {
+  const char* name;
+  std::vector<std::byte> (*bytes)();
+  const char* told;
+};
+
+std::vector<std::byte> of_a_surface(void (*change)(LocalSurface&)) {
+  LocalSurface surface;
+  surface.kind = LocalSurface::Kind::plane;
+  surface.normal.v = {0.0, 0.0, 1.0};
+  change(surface);
+  return surface_message(surface);
+}
+
+const Hostile kHostile[]{
+    {"random bytes",
+     [] {
+       std::mt19937 random(11);
+       std::vector<std::byte> bytes(3000);
+       for (auto& byte : bytes) byte = static_cast<std::byte>(random());
+       return bytes;
+     },
+     "sent what is no message"},
+    {"a huge length",
+     [] {
+       auto bytes = surface_message({});
+       bytes[4] = bytes[5] = std::byte{0xFF};
+       return bytes;
+     },
+     "sent what is no message"},
+    {"no number", [] { return of_a_surface([](LocalSurface& s) { s.stiffness_N_per_m = std::nan(""); }); },
+     "out of range"},
+    {"an infinite normal", [] { return of_a_surface([](LocalSurface& s) { s.normal.v.z = HUGE_VAL; }); },
+     "out of range"},
+    {"a normal that is none", [] { return of_a_surface([](LocalSurface& s) { s.normal.v = {}; }); },
+     "out of range"},
+    {"a reading", [] { return reading_message({}); }, "out of range"},
+    {"a flood",
+     [] {
+       std::vector<std::byte> bytes;
+       const auto one = surface_message({});
+       for (int k = 0; k < 20 * RemoteHost::kMostMessages; ++k)
+         bytes.insert(bytes.end(), one.begin(), one.end());
+       return bytes;
+     },
+     "too many messages"}};
+
+TEST_F(RemoteHostTest, EndsTheSessionOfAHostileClientWithASentence) {
+  for (const Hostile& hostile : kHostile) {
+    {
+      const std::lock_guard lock(mutex_);
+      news_.clear();
+    }
+    auto stream = raw();
+    const auto welcome = answer_to(stream, hello_message(host_->token()));
+    ASSERT_TRUE(welcome && parse_welcome(*welcome)) << hostile.name;
+    const auto bytes = hostile.bytes();
+    constexpr std::size_t kAtOnce = 16384;
+    for (std::size_t at = 0; at < bytes.size() && !stream.is_lost(); at += kAtOnce) {
+      stream.send(std::span(bytes).subspan(at, std::min(kAtOnce, bytes.size() - at)));
+      for (int k = 0; k < 100 && !stream.is_lost() && !stream.has_sent_all(); ++k) {
+        std::this_thread::sleep_for(milliseconds(1));
+        stream.flush();
+      }
+    }
+    EXPECT_TRUE(has_news(hostile.told)) << hostile.name;
+    EXPECT_FALSE(exchange_->connected) << hostile.name;
+  }
+  EXPECT_TRUE(connect());
+}
+
+TEST_F(RemoteHostTest, LetsAClientComeBackToItsSession) {
+  std::string secret;
+  {
+    auto stream = raw();
+    const auto answer = answer_to(stream, hello_message(host_->token()));
+    const auto welcome = answer ? parse_welcome(*answer) : std::nullopt;
+    ASSERT_TRUE(welcome);
+    secret = welcome->secret;
+    EXPECT_TRUE(exchange_->connected);
+  }
+  EXPECT_TRUE(has_news("The connection is broken"));
+  EXPECT_FALSE(exchange_->connected);
+  auto again = raw();
+  const auto answer = answer_to(again, hello_message(secret));
+  ASSERT_TRUE(answer && parse_welcome(*answer));
+  EXPECT_TRUE(has_news("connected again"));
+  EXPECT_TRUE(exchange_->connected);
+  // A connection that is still open here, but silent, is replaced.
+  std::this_thread::sleep_for(milliseconds(150));
+  auto third = raw();
+  const auto to_third = answer_to(third, hello_message(secret));
+  EXPECT_TRUE(to_third && parse_welcome(*to_third));
+}
+
+/// Passes bytes between a client and the host, until it is cut.
+class Cable {
+ public:
+  explicit Cable(std::uint16_t to) : to_(std::to_string(to)), listener_(*TcpListener::open("127.0.0.1", 0)) {
+    thread_ = std::thread([this] { run(); });
+  }
+  ~Cable() {
+    ends_ = true;
+    thread_.join();
+  }
+  Cable(const Cable&) = delete;
+  Cable& operator=(const Cable&) = delete;
+  std::uint16_t port() const { return listener_.port(); }
+  void cut(bool is_cut) { is_cut_ = is_cut; }
+
+ private:
+  void run() {
+    while (!ends_) {
+      auto client = is_cut_ ? std::nullopt : listener_.accept();
+      if (!client) {
+        std::this_thread::sleep_for(milliseconds(2));
+        continue;
+      }
+      auto host = TcpStream::connect("127.0.0.1", to_, milliseconds(1000));
+      if (!host) continue;
+      const auto pass = [](TcpStream& from, TcpStream& to) {
+        std::vector<std::byte> bytes;
+        const bool open = from.receive(bytes, 65536);
+        to.send(bytes);
+        return open && !to.is_lost();
+      };
+      while (!ends_ && !is_cut_ && pass(*client, *host) && pass(*host, *client))
+        wait_for_any(std::array{client->descriptor(), host->descriptor()}, milliseconds(1));
+    }
+  }
+  std::string to_;
+  TcpListener listener_;
+  std::atomic<bool> ends_{false};
+  std::atomic<bool> is_cut_{false};
+  std::thread thread_;
+};
+
+TEST_F(RemoteHostTest, DriverConnectsAgainByItself) {
+  Cable cable(host_->port());
+  auto device =
+      open_device("remote:127.0.0.1:" + std::to_string(cable.port()) + "?token=" + host_->token(), {});
+  ASSERT_TRUE(device) << device.error().sentence();
+  const auto is = [](Status status) {
+    return [status](const Reading& reading) { return reading.status == status; };
+  };
+  ASSERT_TRUE(tick_until(**device, a_plane(), is(Status::ok)));
+  cable.cut(true);
+  EXPECT_TRUE(tick_until(**device, a_plane(), is(Status::stale)));
+  EXPECT_FALSE(exchange_->connected);
+  cable.cut(false);
+  EXPECT_TRUE(tick_until(**device, a_plane(), is(Status::ok)));
+  came_ = {};
+  EXPECT_TRUE(tick_until(**device, a_plane(),
+                         [&](const Reading&) { return came_.kind == LocalSurface::Kind::plane; }));
+}
+
+TEST_F(RemoteHostTest, DriverHasFailedWhenTheSharingEnds) {
+  auto device = connect();
+  ASSERT_TRUE(device);
+  ASSERT_TRUE(
+      tick_until(**device, a_plane(), [](const Reading& reading) { return reading.status == Status::ok; }));
+  host_.reset();
+  EXPECT_TRUE(tick_until(**device, a_plane(),
+                         [](const Reading& reading) { return reading.status == Status::fault; }));
+  EXPECT_NE((*device)->fault().find("ended the sharing"), std::string::npos) << (*device)->fault();
+}
+
+TEST(RemoteUrl, IsRefusedIfItIsIncomplete) {
+  const std::string token = "?token=" + std::string(kSecret_bytes, 'a');
+  for (const std::string& url :
+       {std::string("remote:"), "remote:host" + token, "remote:host:" + token, "remote::7" + token,
+        "remote:host:99999" + token, "remote:host:x" + token, std::string("remote:host:7"),
+        std::string("remote:host:7?token=short"), "remote:host:7" + token + "&other=1"})
+    EXPECT_EQ(open_device(url, {}).error().code, ErrorCode::usage) << url;
+  const auto nobody = open_device("remote:127.0.0.1:1" + token, {});
+  EXPECT_EQ(nobody.error().code, ErrorCode::device);
+  EXPECT_NE(nobody.error().message.find("nobody shares a device there"), std::string::npos)
+      << nobody.error().message;
+}
+
+TEST_F(RemoteHostTest, DriverNeitherAllocatesNorWaitsInATick) {
+  ASSERT_TRUE(allocations_are_counted());
+  auto device = connect();
+  ASSERT_TRUE(device);
+  auto& takes = dynamic_cast<TakesLocalSurface&>(**device);
+  const AllocationScope scope;
+  for (int k = 0; k < 1000; ++k) {
+    (*device)->read();
+    takes.write_surface(a_plane());
+    (*device)->write({{0.1, 0.0, 0.0}});
+  }
+  (*device)->stop();
+  EXPECT_EQ(scope.count(), 0U);
+}
+
+}  // namespace
+}  // namespace palpable::device

@@ -1,0 +1,128 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/share/share_device.hpp"
+
+#include "palpable/device/drivers/open.hpp"
+#include "palpable/device/remote/remote_host.hpp"
+#include "palpable/device/remote/shared_device.hpp"
+#include "palpable/haptics/law/local_touch.hpp"
+#include "palpable/haptics/servo/reopening_loop.hpp"
+#include "palpable/session/share/shared_limits.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace palpable::session {
+namespace {
+
+using SharedKind = device::LocalSurface::Kind;
+
+haptics::HapticScene scene_of(SharedKind kind, const std::shared_ptr<const device::CurrentSurface>& current) {
+  haptics::HapticScene scene;
+  scene.touchable = std::make_shared<const haptics::LocalTouch>(kind, current);
+  scene.id = static_cast<std::uint32_t>(kind);
+  return scene;
+}
+
+/// Follows a loop: changes its law to the kind of surface that comes, and tells what happens to the device.
+class Follower {
+ public:
+  Follower(haptics::ReopeningLoop& loop, const device::SharedExchange& exchange,
+           std::shared_ptr<const device::CurrentSurface> current)
+      : loop_(loop), exchange_(exchange), current_(std::move(current)) {}
+
+  void look(const std::function<void(const std::string&)>& tell) {
+    if (const SharedKind wanted = exchange_.kind.load(std::memory_order_relaxed); wanted != kind_) {
+      kind_ = wanted;
+      loop_.change(scene_of(kind_, current_));
+    }
+    using Event = haptics::TouchEvent::Kind;
+    while (const auto event = loop_.take_event()) {
+      const bool is_device =
+          event->kind == Event::fault && event->value == static_cast<std::uint32_t>(device::Status::fault);
+      if (is_device) tell("The device has failed: " + loop_.device_fault() + ".");
+      if (event->kind == Event::not_finite) tell("The force is off: the surface gave an invalid value.");
+      if (event->kind == Event::recovered && failed_) tell("The device answers again.");
+      failed_ = is_device || (failed_ && event->kind != Event::recovered);
+    }
+    if (std::string guidance = loop_.device_guidance(); guidance != guidance_) {
+      guidance_ = std::move(guidance);
+      if (!guidance_.empty()) tell(guidance_ + ".");
+    }
+  }
+
+ private:
+  haptics::ReopeningLoop& loop_;
+  const device::SharedExchange& exchange_;
+  std::shared_ptr<const device::CurrentSurface> current_;
+  SharedKind kind_ = SharedKind::plane;
+  bool failed_ = false;
+  std::string guidance_;
+};
+
+}  // namespace
+
+Result<haptics::ServoStatistics> share_device(const ShareOptions& options, const Work& work) {
+  device::OpenOptions open;
+  open.seed = options.seed;
+  open.rate_hz = options.servo.rate_hz;
+  auto opened = device::open_device(options.device_url, open);
+  if (!opened) return std::move(opened).error();
+  const device::Traits traits = (*opened)->traits();
+  if (!traits.pushes_back)
+    return Error{ErrorCode::usage, "a device without motors needs no sharing", options.device_url};
+  auto exchange = std::make_shared<device::SharedExchange>();
+  const auto current = std::make_shared<device::CurrentSurface>();
+  const auto shared = [exchange, current](std::unique_ptr<device::Device> device) {
+    return std::unique_ptr<device::Device>(
+        std::make_unique<device::SharedDevice>(std::move(device), exchange, current, device::shared_clock_s));
+  };
+  haptics::ReopeningLoop::Open reopen;
+  if (const auto again = device::reopener(options.device_url, options.servo.rate_hz))
+    reopen = [again, shared]() -> Result<std::unique_ptr<device::Device>> {
+      auto device = again();
+      if (!device) return std::move(device).error();
+      return shared(*std::move(device));
+    };
+  auto loop = haptics::ReopeningLoop::start(shared(*std::move(opened)), scene_of(SharedKind::plane, current),
+                                            shared_servo(options.servo), reopen);
+  if (!loop) return std::move(loop).error();
+
+  std::mutex telling;
+  const auto tell = [&](const std::string& sentence) {
+    const std::lock_guard lock(telling);
+    options.on_news(sentence);
+  };
+  device::HostOptions host_options;
+  host_options.address = options.address;
+  host_options.port = options.port;
+  host_options.traits = traits;
+  host_options.limited = [&](const device::LocalSurface& surface) {
+    return limited_surface(surface, traits, options.servo.rate_hz, options.hand_damping_Ns_per_m);
+  };
+  host_options.on_news = tell;
+  auto host = device::RemoteHost::open(std::move(host_options), exchange);
+  if (!host) return std::move(host).error();
+  Follower follower(**loop, *exchange, current);
+  using Clock = std::chrono::steady_clock;
+  const auto begun = Clock::now();
+  std::string token;
+  while (!work.cancelled() && std::chrono::duration<double>(Clock::now() - begun).count() < options.seconds) {
+    if (std::string newest = (*host)->token(); newest != token) {
+      token = std::move(newest);
+      const std::lock_guard lock(telling);
+      options.on_address((*host)->port(), token);
+    }
+    follower.look(tell);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  host->reset();
+  (*loop)->stop();
+  return (*loop)->statistics();
+}
+
+}  // namespace palpable::session
