@@ -3,12 +3,13 @@
 #include "palpable/haptics/servo/start_touch.hpp"
 #include "palpable/haptics/tick/test_pressing_hand.hpp"
 #include "palpable/haptics/tick/tick.hpp"
-#include "palpable/models/field/superquadric.hpp"
+#include "palpable/models/field/superquadric_mesh.hpp"
 #include "palpable/recipes/video/model_growth.hpp"
 #include "palpable/session/touch/haptic_scene.hpp"
 
 #include <algorithm>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -55,7 +56,8 @@ class GrowingModel : public testing::Test {
  protected:
   // A hand comes down on the first state, rests, and stays while each later state takes the place of the
   // last.
-  Rested rest_on(const std::vector<std::shared_ptr<const models::Scene>>& states) {
+  Rested rest_on(const std::vector<std::shared_ptr<const models::Scene>>& states,
+                 const haptics::TickOptions& options) {
     haptics::PressingHand hand({0.004, 0.003, 0.03});
     std::vector<haptics::HapticScene> scenes;
     for (const auto& state : states) {
@@ -66,7 +68,7 @@ class GrowingModel : public testing::Test {
       scenes.push_back(prepared->scene);
     }
     Ring<haptics::TouchEvent> events(256);
-    haptics::TickPipeline tick(hand, scenes.front(), {}, events);
+    haptics::TickPipeline tick(hand, scenes.front(), options, events);
     double time_s = 0.0;
     const auto step = [&] { return tick.step(time_s += kTick_s, kTick_s); };
     for (int i = 0; i < 3000; ++i) (void)step();
@@ -97,13 +99,18 @@ class GrowingModel : public testing::Test {
 TEST_F(GrowingModel, NeverMovesTheForceOnARestingHandBySevenPercentInATick) {
   const auto states = growing_model();
   ASSERT_EQ(states.size(), 4U);
-  const Rested rested = rest_on(states);
+  const Rested rested = rest_on(states, {});
   EXPECT_EQ(rested.changes, 3);
   EXPECT_LE(rested.greatest_step, 0.07);
   // The hand is lifted and let down by the surface under it, and stays on it.
   EXPECT_EQ(rested.ticks_without_contact, 0);
   EXPECT_GT(rested.greatest_force, 1.02);
   EXPECT_GT(rested.least_force, 0.2);
+  // Without the cross-fade the same changes are felt as a step.
+  haptics::TickOptions at_once;
+  at_once.fade_s = kTick_s;
+  EXPECT_GT(rest_on(states, at_once).greatest_step, 0.07);
+  RecordProperty("greatest_step_percent", std::to_string(100 * rested.greatest_step));
 }
 
 }  // namespace
