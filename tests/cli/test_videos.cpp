@@ -98,6 +98,8 @@ struct Writer {
  private:
   bool write_packets() {
     while (avcodec_receive_packet(codec, packet) >= 0) {
+      // Without it the last picture is shown for no time, and a file of one picture for none at all.
+      packet->duration = kTicks / 30;
       av_packet_rescale_ts(packet, codec->time_base, stream->time_base);
       packet->stream_index = stream->index;
       if (av_interleaved_write_frame(format, packet) < 0) return false;
