@@ -40,6 +40,7 @@ class RenderedVideo {
   /// Lays a printed marker on the board (vision::marker_cells()).
   void add_marker(int side_mm);
 
+  std::uint32_t seed() const { return seed_; }
   int frames() const { return frames_; }
   const Pinhole& camera() const { return camera_; }
   const VideoConditions& conditions() const { return conditions_; }

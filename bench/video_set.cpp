@@ -1,7 +1,9 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include "palpable/core/files/read_file.hpp"
 #include "palpable/core/numbers/quantile.hpp"
 #include "palpable/formats/picture/picture.hpp"
+#include "palpable/formats/picture/png.hpp"
 #include "palpable/measure/camera_path_score.hpp"
 #include "palpable/models/field/superquadric.hpp"
 #include "palpable/vision/image/luma.hpp"
@@ -22,18 +24,25 @@
 #include <vector>
 
 #include "rendered_video.hpp"
+#include "video_depth_figures.hpp"
+#include "video_faults.hpp"
 #include "video_surfaces.hpp"
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 // Structure, motion and depth of rendered videos (rendered_video.hpp) with their exact truth:
 //
 //   palpable_video_set [--seeds N] [--first SEED] [--frames N] [--threads N] [--no-depth] [--set NAME=VALUE]…
-//                      [--marker MM] [--surfaces] [--steps] [--true-depth] [--write FOLDER]
+//                      [--marker MM] [--hand PERCENT] [--defocus PX] [--surfaces] [--steps] [--true-depth]
+//                      [--write FOLDER] [--read FOLDER]
 //
 // Names are those of `palpable make --set video.…`: tracks.…, motion.…, depth.… --write writes the frames,
-// poses.csv in metres, and intrinsics.json. --surfaces compares the model's surface with the truth, fused and
-// corrected;
+// poses.csv in metres, and intrinsics.json; --read
+// takes them from there, which is faster than rendering. --surfaces compares the model's surface with the
+// truth, fused and corrected;
 // --steps prints each step of the correction; --true-depth makes them of the true poses and depth with noise.
+// --hand lets a hand that covers so much of the picture wander through the view, --defocus blurs all frames:
+// the columns of moving points and edges show what the advice's limits divide.
 // --marker lays a printed marker of this side on the board, and the table then states the error of the scale
 // that follows from it.
 namespace palpable::bench {
@@ -48,14 +57,15 @@ struct Arguments {
   bool depth = true, surfaces = false, steps = false, true_depth = false;
   /// Side of a printed marker on the board; 0 = none.
   int marker_mm = 0;
-  std::string folder;
+  int hand_percent = 0, defocus_px = 0;
+  std::string folder, written;
   recipes::VideoRecipe recipe;
 };
 
 struct Figures {
   int posed = 0;
   double position_percent = 0, rotation_deg = 0, reprojection_px = 0;
-  double known = 0, good_of_known = 0, good_of_all = 0;
+  DepthFigures depth;
   double seconds = 0;
   /// Share of the points that move by themselves, %, of which there are none; width of the sharpest edges,
   /// px.
@@ -89,23 +99,11 @@ Result<PathErrors> path_errors(const CameraMotion& motion, const RenderedVideo& 
   return out;
 }
 
-void depth_errors(const std::vector<FrameDepth>& maps, const RenderedVideo& video, double scale,
-                  const Work& work, Figures& out) {
-  double all = 0, known = 0, good = 0;
-  for (const FrameDepth& map : maps) {
-    const Raster<float> truth = video.depth(map.frame, work);
-    for (std::size_t i = 0; i < truth.count(); ++i) {
-      if (!(truth.values()[i] > 0)) continue;
-      ++all;
-      const float found = map.map.depth.depth_m.values()[i];
-      if (!(found > 0)) continue;
-      ++known;
-      good += std::abs(scale * static_cast<double>(found) / static_cast<double>(truth.values()[i]) - 1) < 0.01
-                  ? 1
-                  : 0;
-    }
-  }
-  out.known = 100 * known / all, out.good_of_known = 100 * good / known, out.good_of_all = 100 * good / all;
+// In megabytes, since the program began.
+double peak_memory_MB() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -138,11 +136,23 @@ Result<Figures> run_on_true_depth(const RenderedVideo& video, Arguments& argumen
   return out;
 }
 
+// From what --write wrote, else rendered.
+Raster<Rgb8> picture_of(const RenderedVideo& video, int frame, const std::string& written, const Work& work) {
+  const auto file = std::filesystem::path(written) / fmt::format("seed_{:02}", video.seed()) /
+                    fmt::format("{:04}.png", frame);
+  if (!written.empty())
+    if (const auto bytes = read_file(file))
+      if (const auto picture = formats::decode_png(*bytes)) return rgb8(*picture);
+  return video.picture(frame, work);
+}
+
 Result<Figures> run(const RenderedVideo& video, Arguments& arguments, const Work& work) {
   std::vector<Raster<Rgb8>> pictures;
   std::vector<Raster<std::uint8_t>> greys;
   for (int i = 0; i < video.frames(); ++i) {
-    pictures.push_back(video.picture(i, work));
+    pictures.push_back(picture_of(video, i, arguments.written, work));
+    draw_hand({video.seed(), arguments.hand_percent / 100.0}, i, pictures.back());
+    pictures.back() = defocused(pictures.back(), arguments.defocus_px);
     greys.push_back(vision::luma8(pictures.back()));
   }
   const double begin = processor_seconds();
@@ -166,7 +176,7 @@ Result<Figures> run(const RenderedVideo& video, Arguments& arguments, const Work
     for (const auto& picture : pictures) views.push_back(&picture);
     const auto maps = vision::depth_of_video(views, *motion, motion->camera, arguments.recipe.depth, work);
     if (!maps) return maps.error();
-    depth_errors(*maps, video, path->score.true_from_found.scale, work, out);
+    out.depth = depth_figures(*maps, pictures, video, path->score, work);
     if (arguments.surfaces) {
       auto surfaces = surfaces_of(video, *maps, pictures, path->score, arguments.recipe, work);
       if (!surfaces) return surfaces.error();
@@ -218,6 +228,8 @@ bool read(int count, char** words, Arguments& out) {
     const std::string value = words[++i];
     if (word == "--write") {
       out.folder = value;
+    } else if (word == "--read") {
+      out.written = value;
     } else if (word == "--set") {
       const auto sign = value.find('=');
       if (sign == std::string::npos ||
@@ -233,6 +245,10 @@ bool read(int count, char** words, Arguments& out) {
         out.frames = number;
       else if (word == "--marker")
         out.marker_mm = number;
+      else if (word == "--hand")
+        out.hand_percent = number;
+      else if (word == "--defocus")
+        out.defocus_px = number;
       else if (word == "--threads")
         out.threads = static_cast<unsigned>(number);
       else
@@ -244,10 +260,11 @@ bool read(int count, char** words, Arguments& out) {
 
 void print_row(const std::string& name, const Figures& f, int frames, bool steps) {
   fmt::print(
-      "| {} | {} of {} | {:.3f} | {:.3f} | {:.2f} | {:.1f} | {:.1f} | {:.1f} | {:.2f} | {:.1f} | {:.1f} | "
-      "{:.0f} |\n",
-      name, f.posed, frames, f.position_percent, f.rotation_deg, f.reprojection_px, f.known, f.good_of_known,
-      f.good_of_all, f.scale_error_percent, f.moving_percent, f.edge_width_px, f.seconds);
+      "| {} | {} of {} | {:.3f} | {:.3f} | {:.2f} | {:.2f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.2f} | "
+      "{:.1f} | {:.1f} | {:.0f} | {:.0f} |\n",
+      name, f.posed, frames, f.position_percent, f.rotation_deg, f.reprojection_px, f.depth.structure,
+      f.depth.known, f.depth.good_of_known, f.depth.good_of_all, f.depth.good_of_textured,
+      f.scale_error_percent, f.moving_percent, f.edge_width_px, f.seconds, peak_memory_MB());
   for (std::size_t i = 0; i < f.surfaces.size(); ++i) {
     const NamedSurface& s = f.surfaces[i];
     const bool last_of_kind =
@@ -264,10 +281,10 @@ int run_all(Arguments& arguments) {
   Work work;
   work.threads = arguments.threads;
   fmt::print(
-      "| video | frames | position, % of path | rotation, deg | reprojection, px | depth known, % | within 1 "
-      "%, % of known "
-      "| of all | scale error, % | moving points, % | edges, px | processor s "
-      "|\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+      "| video | frames | position, % of path | rotation, deg | reprojection, px | structure, % of diagonal "
+      "| depth known, % | within 1 %, % of known | of all | of those with texture | scale error, % "
+      "| moving points, % | edges, px | processor s | most memory, MB |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   std::vector<double> position, rotation, good;
   for (int seed = arguments.first; seed < arguments.first + arguments.seeds; ++seed) {
     RenderedVideo video(static_cast<std::uint32_t>(seed), arguments.frames);
@@ -284,11 +301,12 @@ int run_all(Arguments& arguments) {
     }
     print_row(video.description(), *figures, video.frames(), arguments.steps);
     position.push_back(figures->position_percent), rotation.push_back(figures->rotation_deg);
-    good.push_back(figures->good_of_known);
+    good.push_back(figures->depth.good_of_textured);
   }
   if (!position.empty())
     fmt::print(
-        "median position {:.3f} %, rotation {:.3f} deg, depth within 1 % {:.1f} % of known; worst {:.3f} %, "
+        "median position {:.3f} %, rotation {:.3f} deg, depth within 1 % {:.1f} % of pixels with texture; "
+        "worst {:.3f} %, "
         "{:.3f} deg, "
         "{:.1f} %\n",
         quantile_of(position, 0.5), quantile_of(rotation, 0.5), quantile_of(good, 0.5),
@@ -302,10 +320,10 @@ int run_all(Arguments& arguments) {
 int main(int count, char** words) {
   palpable::bench::Arguments arguments;
   if (!palpable::bench::read(count, words, arguments)) {
-    fmt::print(
-        stderr,
-        "palpable_video_set [--seeds N] [--first SEED] [--frames N] [--threads N] [--no-depth] "
-        "[--set NAME=VALUE]... [--marker MM] [--surfaces] [--steps] [--true-depth] [--write FOLDER]\n");
+    fmt::print(stderr,
+               "palpable_video_set [--seeds N] [--first SEED] [--frames N] [--threads N] [--no-depth] "
+               "[--set NAME=VALUE]... [--marker MM] [--hand PERCENT] [--defocus PX] [--surfaces] [--steps] "
+               "[--true-depth] [--write FOLDER] [--read FOLDER]\n");
     return 2;
   }
   return palpable::bench::run_all(arguments);

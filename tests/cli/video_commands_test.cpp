@@ -12,6 +12,7 @@
 #include <string>
 
 #include "program.hpp"
+#include "test_videos.hpp"
 #include <gmock/gmock.h>
 
 // Videos: small ones that are rendered here, a textured box on a textured table.
@@ -20,67 +21,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-constexpr int kWidth = 240, kHeight = 180;
-constexpr double kFocal_px = 220.0;
-
-// Smooth random grey levels, 0 … 1, of a place on a surface; lengths in metres.
-double texture_at(double u, double v, int surface) {
-  const auto random = [surface](int i, int j) {
-    auto h = static_cast<std::uint32_t>(i) * 73856093U ^ static_cast<std::uint32_t>(j) * 19349663U ^
-             static_cast<std::uint32_t>(surface) * 83492791U;
-    h = (h ^ (h >> 13U)) * 0x5bd1e995U;
-    return static_cast<double>((h ^ (h >> 15U)) & 0xFFFFU) / 65535.0;
-  };
-  double sum = 0.0, weight = 0.0;
-  for (const double cell : {0.02, 0.008}) {
-    const double x = u / cell + 1000, y = v / cell + 1000;
-    const int i = static_cast<int>(x), j = static_cast<int>(y);
-    const double a = x - i, b = y - j;
-    sum += cell * ((1 - b) * ((1 - a) * random(i, j) + a * random(i + 1, j)) +
-                   b * ((1 - a) * random(i, j + 1) + a * random(i + 1, j + 1)));
-    weight += cell;
-  }
-  return sum / weight;
-}
-
-// What a ray from `from` meets: a box of 120 x 100 x 60 mm on a table.
-double grey_of(Vec3 from, Vec3 direction) {
-  const Vec3 least{-0.06, -0.05, 0.0}, most{0.06, 0.05, 0.06};
-  double begin = 0.0, end = 1e9;
-  int axis = 2;
-  for (int i = 0; i < 3; ++i) {
-    const auto part = [i](const Vec3& p) { return i == 0 ? p.x : i == 1 ? p.y : p.z; };
-    const double a = (part(least) - part(from)) / part(direction),
-                 b = (part(most) - part(from)) / part(direction);
-    if (std::min(a, b) > begin) begin = std::min(a, b), axis = i;
-    end = std::min(end, std::max(a, b));
-  }
-  const bool box = begin < end;
-  const Vec3 p = from + (box ? begin : -from.z / direction.z) * direction;
-  const double shade = !box || axis == 2 ? 1.0 : axis == 0 ? 0.75 : 0.6;
-  const double level = axis == 0 && box   ? texture_at(p.y, p.z, 3)
-                       : axis == 1 && box ? texture_at(p.x, p.z, 2)
-                                          : texture_at(p.x, p.y, box ? 1 : 0);
-  return shade * (0.15 + 0.8 * level);
-}
-
-// The picture of a camera at `from` that looks at `at`.
-Raster<Rgb8> picture_from(Vec3 from, Vec3 at) {
-  const Vec3 z = unit(at - from), x = unit(cross(z, Vec3{0, 0, 1})), y = cross(z, x);
-  Raster<Rgb8> out(kWidth, kHeight);
-  for (int v = 0; v < kHeight; ++v)
-    for (int u = 0; u < kWidth; ++u) {
-      const Vec3 direction =
-          (u - (kWidth - 1) / 2.0) / kFocal_px * x + (v - (kHeight - 1) / 2.0) / kFocal_px * y + z;
-      const auto level =
-          static_cast<std::uint8_t>(std::lround(255 * std::clamp(grey_of(from, direction), 0.0, 1.0)));
-      out(u, v) = {level, static_cast<std::uint8_t>(level * 0.9), static_cast<std::uint8_t>(level * 0.8)};
-    }
-  return out;
-}
-
-Vec3 on_arc(double angle) { return {0.45 * std::sin(angle), -0.45 * std::cos(angle), 0.4}; }
 
 class Videos : public InFolder {
  protected:
@@ -128,6 +68,15 @@ TEST_F(Videos, GiveEveryOutputTogether) {
   EXPECT_GT(size[0], 0.11);
   EXPECT_LT(size[0], 0.3);
   EXPECT_NEAR(size[2].get<double>(), 0.07, 0.03);
+}
+
+TEST_F(Videos, UpToAFrameUseNoLaterOne) {
+  const Outcome made = palpable(make(video(), {"--until", "8", "--poses", path("p.csv")}));
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const std::string poses = read_text(path("p.csv"));
+  EXPECT_EQ(std::count(poses.begin(), poses.end(), '\n'), 1 + 9);
+  EXPECT_THAT(poses, HasSubstr("\n8,"));
+  EXPECT_THAT(poses, Not(HasSubstr("\n9,")));
 }
 
 // A patterned glove in front of a picture.
@@ -189,7 +138,7 @@ TEST_F(Videos, OfOnePlainColourAskForTexture) {
   const std::filesystem::path to = folder_ / "video";
   for (int i = 0; i < 5; ++i)
     (void)formats::write_png(to / (std::to_string(100 + i) + ".png"),
-                             Raster<Rgb8>(kWidth, kHeight, Rgb8{235, 235, 235}));
+                             Raster<Rgb8>(kVideoWidth, kVideoHeight, Rgb8{235, 235, 235}));
   const Outcome made = palpable(make(to.string()));
   EXPECT_EQ(made.exit_code, 3) << made.err;
   EXPECT_THAT(made.err, HasSubstr("one plain colour"));

@@ -119,7 +119,7 @@ VideoReconstruction reconstruction_of(const Frames& frames, const CameraMotion& 
     if (motion.poses[i]) out.poses.push_back({frame_of(static_cast<int>(i))->number, *motion.poses[i]});
   for (const FrameDepth& map : maps)
     out.depth_maps.push_back(
-        {frame_of(map.frame)->number, map.map.depth, map.map.pose, frame_of(map.frame)->picture});
+        {frame_of(map.frame)->number, map.filled, map.map.pose, frame_of(map.frame)->picture});
   out.camera = motion.camera;
   out.figures = frames.figures;
   out.figures.posed = static_cast<int>(out.poses.size());

@@ -112,7 +112,7 @@ struct VideoReconstruction {
     vision::CameraPose world_from_camera;
     Raster<Rgb8> picture;
   };
-  /// As they were computed: not reduced to the model.
+  /// Not reduced to the model, and with what other maps measured where they are unknown.
   std::vector<Depth> depth_maps;
   /// Points on the observed surfaces.
   PointCloud structure;

@@ -41,21 +41,27 @@ class Neighbours {
 float agreed_depth(const Neighbours& neighbours, std::size_t count, std::size_t self, int x, int y,
                    float depth, const ConsistencyOptions& options) {
   double sum = depth;
-  int agreeing = 0;
+  int agreeing = 0, contradicting = 0;
   for (std::size_t other = 0; other < count; ++other) {
     if (other == self) continue;
     const double seen = neighbours.depth_seen_by(other, x, y, depth);
-    if (!(std::abs(seen - depth) < options.tolerance * depth)) continue;
-    sum += seen, ++agreeing;
+    if (std::abs(seen - depth) < options.tolerance * depth)
+      sum += seen, ++agreeing;
+    else if (seen > 0)
+      ++contradicting;
   }
-  return agreeing >= options.least_agreeing ? static_cast<float>(sum / (agreeing + 1)) : kUnknownDepth;
+  const bool kept =
+      agreeing >= options.least_agreeing || (contradicting == 0 && agreeing >= options.least_uncontested);
+  return kept ? static_cast<float>(sum / (agreeing + 1)) : kUnknownDepth;
 }
 
 }  // namespace
 
 std::vector<Parameter> parameters_of(ConsistencyOptions& o) {
-  return {{"tolerance", &o.tolerance, {0.0005, 0.1}, "", "Depths that differ by a smaller share agree"},
-          {"least_agreeing", &o.least_agreeing, {1, 16}, "", "Other maps that must agree with a pixel"}};
+  return {
+      {"tolerance", &o.tolerance, {0.0005, 0.1}, "", "Depths that differ by a smaller share agree"},
+      {"least_agreeing", &o.least_agreeing, {1, 16}, "", "Other maps that must agree with a pixel"},
+      {"least_uncontested", &o.least_uncontested, {0, 16}, "", "The same where no map has another depth"}};
 }
 
 Result<std::vector<PosedDepthMap>> consistent_depth(std::span<const PosedDepthMap> maps,

@@ -47,6 +47,25 @@ TEST(DepthConsistency, RemovesADepthThatOthersContradict) {
   EXPECT_NEAR((*out)[0].depth.depth_m(16, 12), 2.0, 1e-6);
 }
 
+// The place of column 1 of the first map is outside the picture of the third.
+TEST(DepthConsistency, KeepsWhatOneMapAgreesWithWhereNoneContradicts) {
+  auto maps = wall_from(3);
+  const auto kept = consistent_depth(maps, {.tolerance = 0.01, .least_agreeing = 2}, {});
+  ASSERT_TRUE(kept);
+  EXPECT_NEAR((*kept)[0].depth.depth_m(1, 12), 2.0, 1e-6);
+  const auto strict =
+      consistent_depth(maps, {.tolerance = 0.01, .least_agreeing = 2, .least_uncontested = 2}, {});
+  ASSERT_TRUE(strict);
+  EXPECT_TRUE(std::isnan((*strict)[0].depth.depth_m(1, 12)));
+  // The second map agrees and the third contradicts, with a nearer or a farther surface.
+  for (const float other : {1.9F, 2.1F}) {
+    maps[2].depth.depth_m(8, 12) = other;
+    const auto contested = consistent_depth(maps, {.tolerance = 0.01, .least_agreeing = 2}, {});
+    ASSERT_TRUE(contested);
+    EXPECT_TRUE(std::isnan((*contested)[0].depth.depth_m(10, 12))) << other;
+  }
+}
+
 TEST(DepthConsistency, NeedsSoManyMapsThatSeeThePlace) {
   const auto maps = wall_from(3);
   const auto out = consistent_depth(maps, {.tolerance = 0.01, .least_agreeing = 2}, {});

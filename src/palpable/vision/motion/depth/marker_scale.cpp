@@ -90,7 +90,8 @@ void scale_motion(CameraMotion& motion, double factor) {
 void scale_depth(std::span<FrameDepth> maps, double factor) {
   for (FrameDepth& map : maps) {
     map.map.pose.translation_m *= factor;
-    for (float& depth : map.map.depth.depth_m.values()) depth *= static_cast<float>(factor);
+    for (Raster<float>* depths : {&map.map.depth.depth_m, &map.filled.depth_m})
+      for (float& depth : depths->values()) depth *= static_cast<float>(factor);
   }
 }
 

@@ -61,6 +61,9 @@ struct ConsistencyOptions {
   double tolerance = 0.01;
   /// Least number of other maps that must agree on a pixel, 1 … 16.
   int least_agreeing = 2;
+  /// The same where no other map has another depth, as at the borders of the pictures, which few maps show, 0
+  /// … 16.
+  int least_uncontested = 1;
 };
 std::vector<Parameter> parameters_of(ConsistencyOptions& options);
 

@@ -92,7 +92,8 @@ TEST_F(MultiViewDepth, ConsistencyKeepsAgreeingDepthsOnly) {
 
 TEST_F(MultiViewDepth, ConsistencyNeedsTheGivenNumberOfMaps) {
   const std::vector<PosedDepthMap> maps{exact_map(here_), exact_map(right_)};
-  const auto strict = consistent_depth(maps, {.tolerance = 0.01, .least_agreeing = 2}, {});
+  const auto strict =
+      consistent_depth(maps, {.tolerance = 0.01, .least_agreeing = 2, .least_uncontested = 2}, {});
   ASSERT_TRUE(strict);
   EXPECT_TRUE(std::isnan((*strict)[0].depth.depth_m(70, 50)));
 }

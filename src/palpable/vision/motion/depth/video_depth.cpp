@@ -58,9 +58,16 @@ int frame_at_angle(const CameraMotion& motion, const std::vector<int>& frames, s
 std::vector<int> compared_frames(const CameraMotion& motion, const std::vector<int>& frames, std::size_t from,
                                  double middle, const VideoDepthOptions& options) {
   std::set<int> out;
-  for (const double degrees : {options.near_angle_deg, options.far_angle_deg})
-    for (const int direction : {-1, 1})
-      out.insert(frame_at_angle(motion, frames, from, direction, degrees * std::numbers::pi / 180 * middle));
+  const auto insert = [&](int direction, double degrees) {
+    const int frame =
+        frame_at_angle(motion, frames, from, direction, degrees * std::numbers::pi / 180 * middle);
+    return out.insert(frame), frame >= 0;
+  };
+  for (const int direction : {-1, 1}) {
+    if (!insert(direction, options.near_angle_deg)) insert(-direction, options.near_angle_deg / 2);
+    if (!insert(direction, options.far_angle_deg))
+      insert(-direction, (options.near_angle_deg + options.far_angle_deg) / 2);
+  }
   out.erase(-1);
   return {out.begin(), out.end()};
 }
@@ -75,11 +82,6 @@ std::set<std::size_t> references(const std::vector<int>& frames, const VideoDept
     if (const auto at = std::find(frames.begin(), frames.end(), frame); at != frames.end())
       out.insert(static_cast<std::size_t>(at - frames.begin()));
   return out;
-}
-
-std::vector<FrameDepth> only_consistent(std::vector<FrameDepth> maps, std::vector<PosedDepthMap> consistent) {
-  for (std::size_t i = 0; i < maps.size(); ++i) maps[i].map = std::move(consistent[i]);
-  return maps;
 }
 
 }  // namespace
@@ -97,6 +99,7 @@ std::vector<Parameter> parameters_of(VideoDepthOptions& o) {
       {"range_margin", &o.range_margin, {0, 0.9}, "", "Share by which the searched depths reach farther"}};
   append_parameters(out, "sweep", parameters_of(o.sweep));
   append_parameters(out, "consistency", parameters_of(o.consistency));
+  append_parameters(out, "filling", parameters_of(o.filling));
   return out;
 }
 
@@ -133,7 +136,13 @@ Result<std::vector<FrameDepth>> depth_of_video(std::span<const Raster<Rgb8>* con
   consistency.least_agreeing = std::min(consistency.least_agreeing, static_cast<int>(maps.size()) - 1);
   auto consistent = consistent_depth(raw, consistency, work);
   if (!consistent) return consistent.error();
-  return only_consistent(std::move(maps), std::move(*consistent));
+  auto filled = filled_depth(*consistent, options.filling, work);
+  if (!filled) return filled.error();
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    maps[i].map = std::move((*consistent)[i]);
+    maps[i].filled = std::move((*filled)[i].depth);
+  }
+  return maps;
 }
 
 }  // namespace palpable::vision
