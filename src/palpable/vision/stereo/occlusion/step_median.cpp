@@ -13,6 +13,8 @@ namespace {
 
 /// Bins of the histograms: narrow enough that a bin holds one surface.
 constexpr float kBinsPerPixel = 2.0F;
+/// Disparities that differ by less are those of one surface.
+constexpr float kSupport_px = 1.0F;
 
 /// Weights by disparity, reused between pixels: only used bins are cleared.
 class DisparityHistogram {
@@ -27,6 +29,15 @@ class DisparityHistogram {
     total_ += weight;
     low_ = std::min(low_, bin);
     high_ = std::max(high_, bin);
+  }
+  /// The share of the weights in bins whose mean is within kSupport_px of a disparity. At least one value was
+  /// added.
+  float support(float disparity_px) const {
+    float near = 0.0F;
+    for (std::size_t i = low_; i <= high_; ++i)
+      if (bins_[i].weight > 0.0F && std::fabs(bins_[i].sum / bins_[i].weight - disparity_px) < kSupport_px)
+        near += bins_[i].weight;
+    return near / total_;
   }
   /// The mean of the bin that holds the weighted median; clears the weights. At least one value was added.
   float median() {
@@ -104,6 +115,7 @@ std::vector<Parameter> parameters_of(StepMedianOptions& o) {
            {1, 255},
            "levels",
            "Colour difference at which a weight falls by e"},
+          {"enough_support", &o.enough_support, {0, 1}, "", "Share of the weights that keeps a disparity"},
           {"least_change_px", &o.least_change_px, {0, 100}, "px", "Smaller changes are not made"}};
 }
 
@@ -126,8 +138,10 @@ void median_at_steps(const ColourPlanes& colour, const StepMedianOptions& option
             for (int u = x - reach; u <= x + reach; u += options.every_px)
               if (before.contains(u, v))
                 votes.add(before(u, v), weight_of[static_cast<std::size_t>(colour.difference(x, y, u, v))]);
+          const bool supported = votes.support(before(x, y)) >= options.enough_support;
           const float median = votes.median();
-          if (std::fabs(median - before(x, y)) > options.least_change_px) disparity_px(x, y) = median;
+          if (!supported && std::fabs(median - before(x, y)) > options.least_change_px)
+            disparity_px(x, y) = median;
         }
     });
   }

@@ -18,11 +18,14 @@ struct StepMedianOptions {
   float least_step_px = 1.0F;
   /// The window's reach to each side, and the distance from a step within which pixels are changed; px, 1 …
   /// 60.
-  int reach_px = 6;
+  int reach_px = 8;
   /// Every n-th row and column of the window is used; px, 1 … 8.
   int every_px = 2;
   /// Colour difference at which a neighbour's weight falls by e; levels of 255, 1 … 255.
   float colour_levels = 10.0F;
+  /// A pixel keeps its disparity if this share of the weights, or more, is within 1 px of it (so thin objects
+  /// and leaves are kept; 1: the median alone decides); 0 … 1.
+  float enough_support = 0.3F;
   /// A pixel keeps its disparity if the median differs by this or less; px, 0 … 100.
   float least_change_px = 0.75F;
 };

@@ -62,6 +62,18 @@ TEST(StepMedian, TheResultDoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(one.found_px, four.found_px);
 }
 
+TEST(StepMedian, KeepsADisparityThatOthersOfItsColourSupport) {
+  BoardBeforeWall scene(0);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 14; x < 20; ++x) scene.found_px(x, y) = 9.0F;  // a rod of the wall's colour
+  Raster<float> median_alone = scene.found_px;
+  const Raster<float> before = scene.found_px;
+  median_at_steps(scene.colour, {}, scene.found_px, {});
+  for (int y = 0; y < kHeight; ++y) EXPECT_EQ(scene.found_px(17, y), before(17, y)) << y;
+  median_at_steps(scene.colour, {.enough_support = 1.0F}, median_alone, {});
+  EXPECT_LT(median_alone(17, 20), 5.5F);
+}
+
 TEST(StepMedian, NoRoundsChangeNothing) {
   BoardBeforeWall scene(3);
   const Raster<float> before = scene.found_px;
