@@ -25,6 +25,9 @@ struct Degradation {
   double gain = 1.0, offset = 0.0, gamma = 1.0;
   /// Vertical offset of the right picture, which grows towards its right edge.
   double lower_px = 0.0, roll_px = 0.0;
+  /// Unsharp masking by both cameras: the share of the difference from the mean of 3 x 3 pixels that is
+  /// added.
+  double sharpening = 0.0;
 };
 
 Colour random_colour(Random& random, double least, double most) {
@@ -166,6 +169,85 @@ void add_fence(Random& random, std::vector<Surface>& out) {
   }
 }
 
+/// Bright boards 1 to 4 px before a wall so dark and plain that its texture is hardly above the noise.
+std::vector<Surface> boards_before_dark_wall(Random& random) {
+  const double far = random.between(3.0, 8.0);
+  std::vector<Surface> out{wall(random, far)};
+  out[0].texture.colour = random_colour(random, 0.06, 0.25);
+  out[0].texture.contrast = random.between(0.01, 0.06);
+  out[0].texture.scale_px = random.between(6.0, 30.0);
+  for (int i = random.count(3, 5); i > 0; --i) {
+    Surface s = board(random, far + random.between(1.4, 4.0), random.between(30.0, 80.0), 0.02);
+    s.outline.shape = Outline::Shape::rectangle;
+    s.texture.colour = random_colour(random, 0.4, 0.8);
+    if (random.unit() < 0.25) s.texture.contrast = random.between(0.02, 0.08);
+    out.push_back(s);
+  }
+  return out;
+}
+
+/// An upright rectangle that faces the camera.
+Surface panel(double x, double y, double half_width, double half_height, double disparity_px,
+              const Texture& texture) {
+  Surface s;
+  s.x0 = x;
+  s.y0 = y;
+  s.d0 = disparity_px;
+  s.outline = {Outline::Shape::rectangle, x, y, half_width, half_height};
+  s.texture = texture;
+  return s;
+}
+
+/// A room of a few layers, less than 16 px deep: dark shelves with spines of books, a table, its legs, thin
+/// rods and objects of one colour in front.
+std::vector<Surface> interior(Random& random) {
+  const double far = random.between(3.0, 6.0), step = random.between(0.8, 1.6);
+  std::vector<Surface> out{wall(random, far)};
+  out[0].slope_x = out[0].slope_y = 0.0;
+  out[0].texture.colour = random_colour(random, 0.05, 0.2);
+  out[0].texture.contrast = random.between(0.02, 0.15);
+  const auto dark = [&] {
+    return Texture{Pattern::rough, random_colour(random, 0.04, 0.2), random.between(0.02, 0.12),
+                   random.between(2.0, 9.0), random.next()};
+  };
+  const double shelf_height = random.between(36.0, 60.0), shelf_width = random.between(70.0, 120.0);
+  for (double y = random.between(0.0, 20.0); y < kHeight; y += shelf_height) {
+    out.push_back(panel(kWidth / 2.0, y, kWidth, random.between(1.5, 3.5), far + step, dark()));
+    for (double x = random.between(0.0, 10.0); x < kWidth; x += random.between(5.0, 14.0)) {
+      if (random.unit() < 0.35) continue;
+      Texture book = random.unit() < 0.4 ? dark() : rough(random);
+      if (random.unit() < 0.3) book.contrast = 0.04;
+      const double half = random.between(2.0, 6.0), tall = random.between(0.3, 0.46) * shelf_height;
+      out.push_back(
+          panel(x, y + shelf_height - 3.0 - tall, half, tall, far + random.between(0.2, 0.9) * step, book));
+    }
+  }
+  for (double x = random.between(0.0, 40.0); x < kWidth; x += shelf_width)
+    out.push_back(panel(x, kHeight / 2.0, random.between(1.5, 4.0), kHeight, far + step, dark()));
+  const double table = far + random.between(2.0, 4.5), top = random.between(150.0, 190.0);
+  const double x0 = random.between(120.0, 220.0), half = random.between(50.0, 90.0);
+  out.push_back(panel(x0, top, half, random.between(8.0, 18.0), table, rough(random)));
+  for (const double side : {-1.0, 1.0})
+    out.push_back(
+        panel(x0 + side * (half - 9.0), top + 60.0, random.between(5.0, 10.0), 60.0, table, dark()));
+  for (int i = random.count(4, 7); i > 0; --i) {
+    Surface s = board(random, far + random.between(2.0, 11.0), random.between(10.0, 34.0), 0.03);
+    if (random.unit() < 0.5) s.texture = dark();
+    if (random.unit() < 0.4) s.texture.contrast = random.between(0.02, 0.1);
+    out.push_back(s);
+  }
+  for (int i = random.count(2, 6); i > 0; --i) {
+    Surface s = board(random, far + random.between(2.0, 11.0), 10.0, 0.01);
+    s.outline.shape = Outline::Shape::rectangle;
+    s.outline.half_width = random.between(0.8, 2.5);
+    s.outline.half_height = random.between(20.0, 70.0);
+    s.outline = s.outline.turned(random.between(-1.5, 1.5));
+    if (random.unit() < 0.5) s.texture = dark();
+    out.push_back(s);
+  }
+  return out;
+}
+
 struct Description {
   std::vector<Surface> surfaces;
   Degradation degradation;
@@ -214,46 +296,73 @@ Description describe(SceneKind kind, Random& random) {
       out.degradation.lower_px = random.unit() < 0.5 ? 0.5 : -0.5;
       out.degradation.roll_px = random.between(-0.3, 0.3);
       break;
+    case SceneKind::sharpened:
+      s = boards_before_dark_wall(random);
+      out.degradation.sharpening = random.between(0.3, 1.2);
+      break;
+    case SceneKind::interior:
+      s = interior(random);
+      out.degradation.sharpening = random.between(0.0, 0.8);
+      break;
   }
   return out;
 }
 
-/// A camera's picture, quantised to 8 bits.
-Image picture_of(const Description& scene, double camera_x, std::uint64_t noise_seed) {
-  const Degradation& right = scene.degradation;
-  const Degradation ideal{.noise = right.noise};
-  const Degradation& d = camera_x > 0.0 ? right : ideal;
-  Image out{kWidth, kHeight, 3, 8, std::vector<float>(static_cast<std::size_t>(kWidth) * kHeight * 3)};
+/// The light that a camera receives, before its sensor.
+Raster<Colour> light_of(const Description& scene, double camera_x, const Degradation& d) {
+  Raster<Colour> out(kWidth, kHeight);
   parallel_for({}, kHeight, 8, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      Random noise(noise_seed * 1000003U + static_cast<std::uint64_t>(y));
-      for (int x = 0; x < kWidth; ++x) {
-        Colour sum{};
+    for (int y = begin; y < end; ++y)
+      for (int x = 0; x < kWidth; ++x)
         for (int k = 0; k < kRays * kRays; ++k) {
           const double px = x + (k % kRays + 0.5) / kRays - 0.5;
           const double py =
               y + (k / kRays + 0.5) / kRays - 0.5 - d.lower_px - d.roll_px * (px / kWidth - 0.5);
           const Hit hit = first_hit(scene.surfaces, camera_x, px, py);
           const Colour c = scene.surfaces[hit.surface].texture.at(hit.x, py);
-          for (std::size_t i = 0; i < 3; ++i) sum[i] += c[i] / (kRays * kRays);
+          for (std::size_t i = 0; i < 3; ++i) out(x, y)[i] += c[i] / (kRays * kRays);
         }
-        for (std::size_t i = 0; i < 3; ++i) {
-          const double exposed = d.gain * std::pow(sum[i], d.gamma) + d.offset + d.noise * noise.normal();
-          out.samples[(static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)) * 3 + i] =
-              static_cast<float>(std::round(std::clamp(exposed, 0.0, 1.0) * 255.0) / 255.0);
-        }
-      }
-    }
   });
+  return out;
+}
+
+/// Unsharp masking at one pixel.
+double sharpened(const Raster<Colour>& light, int x, int y, std::size_t channel, double share) {
+  const double centre = light(x, y)[channel];
+  if (share <= 0.0) return centre;
+  double mean = 0.0;
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx)
+      mean += light(std::clamp(x + dx, 0, kWidth - 1), std::clamp(y + dy, 0, kHeight - 1))[channel] / 9.0;
+  return std::max(0.0, centre + share * (centre - mean));
+}
+
+/// A camera's picture, quantised to 8 bits.
+Image picture_of(const Description& scene, double camera_x, std::uint64_t noise_seed) {
+  const Degradation& right = scene.degradation;
+  const Degradation ideal{.noise = right.noise, .sharpening = right.sharpening};
+  const Degradation& d = camera_x > 0.0 ? right : ideal;
+  const Raster<Colour> light = light_of(scene, camera_x, d);
+  Image out{kWidth, kHeight, 3, 8, std::vector<float>(static_cast<std::size_t>(kWidth) * kHeight * 3)};
+  for (int y = 0; y < kHeight; ++y) {
+    Random noise(noise_seed * 1000003U + static_cast<std::uint64_t>(y));
+    for (int x = 0; x < kWidth; ++x)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double exposed = d.gain * std::pow(sharpened(light, x, y, i, d.sharpening), d.gamma) +
+                               d.offset + d.noise * noise.normal();
+        out.samples[(static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)) * 3 + i] =
+            static_cast<float>(std::round(std::clamp(exposed, 0.0, 1.0) * 255.0) / 255.0);
+      }
+  }
   return out;
 }
 
 }  // namespace
 
 std::string_view name_of(SceneKind kind) {
-  constexpr std::array<std::string_view, kSceneKinds> kNames{"slanted",  "curved", "rods",    "dark-edges",
-                                                             "repeated", "plain",  "foliage", "hidden",
-                                                             "exposure", "noise",  "vertical"};
+  constexpr std::array<std::string_view, kSceneKinds> kNames{
+      "slanted", "curved",   "rods",  "dark-edges", "repeated",  "plain",   "foliage",
+      "hidden",  "exposure", "noise", "vertical",   "sharpened", "interior"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

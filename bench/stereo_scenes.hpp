@@ -26,9 +26,11 @@ enum class SceneKind {
   hidden,
   exposure,
   noise,
-  vertical
+  vertical,
+  sharpened,
+  interior
 };
-inline constexpr int kSceneKinds = 11;
+inline constexpr int kSceneKinds = 13;
 std::string_view name_of(SceneKind kind);
 
 struct StereoScene {

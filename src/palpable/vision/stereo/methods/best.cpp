@@ -154,7 +154,9 @@ class BestMatcher {
     propose_planes(view.picture.colour,
                    {view.map, view.start, trust, view.regions, exchange ? &theirs : nullptr},
                    options_.proposals, round, candidates_, work_);
-    plane_costs(view.costs, other, options_.costs, candidates_, work_);
+    const Raster<std::uint8_t> without_evidence =
+        evidence_of_nearer_edges(view.picture.colour, view.map.disparity, options_.edges, work_);
+    plane_costs(view.costs, other, options_.costs, candidates_, work_, &without_evidence);
     choose_planes(view.picture.colour, options_.smoothness, candidates_, view.map, work_);
   }
   void report(int round, const char* what) const { work_.report(0.2 + 0.8 * (round + 1) / rounds(), what); }
@@ -207,6 +209,7 @@ std::vector<Parameter> parameters_of(BestOptions& o) {
   append_parameters(all, "proposals", parameters_of(o.proposals));
   append_parameters(all, "costs", parameters_of(o.costs));
   append_parameters(all, "smoothness", parameters_of(o.smoothness));
+  append_parameters(all, "edges", parameters_of(o.edges));
   append_parameters(all, "islands", parameters_of(o.islands));
   append_parameters(all, "shift", parameters_of(o.shift));
   append_parameters(all, "background", parameters_of(o.background));

@@ -6,6 +6,7 @@
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/vision/stereo/cost/sgm.hpp"
+#include "palpable/vision/stereo/planes/edge_evidence.hpp"
 #include "palpable/vision/stereo/planes/false_islands.hpp"
 #include "palpable/vision/stereo/planes/photometric_shift.hpp"
 #include "palpable/vision/stereo/planes/plane_search.hpp"
@@ -46,6 +47,7 @@ struct BestOptions {
   PlaneProposalOptions proposals = {};
   PlaneCostOptions costs = {};
   PlaneSmoothnessOptions smoothness = {};
+  EdgeEvidenceOptions edges = {};
   FalseIslandOptions islands = {};
   PhotometricShiftOptions shift = {};
   BackgroundOptions background = {};

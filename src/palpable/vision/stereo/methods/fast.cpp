@@ -237,6 +237,7 @@ std::vector<Parameter> parameters_of(FastOptions& o) {
       {"lead_in_rows", &o.lead_in_rows, {0, 200}, "px", "Rows beside a stripe at which its paths begin"},
       {"medians", &o.medians, {0, 10}, "", "3 x 3 medians at the end"}};
   append_parameters(all, "cost", parameters_of(o.cost));
+  append_parameters(all, "steps", parameters_of(o.steps));
   return all;
 }
 
@@ -275,6 +276,8 @@ Result<MatchOutput> match_fast(const MatchInput& input, const FastOptions& optio
   for (std::size_t i = 0; i < trusted.count(); ++i) trusted.values()[i] = out.confidence.values()[i] > 0.0F;
   fill_from_background(trusted, out.disparity_px);
   for (int pass = 0; pass < options.medians; ++pass) out.disparity_px = median_3x3(out.disparity_px, work);
+  median_at_steps(costs.left_colour(), options.steps, out.disparity_px, work);
+  if (work.cancelled()) return Work::interrupted();
   return out;
 }
 

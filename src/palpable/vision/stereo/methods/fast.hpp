@@ -6,6 +6,7 @@
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/vision/stereo/cost/matching_cost.hpp"
+#include "palpable/vision/stereo/occlusion/step_median.hpp"
 #include "palpable/vision/stereo/problem/match_input.hpp"
 
 #include <vector>
@@ -38,6 +39,8 @@ struct FastOptions {
   /// Number of final 3 x 3 medians: two remove specks of a few pixels and keep corners sharper than one wide
   /// median; 0 … 10.
   int medians = 2;
+  /// The large windows of the costs carry nearer surfaces beyond their edges: steps are moved back.
+  StepMedianOptions steps = {};
 };
 std::vector<Parameter> parameters_of(FastOptions& options);
 /// Errors: usage, for a parameter out of its range or a cost that could exceed 127.
@@ -45,8 +48,9 @@ Result<void> check(const FastOptions& options);
 
 /// The method `fast`, for live use: AD-Census costs averaged over small crosses, semi-global matching over
 /// eight paths, the right view's disparities from the same sums, occluded pixels filled from the background,
-/// and a median against specks. Gives a confidence of 0 or 1 (left-right check); no pixel is left unknown.
-/// Errors: usage (check()), interrupted. The result does not depend on the number of threads.
+/// a median against specks, and steps of disparity moved to edges of colour. Gives a confidence of 0 or 1
+/// (left-right check); no pixel is left unknown. Errors: usage (check()), interrupted. The result does not
+/// depend on the number of threads.
 Result<MatchOutput> match_fast(const MatchInput& input, const FastOptions& options, const Work& work);
 
 }  // namespace palpable::vision

@@ -126,7 +126,9 @@ void refine_borders(std::array<View, 2>& views, const SegmentsOptions& options, 
       View& view = views[k];
       const Raster<float> seen = seen_from_other(views[1 - k], k == 0 ? right_first : 0);
       propose_planes(view.surfaces, candidates, work);
-      plane_costs(view.costs, {&seen, 0.0F}, options.costs, candidates, work);
+      const Raster<std::uint8_t> without_evidence =
+          evidence_of_nearer_edges(view.picture.colour, view.map.disparity, options.edges, work);
+      plane_costs(view.costs, {&seen, 0.0F}, options.costs, candidates, work, &without_evidence);
       for (std::size_t own = 0; own < candidates.cost.size(); own += PlaneCandidates::kCount)
         candidates.cost[own] -= options.leave_cost;
       choose_planes(view.picture.colour, options.smoothness, candidates, view.map, work);
@@ -143,6 +145,7 @@ std::vector<Parameter> parameters_of(SegmentsOptions& o) {
   append_parameters(all, "volume", parameters_of(o.volume));
   append_parameters(all, "costs", parameters_of(o.costs));
   append_parameters(all, "smoothness", parameters_of(o.smoothness));
+  append_parameters(all, "edges", parameters_of(o.edges));
   append_parameters(all, "background", parameters_of(o.background));
   append_parameters(all, "contradicted", parameters_of(o.contradicted));
   return all;

@@ -7,6 +7,7 @@
 #include "palpable/core/work.hpp"
 #include "palpable/vision/stereo/cost/cost_volume.hpp"
 #include "palpable/vision/stereo/methods/segment_planes.hpp"
+#include "palpable/vision/stereo/planes/edge_evidence.hpp"
 #include "palpable/vision/stereo/planes/plane_search.hpp"
 #include "palpable/vision/stereo/planes/plane_votes.hpp"
 #include "palpable/vision/stereo/problem/match_input.hpp"
@@ -25,6 +26,7 @@ struct SegmentsOptions {
   VolumeOptions volume = {};
   PlaneCostOptions costs = {};
   PlaneSmoothnessOptions smoothness = {};
+  EdgeEvidenceOptions edges = {};
   BackgroundOptions background = {};
   PlaneVoteWindow contradicted = kContradictedWindow;
 };

@@ -4,6 +4,7 @@
 
 #include "palpable/core/numbers/vectorize.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -32,6 +33,12 @@ float cost_at(const std::uint16_t* cost, int count, float disparity, float beyon
   const float c = value(d + 1);
   const float e = value(d + 2);
   return b + 0.5F * t * (c - a + t * (2.0F * a - 5.0F * b + 4.0F * c - e + t * (3.0F * (b - c) + e - a)));
+}
+
+/// The cost of a pixel whose own costs say nothing: the least of them at every disparity.
+float flat_cost(const std::uint16_t* cost, int count, float disparity, float beyond_range_per_px) {
+  const float beyond = std::max(std::max(-disparity, disparity - static_cast<float>(count - 1)), 0.0F);
+  return static_cast<float>(*std::min_element(cost, cost + count)) / kCostUnit + beyond_range_per_px * beyond;
 }
 
 /// A candidate's cost including visibility in the other view.
@@ -279,16 +286,20 @@ float matching_cost_at(const CostVolume& volume, int x, int y, float disparity, 
 }
 
 void plane_costs(const CostVolume& volume, const OtherView& other, const PlaneCostOptions& options,
-                 PlaneCandidates& candidates, const Work& work) {
+                 PlaneCandidates& candidates, const Work& work,
+                 const Raster<std::uint8_t>* without_evidence) {
   parallel_for(work, volume.height, 4, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)
       for (int x = 0; x < volume.width; ++x) {
         const std::uint16_t* cost = volume.at(x, y);
+        const auto matching_cost =
+            without_evidence != nullptr && (*without_evidence)(x, y) != 0 ? flat_cost : cost_at;
         const std::size_t at = candidates.at(x, y);
         for (std::size_t k = at; k < at + kCount; ++k) {
           const float d = candidates.disparity[k];
-          const float own = cost_with_other_view(
-              other, options, x, y, d, cost_at(cost, volume.disparities, d, options.beyond_range_per_px));
+          const float own =
+              cost_with_other_view(other, options, x, y, d,
+                                   matching_cost(cost, volume.disparities, d, options.beyond_range_per_px));
           candidates.cost[k] = own + options.slope_cost * (std::fabs(candidates.slope_x[k]) +
                                                            std::fabs(candidates.slope_y[k]));
         }

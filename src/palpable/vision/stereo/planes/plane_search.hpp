@@ -6,6 +6,7 @@
 #include "palpable/vision/stereo/occlusion/left_right_check.hpp"
 #include "palpable/vision/stereo/planes/plane_candidates.hpp"
 
+#include <cstdint>
 #include <vector>
 
 // A semi-global search over slanted planes: every pixel has a handful of candidate planes, and eight path
@@ -63,9 +64,11 @@ float matching_cost_at(const CostVolume& volume, int x, int y, float disparity, 
 
 /// Sets the candidates' own costs from the volume. With another view, a candidate behind the other view's
 /// surface is occluded there and has a constant cost; one in front of it should be visible there and costs
-/// more.
+/// more. Pixels marked in `without_evidence` (of the volume's size; none if null) cost the same at every
+/// disparity, their least matching cost.
 void plane_costs(const CostVolume& volume, const OtherView& other, const PlaneCostOptions& options,
-                 PlaneCandidates& candidates, const Work& work);
+                 PlaneCandidates& candidates, const Work& work,
+                 const Raster<std::uint8_t>* without_evidence = nullptr);
 
 /// Runs the sweeps and assigns each pixel its candidate of least cost. The result does not depend on the
 /// number of threads.

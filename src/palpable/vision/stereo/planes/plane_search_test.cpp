@@ -102,6 +102,22 @@ TEST(PlaneCosts, GrowWithTheSlope) {
   EXPECT_NEAR(candidates.cost[candidates.at(7, 0)], 0.75F * PlaneCostOptions{}.slope_cost, 1e-6F);
 }
 
+TEST(PlaneCosts, AreTheLeastAtEveryDisparityWithoutEvidence) {
+  CostVolume costs = ramp(6);
+  costs.at(7, 0)[0] = 900;  // the least cost, 400, is now that of the disparity 1
+  Raster<std::uint8_t> without_evidence(8, 1);
+  without_evidence(7, 0) = 1;
+  PlaneCandidates candidates(8, 1);
+  std::fill(candidates.disparity.begin(), candidates.disparity.end(), 5.0F);
+  candidates.disparity[candidates.at(7, 0) + 1] = 7.0F;  // 2 px beyond the range
+  plane_costs(costs, {}, {}, candidates, {}, &without_evidence);
+  constexpr float kLeast = 400.0F / kCostUnit;
+  EXPECT_NEAR(candidates.cost[candidates.at(7, 0)], kLeast, 1e-6F);
+  EXPECT_NEAR(candidates.cost[candidates.at(7, 0) + 1],
+              kLeast + 2.0F * PlaneCostOptions{}.beyond_range_per_px, 1e-6F);
+  EXPECT_NEAR(candidates.cost[candidates.at(6, 0)], 5.0F * kLeast, 1e-6F);  // not marked
+}
+
 TEST(ChosenPlanes, AreOfLeastCostWithoutSmoothness) {
   PlaneCandidates candidates(5, 4);
   for (std::size_t i = 0; i < candidates.cost.size(); ++i) {
