@@ -158,6 +158,8 @@ std::string RemoteHost::take_messages() {
 std::string RemoteHost::take(const Message& message) {
   if (message.kind == MessageKind::bye) return "The program that touched has ended.";
   const auto surface = parse_surface(message);
+  if (message.kind != MessageKind::surface)
+    return "The program that touched sent a message that has no place in a touch.";
   if (!surface) return "The program that touched sent a surface that is out of range.";
   const LocalSurface limited = options_.limited ? options_.limited(*surface) : *surface;
   using Kind = LocalSurface::Kind;

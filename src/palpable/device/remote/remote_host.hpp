@@ -47,7 +47,7 @@ class RemoteHost {
   /// A client that was lost for this long has gone, and a new token is made.
   static constexpr std::chrono::milliseconds kForgottenAfter{60'000};
 
-  /// Errors: usage (no such address), device (the port is in use), failed (no random numbers).
+  /// Errors: usage (no such address), failed (the port is in use, no random numbers).
   static Result<std::unique_ptr<RemoteHost>> open(HostOptions options,
                                                   std::shared_ptr<SharedExchange> exchange);
   /// Says good-bye to the client.

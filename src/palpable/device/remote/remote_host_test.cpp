@@ -357,6 +357,18 @@ TEST(RemoteUrl, IsRefusedIfItIsIncomplete) {
   EXPECT_EQ(nobody.error().code, ErrorCode::device);
   EXPECT_NE(nobody.error().message.find("nobody shares a device there"), std::string::npos)
       << nobody.error().message;
+  const auto unknown = open_device("remote:nohost.invalid:7" + token, {});
+  EXPECT_EQ(unknown.error().code, ErrorCode::device);
+  EXPECT_EQ(unknown.error().message.find("the name of the computer is no address"), 0U)
+      << unknown.error().message;
+}
+
+TEST_F(RemoteHostTest, APortInUseIsTheSystemsFault) {
+  HostOptions options;
+  options.port = host_->port();
+  const auto second = RemoteHost::open(options, std::make_shared<SharedExchange>());
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error().code, ErrorCode::failed);
 }
 
 TEST_F(RemoteHostTest, DriverNeitherAllocatesNorWaitsInATick) {

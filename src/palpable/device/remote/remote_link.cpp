@@ -50,7 +50,11 @@ Result<Welcome> RemoteLink::connect(const std::string& secret) {
   };
   const auto longest = secret_.empty() ? kLinkConnecting : kLinkConnectingAgain;
   auto stream = TcpStream::connect(address_.host, address_.port, longest);
-  if (!stream) return no_welcome("nobody shares a device there: " + stream.error().message);
+  if (!stream) {
+    const bool is_silent = stream.error().reason == Reason::device_silent;
+    return no_welcome((is_silent ? "nobody shares a device there: " : "the name of the computer ") +
+                      stream.error().message);
+  }
   stream->send(hello_message(secret));
   reader_ = {};
   for (const auto until = Clock::now() + longest; Clock::now() < until;) {

@@ -130,7 +130,7 @@ Result<TcpListener> TcpListener::open(const std::string& address, std::uint16_t 
   constexpr int kWaiting = 4;
   if (socket.number() < 0 || ::bind(socket.number(), first.ai_addr, first.ai_addrlen) != 0 ||
       ::listen(socket.number(), kWaiting) != 0)
-    return Error{ErrorCode::device, "cannot be listened at (" + system_reason(errno) + ")", place};
+    return Error{ErrorCode::failed, "cannot be listened at (" + system_reason(errno) + ")", place};
   sockaddr_storage bound{};
   socklen_t size = sizeof bound;
   ::getsockname(socket.number(), reinterpret_cast<sockaddr*>(&bound), &size);

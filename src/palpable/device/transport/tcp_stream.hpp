@@ -50,7 +50,7 @@ class TcpStream {
 class TcpListener {
  public:
   /// `address`: numeric ("127.0.0.1", "0.0.0.0", "::"); port 0: any free one. Errors: usage (no such
-  /// address), device (the port is in use).
+  /// address), failed (the port is in use).
   static Result<TcpListener> open(const std::string& address, std::uint16_t port);
   std::optional<TcpStream> accept();
   std::uint16_t port() const { return port_; }

@@ -272,6 +272,7 @@ TEST_P(TwoDiyWithAFault, IsFreeWithinTenTicksAndHasFailedAfterHalfASecond) {
   for (int time = 0; time < times; ++time) {
     VirtualTwoDiy board(kTwoDiyVariants[0]);
     const auto device = opened(board, kTwoDiyVariants[0]);
+    ASSERT_NE(device, nullptr);
     const int until = 1000 + static_cast<int>(random() % 500);
     for (int k = 0; k < until; ++k) tick(*device, board, {0.3, 0.3, 0.0});
     ASSERT_FALSE(motors_are_free(board));

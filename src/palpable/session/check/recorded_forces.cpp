@@ -120,8 +120,6 @@ void RecordedForces::check_work(const device::TouchSample& tick, const RecordedT
 
 bool is_in_free_air(const haptics::HapticScene& scene, const device::TouchSample& before,
                     const device::TouchSample& tick) {
-  constexpr double kSpacing_m = 1e-4;
-  constexpr double kMostPlaces = 400.0;
   const auto is_clear = [&](Vec3 place) {
     haptics::TouchState state;
     haptics::Hand hand{{place}, {}, tick.dt_s};
@@ -129,9 +127,14 @@ bool is_in_free_air(const haptics::HapticScene& scene, const device::TouchSample
     return !scene.touchable->evaluate(hand, state).contact;
   };
   const auto is_way_clear = [&](Vec3 from, Vec3 to) {
-    const double steps = std::clamp(std::ceil(norm(to - from) / kSpacing_m), 1.0, kMostPlaces);
-    for (double k = 0.0; k <= steps; ++k)
-      if (!is_clear(from + (k / steps) * (to - from))) return false;
+    // Most ways that are not clear are found out by a few places; the top of a crest may be cut in a few
+    // micrometres of depth only.
+    constexpr double kMostPlaces = 4000.0;
+    for (const double spacing_m : {1e-4, 4e-6}) {
+      const double steps = std::clamp(std::ceil(norm(to - from) / spacing_m), 1.0, kMostPlaces);
+      for (double k = 0.0; k <= steps; ++k)
+        if (!is_clear(from + (k / steps) * (to - from))) return false;
+    }
     return true;
   };
   const Vec3 hand = tick.position.v;

@@ -50,7 +50,8 @@ struct ReadTextOptions {
   double least_confidence = 0.4;
   /// Lines that are read with less confidence are also read upside down. 0 ... 1.
   double sure = 0.8;
-  /// Longest time for reading all lines, s. 1 ... 3600.
+  /// Most processor time for reading all lines in each process, s; ten times as long by the clock. 1 ...
+  /// 3600.
   double most_seconds = 60.0;
 };
 /// All but the languages.

@@ -9,6 +9,7 @@
 #include <cctype>
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -17,6 +18,7 @@
 
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -58,20 +60,26 @@ fs::path program_in_path(std::string_view name) {
   return {};
 }
 
-/// Runs a program until it ends. Errors: interrupted; failed for a program that cannot be started, fails or
-/// takes longer.
+/// Runs a program until it ends, for at most `most_seconds` of processor time, which other programs on the
+/// machine do not shorten. Errors: interrupted; failed for a program that cannot be started, fails or takes
+/// longer.
 Result<void> run_to_end(const std::vector<std::string>& command, double most_seconds, const Work& work) {
   // One thread: the lines are shared between processes.
   std::vector<std::string> arguments{"OMP_THREAD_LIMIT=1"};
   arguments.insert(arguments.end(), command.begin(), command.end());
   const auto child = start_child("/usr/bin/env", arguments, {});
   if (!child) return child.error();
+  const auto processor_s = static_cast<rlim_t>(std::ceil(most_seconds));
+  const rlimit limit{processor_s, processor_s + 1};
+  ::prlimit(*child, RLIMIT_CPU, &limit, nullptr);
   // Readable when the child has ended; the wait is divided only so that a cancel is noticed.
   const Descriptor end(static_cast<int>(::syscall(SYS_pidfd_open, *child, 0)));
   const auto begin = std::chrono::steady_clock::now();
   const auto takes_too_long = [&] {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
-    return passed.count() > most_seconds;
+    // It may also wait for something that never comes.
+    constexpr double kRest = 10.0;
+    return passed.count() > kRest * most_seconds;
   };
   pollfd ended{end.number(), POLLIN, 0};
   constexpr int kNotice_ms = 50;
@@ -82,7 +90,8 @@ Result<void> run_to_end(const std::vector<std::string>& command, double most_sec
   int status = 0;
   waitpid(*child, &status, 0);
   if (work.cancelled()) return Work::interrupted();
-  if (!by_itself) return Error{ErrorCode::failed, fmt::format("{} took too long", command.front()), {}};
+  if (!by_itself || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU))
+    return Error{ErrorCode::failed, fmt::format("{} took too long", command.front()), {}};
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
   return Error{ErrorCode::failed, fmt::format("{} failed", command.front()), {}};
 }

@@ -99,31 +99,66 @@ TEST(ReadText, ReadsTurnedWordsTheRightWayUp) {
   }
 }
 
+/// A program `tesseract` of these lines of sh, which is the only one that is found.
+class FakeReader {
+ public:
+  explicit FakeReader(const std::string& script)
+      : folder_(std::filesystem::temp_directory_path() /
+                ("palpable-reader-" + std::to_string(static_cast<long>(::getpid())))),
+        path_(std::getenv("PATH")) {
+    std::filesystem::create_directory(folder_);
+    std::ofstream(folder_ / "tesseract") << "#!/bin/sh\n" << script;
+    std::filesystem::permissions(folder_ / "tesseract", std::filesystem::perms::owner_all);
+    setenv("PATH", folder_.c_str(), 1);
+  }
+  FakeReader(const FakeReader&) = delete;
+  FakeReader& operator=(const FakeReader&) = delete;
+  ~FakeReader() {
+    setenv("PATH", path_.c_str(), 1);
+    std::filesystem::remove_all(folder_);
+  }
+  bool has(const char* file) const { return std::filesystem::exists(folder_ / file); }
+
+ private:
+  std::filesystem::path folder_;
+  std::string path_;
+};
+
+constexpr const char* kSaysStation =
+    "printf '5\\t1\\t1\\t1\\t1\\t1\\t0\\t0\\t9\\t9\\t60\\tStation\\n' > \"$2.tsv\"\n";
+
+TextReading read_station(const ReadTextOptions& options) {
+  const Raster<Rgb8> picture = words_at("Station Road", 0.0);
+  auto read = read_text_lines(picture, find_text_lines(picture), options, Work{});
+  EXPECT_TRUE(read) << read.error().sentence();
+  return read ? *std::move(read) : TextReading{};
+}
+
 TEST(ReadText, AReaderThatFailsLaterLeavesAllUnread) {
   // A program that reads one unsure word, and fails when it is asked again.
-  const auto folder = std::filesystem::temp_directory_path() /
-                      ("palpable-reader-" + std::to_string(static_cast<long>(::getpid())));
-  std::filesystem::create_directory(folder);
-  std::ofstream(folder / "tesseract")
-      << "#!/bin/sh\n"
-         "[ -e \"$0.called\" ] && exit 1\n"
-         ": > \"$0.called\"\n"
-         "printf '5\\t1\\t1\\t1\\t1\\t1\\t0\\t0\\t9\\t9\\t60\\tStation\\n' > \"$2.tsv\"\n";
-  std::filesystem::permissions(folder / "tesseract", std::filesystem::perms::owner_all);
-  const std::string before = std::getenv("PATH");
-  setenv("PATH", folder.c_str(), 1);
-  const Raster<Rgb8> picture = words_at("Station Road", 0.0);
+  const FakeReader reader("[ -e \"$0.called\" ] && exit 1\n: > \"$0.called\"\n" + std::string(kSaysStation));
   ReadTextOptions options;
   options.languages = "eng";
-  const auto read = read_text_lines(picture, find_text_lines(picture), options, Work{});
-  setenv("PATH", before.c_str(), 1);
-  const bool was_called = std::filesystem::exists(folder / "tesseract.called");
-  std::filesystem::remove_all(folder);
-  ASSERT_TRUE(was_called);
-  ASSERT_TRUE(read) << read.error().sentence();
-  ASSERT_EQ(read->lines.size(), 1U);
-  EXPECT_EQ(read->lines[0].text, "");
-  ASSERT_EQ(read->notes.size(), 1U);
+  const TextReading read = read_station(options);
+  ASSERT_TRUE(reader.has("tesseract.called"));
+  ASSERT_EQ(read.lines.size(), 1U);
+  EXPECT_EQ(read.lines[0].text, "");
+  ASSERT_EQ(read.notes.size(), 1U);
+}
+
+TEST(ReadText, OnlyTheTimeInWhichAReaderComputesIsLimited) {
+  ReadTextOptions options;
+  options.languages = "eng";
+  options.most_seconds = 1.0;
+  {
+    // On a busy machine a reader waits for the processor.
+    const FakeReader waits("/bin/sleep 1.5\n" + std::string(kSaysStation));
+    EXPECT_TRUE(read_station(options).notes.empty());
+  }
+  const FakeReader computes("while :; do :; done\n");
+  const TextReading read = read_station(options);
+  ASSERT_EQ(read.notes.size(), 1U);
+  EXPECT_NE(read.notes[0].sentence.find("took too long"), std::string::npos) << read.notes[0].sentence;
 }
 
 TEST(ReadText, StopsWhenItIsCancelled) {
