@@ -215,7 +215,7 @@ const Hostile kHostile[]{
      "out of range"},
     {"a normal that is none", [] { return of_a_surface([](LocalSurface& s) { s.normal.v = {}; }); },
      "out of range"},
-    {"a reading", [] { return reading_message({}); }, "out of range"},
+    {"a reading", [] { return reading_message({}); }, "has no place in a touch"},
     {"a flood",
      [] {
        std::vector<std::byte> bytes;
