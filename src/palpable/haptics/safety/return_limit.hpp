@@ -11,8 +11,8 @@ namespace palpable::haptics {
 /// stores energy that the hand did not give, since there was no force yet. A hand that turns back has given
 /// it by then. One that grazes a bump within a tick or two does not turn: the force on the far side pushes it
 /// on, and returns what nobody gave. So a force that pushes the hand the way it goes is reduced such that,
-/// until the next tick, it gives no more than the contact has received. A force against the movement, and a
-/// hand at rest, are not affected. Tick path; no allocation.
+/// until the next tick, it gives no more than the contact has received. A force against the movement, a hand
+/// at rest, and a contact that has lasted longer than 10 ms are not affected. Tick path; no allocation.
 class ReturnLimit {
  public:
   /// A force and a torque that are about to be sent, on the hand as it will move when they act.
