@@ -23,7 +23,7 @@ std::string shown(double number) {
 
 Result<DeviceUrl> DeviceUrl::parse(std::string_view url) {
   const auto usage = [&](std::string message) {
-    return Error{ErrorCode::usage, std::move(message), std::string(url)};
+    return Error{ErrorCode::usage, std::move(message), public_url(url)};
   };
   DeviceUrl parsed;
   parsed.url_ = url;
@@ -89,14 +89,24 @@ std::string DeviceUrl::take_text(const std::string& name) {
 }
 
 Result<void> DeviceUrl::finish() const {
-  if (!first_error_.empty()) return Error{ErrorCode::usage, first_error_, url_};
+  if (!first_error_.empty()) return Error{ErrorCode::usage, first_error_, public_url(url_)};
   if (!options_.empty())
-    return Error{ErrorCode::usage, scheme_ + ": has no option " + options_.begin()->first, url_};
+    return Error{ErrorCode::usage, scheme_ + ": has no option " + options_.begin()->first, public_url(url_)};
   return {};
 }
 
 void DeviceUrl::fail(std::string message) {
   if (first_error_.empty()) first_error_ = std::move(message);
+}
+
+std::string public_url(std::string_view url) {
+  std::string shown(url);
+  for (const std::string_view before : {"?token=", "&token="})
+    for (auto at = shown.find(before); at != std::string::npos; at = shown.find(before, at + 1)) {
+      const auto begin = at + before.size();
+      shown.replace(begin, std::min(shown.find('&', begin), shown.size()) - begin, "…");
+    }
+  return shown;
 }
 
 }  // namespace palpable::device

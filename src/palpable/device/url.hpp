@@ -46,4 +46,7 @@ class DeviceUrl {
   std::string first_error_;
 };
 
+/// A URL as it may be shown and kept: the value of the option token is replaced by "…".
+std::string public_url(std::string_view url);
+
 }  // namespace palpable::device

@@ -3,6 +3,7 @@
 #include "palpable/core/system/allocations.hpp"
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/device/pointer/pointer.hpp"
+#include "palpable/device/remote/remote_wire.hpp"
 #include "palpable/device/simulated/simulated_hand.hpp"
 #include "palpable/device/url.hpp"
 
@@ -30,6 +31,25 @@ TEST(OpenDevice, NamesWhatIsWrongWithAnAddress) {
   EXPECT_NE(error_of("sim:?mass=99").sentence().find("0.01 to 5"), std::string::npos);
   EXPECT_NE(error_of("sim:?delay=1.5").sentence().find("whole number"), std::string::npos);
   EXPECT_EQ(error_of("replay:/nowhere/at/all").code, ErrorCode::invalid_input);
+}
+
+TEST(OpenDevice, ChecksTheAddressOfAnotherComputerBeforeItConnects) {
+  const std::string whole = "remote:desk.local:4711?token=" + std::string(kSecret_bytes, 'x');
+  EXPECT_TRUE(check_device_url(whole));
+  for (const std::string& url :
+       {std::string("remote:"), std::string("remote:desk.local"), whole + "&speed=1",
+        std::string("remote:desk.local:0?token=x"), whole.substr(0, whole.size() - 1)})
+    EXPECT_FALSE(check_device_url(url)) << url;
+}
+
+TEST(OpenDevice, ShowsNoTokenInItsErrors) {
+  EXPECT_EQ(public_url("remote:a:1?token=secret&x=1"), "remote:a:1?token=…&x=1");
+  EXPECT_EQ(public_url("remote:a:1?x=1&token=secret&token=again"), "remote:a:1?x=1&token=…&token=…");
+  EXPECT_EQ(public_url("sim:?mass=1"), "sim:?mass=1");
+  for (const auto* url :
+       {"remote:a:1?token=secret", "remote:a:1?token=secret&x=1", "remote:a:1?token=secret&token=secret",
+        "2diy:?token=secret", "remotes:a:1?token=secret"})
+    EXPECT_EQ(error_of(url).sentence().find("secret"), std::string::npos) << error_of(url).sentence();
 }
 
 TEST(OpenDevice, GivesASimulatedHandTheOptionsOfItsAddress) {

@@ -28,6 +28,8 @@ struct Driver {
   bool is_virtual = false;
   /// Where devices of this kind may be plugged in, or why none can be; null if it needs none.
   Result<std::vector<std::string>> (*ports)() = nullptr;
+  /// Checks path and options of a URL without opening it; null if only open() does.
+  Result<void> (*check)(DeviceUrl&) = nullptr;
 };
 
 Result<std::vector<std::string>> serial_ports() { return two_diy_ports(); }
@@ -63,8 +65,8 @@ constexpr std::array kDrivers{
     Driver{"evdev", open_evdev, "joystick or gamepad",
            "With force feedback, in the plane; gamepads only rumble.", false, joysticks},
     Driver{"remote", open_remote, "device of another computer",
-           "Where palpable share serves it: remote:HOST:PORT?token=…, as printed there.", false,
-           remote_ports},
+           "Where palpable share serves it: remote:HOST:PORT?token=…, as printed there.", false, remote_ports,
+           check_remote},
 };
 
 Result<const Driver*> driver_of(const DeviceUrl& url) {
@@ -79,11 +81,11 @@ Result<const Driver*> driver_of(const DeviceUrl& url) {
 }  // namespace
 
 Result<void> check_device_url(std::string_view url) {
-  const auto parsed = DeviceUrl::parse(url);
-  if (!parsed) return parsed.error();
+  auto parsed = DeviceUrl::parse(url);
+  if (!parsed) return std::move(parsed).error();
   const auto driver = driver_of(*parsed);
   if (!driver) return driver.error();
-  return {};
+  return (*driver)->check == nullptr ? Result<void>{} : (*driver)->check(*parsed);
 }
 
 bool is_virtual_device(std::string_view url) {

@@ -23,8 +23,8 @@ Result<std::unique_ptr<Device>> open_device(std::string_view url, const OpenOpti
 /// again themselves (remote:).
 std::function<Result<std::unique_ptr<Device>>()> reopener(const std::string& url, double rate_hz);
 
-/// Checks that a URL is well formed and names a known kind of device, without opening it, so that errors are
-/// reported before long computations. Errors: usage.
+/// Checks that a URL is well formed and names a known kind of device, and the address of a device at another
+/// computer, without opening it, so that errors are reported before long computations. Errors: usage.
 Result<void> check_device_url(std::string_view url);
 
 /// Whether a URL names a device without real motors: a simulation, the pointer, a recording.

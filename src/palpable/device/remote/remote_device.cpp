@@ -46,7 +46,9 @@ std::string RemoteDevice::fault() const {
   return trouble.empty() ? FreshReading::silence_of(traits_.name) : trouble;
 }
 
-Result<std::unique_ptr<Device>> open_remote(DeviceUrl& url, const OpenOptions& options) {
+namespace {
+
+Result<RemoteLink::Address> address_in(DeviceUrl& url) {
   RemoteLink::Address address;
   address.token = url.take_text("token");
   if (auto valid = url.finish(); !valid) return std::move(valid).error();
@@ -69,8 +71,21 @@ Result<std::unique_ptr<Device>> open_remote(DeviceUrl& url, const OpenOptions& o
     return wrong("a port is a number from 1 to 65535");
   if (address.token.size() != kSecret_bytes)
     return wrong("the token is missing or incomplete; take the whole address that palpable share prints");
+  return address;
+}
+
+}  // namespace
+
+Result<void> check_remote(DeviceUrl& url) {
+  const auto address = address_in(url);
+  return address ? Result<void>{} : Result<void>(address.error());
+}
+
+Result<std::unique_ptr<Device>> open_remote(DeviceUrl& url, const OpenOptions& options) {
+  const auto address = address_in(url);
+  if (!address) return address.error();
   auto exchange = std::make_shared<RemoteExchange>();
-  auto link = RemoteLink::open(address, exchange);
+  auto link = RemoteLink::open(*address, exchange);
   if (!link) return std::move(link).error();
   Traits traits = (*link)->traits();
   return std::unique_ptr<Device>(

@@ -70,6 +70,10 @@ class RemoteDevice final : public Device, public TakesLocalSurface {
   std::shared_ptr<RemoteLink> link_;
 };
 
+/// Checks that a URL has the form of an address that `palpable share` prints, without connecting. Errors:
+/// usage.
+Result<void> check_remote(DeviceUrl& url);
+
 /// Opens `remote:HOST:PORT?token=...`, the address that `palpable share` prints. Errors: usage (no such
 /// address), device (nobody shares there, refused).
 Result<std::unique_ptr<Device>> open_remote(DeviceUrl& url, const OpenOptions& options);

@@ -5,6 +5,7 @@
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/device/remote/remote_host.hpp"
 #include "palpable/device/remote/shared_device.hpp"
+#include "palpable/device/url.hpp"
 #include "palpable/haptics/law/local_touch.hpp"
 #include "palpable/haptics/servo/reopening_loop.hpp"
 #include "palpable/session/share/shared_limits.hpp"
@@ -74,7 +75,8 @@ Result<haptics::ServoStatistics> share_device(const ShareOptions& options, const
   if (!opened) return std::move(opened).error();
   const device::Traits traits = (*opened)->traits();
   if (!traits.pushes_back)
-    return Error{ErrorCode::usage, "a device without motors needs no sharing", options.device_url};
+    return Error{ErrorCode::usage, "a device without motors needs no sharing",
+                 device::public_url(options.device_url)};
   auto exchange = std::make_shared<device::SharedExchange>();
   const auto current = std::make_shared<device::CurrentSurface>();
   const auto shared = [exchange, current](std::unique_ptr<device::Device> device) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/touch/headless.hpp"
 
+#include "palpable/device/url.hpp"
 #include "palpable/haptics/servo/pacing.hpp"
 
 #include <chrono>
@@ -87,7 +88,8 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
   session.stop();
   if (!recorded) return std::move(recorded).error();
   if (failed)
-    return Error{ErrorCode::device, fault.empty() ? "the device has failed" : fault, options.device_url};
+    return Error{ErrorCode::device, fault.empty() ? "the device has failed" : fault,
+                 device::public_url(options.device_url)};
   auto statistics = session.statistics();
   if (options.live != nullptr) statistics.live = options.live->statistics();
   return statistics;

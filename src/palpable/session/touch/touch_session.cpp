@@ -4,6 +4,7 @@
 
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/device/pointer/pointer.hpp"
+#include "palpable/device/url.hpp"
 #include "palpable/haptics/servo/pacing.hpp"
 #include "palpable/haptics/servo/reopening_loop.hpp"
 #include "palpable/haptics/servo/start_touch.hpp"
@@ -150,7 +151,8 @@ Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const m
   if (settings.limits == Limits::off && !device::is_virtual_device(device_url) &&
       !((*device)->traits().max_force_N <= kMostUnlimited_N))
     return Error{ErrorCode::usage,
-                 "the limits may be off on simulated devices and on those of at most 4 N only", device_url};
+                 "the limits may be off on simulated devices and on those of at most 4 N only",
+                 device::public_url(device_url)};
   const auto place = haptics::fit_workspace(*scene, (*device)->traits());
   auto prepared = prepare_scene(*scene, settings, (*device)->traits(), options.servo.rate_hz, place,
                                 impl->kept, options.work);
@@ -319,7 +321,7 @@ Result<void> TouchSession::Impl::record_into(const std::filesystem::path& file) 
   session.command = options.command;
   session.seed = options.seed;
   session.rate_hz = options.servo.rate_hz;
-  session.device_url = device_url;
+  session.device_url = device::public_url(device_url);
   session.traits = loop->device_traits();
   session.tick = haptics::tick_options(options.servo);
   session.as_published = options.as_published;
