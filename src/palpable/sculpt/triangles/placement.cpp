@@ -11,6 +11,10 @@
 namespace palpable::sculpt {
 namespace {
 
+/// Far beyond any solid, and far from where its scale overflows.
+constexpr double kLeastExtent_m = 1e-9;
+constexpr double kMostExtent_m = 1e9;
+
 bool along_one_axis(AxisDirection a, AxisDirection b) { return dot(unit_vector(a), unit_vector(b)) != 0.0; }
 
 Vec3 rotated(const std::array<double, 9>& r, Vec3 p) {
@@ -123,6 +127,11 @@ Result<Placement> placement_of(const Box& box, const PlacementOptions& options, 
   const Vec3 extent = box.size_m();
   if (!is_finite(box.least_m) || !is_finite(box.most_m) || !(norm(extent) > 0.0))
     return invalid_input("is a solid without a finite extent");
+  if (norm(extent) < kLeastExtent_m || norm(extent) > kMostExtent_m)
+    return invalid_input(
+        "is a solid smaller than a nanometre or larger than a million kilometres, one of its units being a "
+        "metre: "
+        "save it in another unit");
   if (options.size_m)
     if (const auto valid = check_size_m(*options.size_m); !valid) return valid.error();
   if (const auto valid = check_ranges(options); !valid) return valid.error();

@@ -151,5 +151,15 @@ TEST(Placement, RefusesASizeOutOfRangeAndABoxWithoutExtent) {
   EXPECT_EQ(placement_of({{1, 1, 1}, {1, 1, 1}}, {}).error().code, ErrorCode::invalid_input);
 }
 
+TEST(Placement, RefusesASolidWhoseScaleWouldOverflow) {
+  for (const double size_m : {1e-30, 1e-10, 1e10, 1e200}) {
+    const auto placed = placement_of({{0, 0, 0}, {size_m, size_m, size_m}}, {});
+    ASSERT_FALSE(placed) << size_m;
+    EXPECT_NE(placed.error().message.find("another unit"), std::string::npos);
+  }
+  for (const double size_m : {1e-9, 1e8})
+    EXPECT_TRUE(placement_of({{0, 0, 0}, {size_m, size_m, size_m}}, {})) << size_m;
+}
+
 }  // namespace
 }  // namespace palpable::sculpt
