@@ -69,8 +69,9 @@ class CameraFiles : public InFolder {
       for (auto* words : {&make, &touch}) words->insert(words->end(), {"--kind", "stereo"});
     const Outcome made = with(make);
     EXPECT_EQ(made.exit_code, 0) << made.err;
-    EXPECT_EQ(palpable({"info", path("s.palp"), "--json"}).json()["source"]["method"], "stereo, fast")
-        << file;
+    const auto source = palpable({"info", path("s.palp"), "--json"}).json()["source"];
+    EXPECT_EQ(source["method"], "stereo, fast") << file;
+    EXPECT_EQ(source["paper"], "Hirschmüller 2008") << file;
     const Outcome touched = with(touch);
     EXPECT_EQ(touched.exit_code, 0) << touched.err;
     EXPECT_GT(touched.json()["servo"]["ticks"], 0);

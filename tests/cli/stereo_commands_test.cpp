@@ -213,6 +213,7 @@ TEST_F(StereoCommands, AnOptionOfAnotherMethodIsRefused) {
 TEST_F(StereoCommands, AMethodsParametersAreListedAndSet) {
   const Outcome all = palpable({"methods", "--json"});
   EXPECT_EQ(all.json()["methods"].size(), 6U);
+  for (const auto& method : all.json()["methods"]) EXPECT_NE(method.at("paper"), "") << method;
   const Outcome fast = palpable({"methods", "fast", "--json"});
   const auto parameters = fast.json()["parameters"];
   const auto medians = std::find_if(parameters.begin(), parameters.end(),

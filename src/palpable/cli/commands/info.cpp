@@ -7,9 +7,12 @@
 #include "palpable/formats/scene/map_codec.hpp"
 #include "palpable/formats/scene/superquadric_json.hpp"
 #include "palpable/haptics/law/laws.hpp"
+#include "palpable/vision/stereo/methods/match.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
+#include <string_view>
 #include <variant>
 
 #include <fmt/format.h>
@@ -68,6 +71,7 @@ Json laws_of(const models::Scene& scene) {
 Json json_of(const haptics::LawDescription& law) {
   Json json{{"name", law.name},
             {"title", law.title},
+            {"paper", law.paper},
             {"degrees_of_freedom", law.degrees_of_freedom},
             {"conservative", law.conservative},
             {"contact_error", law.contact_error.empty() ? Json(nullptr) : Json(law.contact_error)},
@@ -89,7 +93,7 @@ std::string sentence_of(const haptics::LawDescription& law) {
   for (const haptics::LawParameter& p : law.parameters)
     if (!p.option.empty()) options += fmt::format("{}--{}", options.empty() ? "" : " ", p.option);
   const std::string fails = law.contact_error.empty() ? "" : fmt::format("; {}", law.contact_error);
-  return fmt::format("  law {}: {} ({}){}\n", law.name, law.title, options, fails);
+  return fmt::format("  law {}: {} ({}){}; {}\n", law.name, law.title, options, fails, law.paper);
 }
 
 void add_model(Answer& answer, const models::Relief& relief) {
@@ -180,12 +184,31 @@ void add_map(Answer& answer, const StreetMap& map) {
       names.size(), map.junctions.size(), map.areas.size(), map.width_px, map.height_px);
 }
 
+/// The paper of the method that a scene was made by; empty if none is known.
+std::string_view paper_of(const models::Provenance& source) {
+  const std::string_view method = source.method;
+  constexpr std::string_view kStereo = "stereo, ";
+  if (method.starts_with(kStereo)) {
+    const auto known = vision::stereo_method_from(
+        method.substr(kStereo.size(), method.find(',', kStereo.size()) - kStereo.size()));
+    return known ? vision::paper_of(*known) : std::string_view{};
+  }
+  struct Known {
+    std::string_view begin;
+    std::string_view paper;
+  };
+  static constexpr std::array kKnown{
+      Known{"contours", "Design and implementation of a graphic-haptic display system, 2006"},
+      Known{"field of", "Moustakas et al. 2007"}, Known{"map extract", "Moustakas et al. 2007, sidebar"},
+      Known{"street map", "Moustakas et al. 2007, sidebar"}};
+  const auto* const known =
+      std::find_if(kKnown.begin(), kKnown.end(), [&](const Known& k) { return method.starts_with(k.begin); });
+  return known == kKnown.end() ? std::string_view{} : known->paper;
+}
+
 Json json_of(const models::Provenance& source) {
-  Json json{{"inputs", source.inputs},
-            {"method", source.method},
-            {"made_by", source.made_by},
-            {"command", source.command},
-            {"files", Json::array()}};
+  Json json{{"inputs", source.inputs},   {"method", source.method},   {"paper", paper_of(source)},
+            {"made_by", source.made_by}, {"command", source.command}, {"files", Json::array()}};
   for (const models::SourceFile& file : source.files)
     json["files"].push_back({{"name", file.name}, {"bytes", file.bytes}, {"sha256", file.sha256}});
   return json;
@@ -250,6 +273,8 @@ Result<Answer> info(const std::string& path) {
   else if (!scene.source.inputs.empty())
     answer.text +=
         fmt::format("  from {} ({})\n", fmt::join(scene.source.inputs, " and "), scene.source.method);
+  if (const std::string_view paper = paper_of(scene.source); !paper.empty())
+    answer.text += fmt::format("  method after: {}\n", paper);
   answer.text += making_words_of(scene.source, path);
   for (const models::Material& material : scene.materials) answer.text += words_of(material);
   return answer;

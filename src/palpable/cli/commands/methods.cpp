@@ -23,9 +23,11 @@ Answer all_methods() {
   Answer answer;
   answer.json["methods"] = Json::array();
   for (const vision::StereoMethod method : vision::available_stereo_methods()) {
-    answer.json["methods"].push_back(
-        {{"name", vision::name_of(method)}, {"summary", vision::summary_of(method)}});
-    answer.text += fmt::format("{:<10} {}\n", vision::name_of(method), vision::summary_of(method));
+    answer.json["methods"].push_back({{"name", vision::name_of(method)},
+                                      {"summary", vision::summary_of(method)},
+                                      {"paper", vision::paper_of(method)}});
+    answer.text += fmt::format("{:<10} {} ({})\n", vision::name_of(method), vision::summary_of(method),
+                               vision::paper_of(method));
   }
   answer.json["steps"] = Json::array();
   answer.text += "\nOther steps from an input to its scene:\n";
@@ -78,8 +80,10 @@ Result<Answer> one_method(const std::string& name) {
   Answer answer;
   answer.json = {{"name", vision::name_of(*method)},
                  {"summary", vision::summary_of(*method)},
+                 {"paper", vision::paper_of(*method)},
                  {"parameters", Json::array()}};
-  answer.text = fmt::format("{}: {}\n", vision::name_of(*method), vision::summary_of(*method));
+  answer.text = fmt::format("{}: {} ({})\n", vision::name_of(*method), vision::summary_of(*method),
+                            vision::paper_of(*method));
   add_parameters(vision::parameters_of(options, *method), answer);
   return answer;
 }

@@ -61,6 +61,7 @@ constexpr LawDescription kAveragedLaw{
     .law = Law::averaged,
     .name = "averaged",
     .title = "Averaged surface",
+    .paper = "Gomez Aguinaga 2012, chapter 12",
     .models = {.relief = true},
     .parameters = kParameters,
     .strength = &LawParameters::stiffness_N_per_m,

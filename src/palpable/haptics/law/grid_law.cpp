@@ -26,6 +26,7 @@ MadeLaw make(const LawInput& in) {
 constexpr LawDescription kGridLaw{.law = Law::grid,
                                   .name = "grid",
                                   .title = "Grid of cells",
+                                  .paper = "Park & Howard 2012, section 5",
                                   .models = {.grid = true},
                                   .parameters = kParameters,
                                   .strength = &LawParameters::stiffness_N_per_m,

@@ -17,6 +17,7 @@ constexpr std::array kParameters{kStiffness, kContactDamping, kStaticFriction, k
 constexpr LawDescription kGrooveLaw{.law = Law::groove,
                                     .name = "groove",
                                     .title = "Grooves",
+                                    .paper = "Zilles & Salisbury 1995; Ruspini, Kolarov & Khatib 1997",
                                     .models = {.contours = true},
                                     .parameters = kParameters,
                                     .strength = &LawParameters::stiffness_N_per_m,

@@ -88,6 +88,8 @@ struct LawDescription {
   std::string_view name;
   /// Name for display.
   std::string_view title;
+  /// Where the law was published first.
+  std::string_view paper;
   ModelKinds models;
   std::span<const LawParameter> parameters;
   /// The parameter that scales the law's force: a stiffness or a force.

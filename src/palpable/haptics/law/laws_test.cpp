@@ -200,7 +200,7 @@ TEST(Laws, RefuseEachOfTheirParametersOutsideTheRangeThatTheyDescribe) {
 
 TEST(Laws, AreDescribedCompletely) {
   for (const LawDescription* law : all_laws()) {
-    EXPECT_FALSE(law->name.empty() || law->title.empty());
+    EXPECT_FALSE(law->name.empty() || law->title.empty() || law->paper.empty());
     ASSERT_NE(find_parameter(*law, law->strength), nullptr) << law->name;
     EXPECT_EQ(law->is_contact, find_parameter(*law, &LawParameters::stiffness_N_per_m) != nullptr)
         << law->name;

@@ -37,6 +37,7 @@ MadeLaw make(const LawInput& in) {
 constexpr LawDescription kPenaltyLaw{.law = Law::penalty,
                                      .name = "penalty",
                                      .title = "Spring surface",
+                                     .paper = "after Moustakas et al. 2007",
                                      .models = {.relief = true, .field = true},
                                      .parameters = kParameters,
                                      .strength = &LawParameters::stiffness_N_per_m,

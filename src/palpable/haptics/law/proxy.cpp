@@ -36,6 +36,7 @@ MadeLaw make_proxy(const LawInput& in) {
 constexpr LawDescription kProxyLaw{.law = Law::proxy,
                                    .name = "proxy",
                                    .title = "Surface with friction",
+                                   .paper = "Zilles & Salisbury 1995; Ruspini, Kolarov & Khatib 1997",
                                    .models = {.relief = true, .field = true},
                                    .parameters = kParameters,
                                    .strength = &LawParameters::stiffness_N_per_m,

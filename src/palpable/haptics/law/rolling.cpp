@@ -95,6 +95,7 @@ MadeLaw make(const LawInput& in) {
 constexpr LawDescription kRollingLaw{.law = Law::rolling,
                                      .name = "rolling",
                                      .title = "Rolling ball",
+                                     .paper = "Shi & Pai 1997, eq. 1",
                                      .models = {true, true, true, true},
                                      .parameters = kParameters,
                                      .strength = &LawParameters::slope_force_N,

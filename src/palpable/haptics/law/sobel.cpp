@@ -88,6 +88,7 @@ LawOutput SobelLaw::evaluate(const Hand& hand, State&) const noexcept {
 constexpr LawDescription kSobelLaw{.law = Law::sobel,
                                    .name = "sobel",
                                    .title = "Rolling ball, as published",
+                                   .paper = "Shi & Pai 1997",
                                    .models = {.relief = true},
                                    .parameters = kParameters,
                                    .strength = &LawParameters::slope_force_N,

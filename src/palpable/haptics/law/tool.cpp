@@ -55,6 +55,7 @@ std::vector<ToolPlace> tool_places(const ToolShape& shape) {
 constexpr LawDescription kToolLaw{.law = Law::tool,
                                   .name = "tool",
                                   .title = "Tool with an extent",
+                                  .paper = "after Moustakas et al. 2007",
                                   .models = {.field = true},
                                   .parameters = kParameters,
                                   .strength = &LawParameters::stiffness_N_per_m,

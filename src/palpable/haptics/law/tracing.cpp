@@ -153,13 +153,15 @@ LawOutput TracingLaw::evaluate(const Hand& hand, State& s) const noexcept {
   return output;
 }
 
-constexpr LawDescription kTracingLaw{.law = Law::tracing,
-                                     .name = "tracing",
-                                     .title = "Tracing contours",
-                                     .models = {.contours = true},
-                                     .parameters = kParameters,
-                                     .strength = &LawParameters::tracing_force_N,
-                                     .degrees_of_freedom = 2,
-                                     .make = make};
+constexpr LawDescription kTracingLaw{
+    .law = Law::tracing,
+    .name = "tracing",
+    .title = "Tracing contours",
+    .paper = "Design and implementation of a graphic-haptic display system, 2006, eq. 8",
+    .models = {.contours = true},
+    .parameters = kParameters,
+    .strength = &LawParameters::tracing_force_N,
+    .degrees_of_freedom = 2,
+    .make = make};
 
 }  // namespace palpable::haptics

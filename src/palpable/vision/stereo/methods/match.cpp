@@ -20,6 +20,7 @@ struct MethodEntry {
   StereoMethod method;
   std::string_view name;
   std::string_view summary;
+  std::string_view paper;
   Result<MatchOutput> (*function)(const MatchInput&, const StereoOptions&, const Work&);
   std::vector<Parameter> (*parameters)(StereoOptions&);
   Result<void> (*check)(const StereoOptions&);
@@ -27,10 +28,12 @@ struct MethodEntry {
 
 /// One method: its own function and its own options.
 template <auto kMatch, auto kOptions>
-constexpr MethodEntry entry(StereoMethod method, std::string_view name, std::string_view summary) {
+constexpr MethodEntry entry(StereoMethod method, std::string_view name, std::string_view summary,
+                            std::string_view paper) {
   return {method,
           name,
           summary,
+          paper,
           [](const MatchInput& input, const StereoOptions& options, const Work& work) {
             return kMatch(input, options.*kOptions, work);
           },
@@ -39,19 +42,23 @@ constexpr MethodEntry entry(StereoMethod method, std::string_view name, std::str
 }
 
 constexpr std::array kMethods{
-    entry<match_scanline, &StereoOptions::scanline>(
-        StereoMethod::scanline, "scanline",
-        "Least-cost paths along scanlines with occlusions (Shi & Pai 1997)"),
+    entry<match_scanline, &StereoOptions::scanline>(StereoMethod::scanline, "scanline",
+                                                    "Least-cost paths along scanlines with occlusions",
+                                                    "Shi & Pai 1997; Intille & Bobick 1994"),
     entry<match_graph_cut, &StereoOptions::graph_cut>(StereoMethod::graph_cut, "graph-cut",
-                                                      "Expansion moves by minimum cuts (Park & Howard 2012)"),
+                                                      "Expansion moves by minimum cuts",
+                                                      "Park & Howard 2012, eqs. 1 to 5"),
     entry<match_segments, &StereoOptions::segments>(StereoMethod::segments, "segments",
-                                                    "Planes of colour segments (Hong & Chen 2004)"),
-    entry<match_pyramid, &StereoOptions::pyramid>(
-        StereoMethod::pyramid, "pyramid", "Normalised correlation from coarse to fine (Beeler et al. 2010)"),
-    entry<match_fast, &StereoOptions::fast>(StereoMethod::fast, "fast",
-                                            "Semi-global matching in 8 bits, for live use"),
+                                                    "Planes of colour segments",
+                                                    "Hong & Chen 2004; Gomez Aguinaga 2012"),
+    entry<match_pyramid, &StereoOptions::pyramid>(StereoMethod::pyramid, "pyramid",
+                                                  "Normalised correlation from coarse to fine",
+                                                  "Beeler et al. 2010; Gomez Aguinaga 2012"),
+    entry<match_fast, &StereoOptions::fast>(
+        StereoMethod::fast, "fast", "Semi-global matching in 8 bits, for live use", "Hirschmüller 2008"),
     entry<match_best, &StereoOptions::best>(StereoMethod::best, "best",
-                                            "Semi-global search over slanted planes, for files"),
+                                            "Semi-global search over slanted planes, for files",
+                                            "Hirschmüller 2008; Mei et al. 2011; Bleyer et al. 2011"),
 };
 
 const MethodEntry& entry_of(StereoMethod method) {
@@ -135,6 +142,8 @@ Result<StereoMatch> match_prepared(const StereoPair& pair, const MethodEntry& me
 std::string_view name_of(StereoMethod method) { return entry_of(method).name; }
 
 std::string_view summary_of(StereoMethod method) { return entry_of(method).summary; }
+
+std::string_view paper_of(StereoMethod method) { return entry_of(method).paper; }
 
 std::vector<Parameter> parameters_of(StereoOptions& options, StereoMethod method) {
   std::vector<Parameter> all = entry_of(method).parameters(options);

@@ -22,6 +22,8 @@ std::vector<StereoMethod> available_stereo_methods();
 
 /// One sentence on how the method works.
 std::string_view summary_of(StereoMethod method);
+/// The papers that it is built on: "Shi & Pai 1997".
+std::string_view paper_of(StereoMethod method);
 
 /// Runs one method. Errors: invalid_input for sizes that differ or are too small, usage for options out of
 /// their ranges, interrupted. Long-running: reports progress, polls for cancellation.
