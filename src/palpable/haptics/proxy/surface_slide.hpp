@@ -81,6 +81,16 @@ class SurfaceSlide {
     dy *= surface_.pixel_m() / length_m;
   }
 
+  /// Whether a step of more than a pixel rises at its start and falls at its end. No jumps: the processor
+  /// foresees none of them, but mostly that not all are true.
+  bool rises_and_falls(const models::CurvedSample& from, const models::CurvedSample& to, double dx,
+                       double dy) const noexcept {
+    const bool is_long = dx * dx + dy * dy > surface_.pixel_m() * surface_.pixel_m();
+    const bool rises = from.dzdx * dx + from.dzdy * dy > 0.0;
+    const bool falls = to.dzdx * dx + to.dzdy * dy < 0.0;
+    return (is_long & rises & falls) != 0;
+  }
+
   /// Whether a step passes over a crest that would hold a proxy back: then the squared distance to the hand
   /// falls, grows and falls again. It is examined only where the distances and their changes at the two ends
   /// are not nearly those of a parabola, whose changes sum to twice the difference.
@@ -172,9 +182,7 @@ class SurfaceSlide {
       if (!moved) surface_.prefetch(x + kAhead * dx, y + kAhead * dy);
       const models::CurvedSample next = surface_.curved_sample(x, y);
       // A step of more than a pixel must not pass over a top, which may be a wall.
-      const bool over_a_top = kSteps == Steps::longer &&
-                              dx * dx + dy * dy > surface_.pixel_m() * surface_.pixel_m() &&
-                              s.dzdx * dx + s.dzdy * dy > 0.0 && next.dzdx * dx + next.dzdy * dy < 0.0;
+      const bool over_a_top = kSteps == Steps::longer && rises_and_falls(s, next, dx, dy);
       const models::WayFromSurface after = models::way_from_surface(hand_m - Vec3{x, y, next.z_m}, next);
       if (over_a_top || after.whole2 >= way.whole2 || passes_crest(place, way, after, dx, dy, hand_m)) {
         // Too far: the surface is curved. Steps shorter than the tolerance are not tried.
