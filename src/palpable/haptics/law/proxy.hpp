@@ -34,33 +34,18 @@ class ProxyLaw : public ContactLaw<Surface> {
   ProxyLaw(std::shared_ptr<const Surface> surface, MaterialMap materials, Textures textures = Textures({}))
       : ContactLaw<Surface>(std::move(surface), std::move(materials)), textures_(std::move(textures)) {}
 
-  LawOutput evaluate(const Hand& hand, State& state) const noexcept {
+  [[gnu::flatten]] LawOutput evaluate(const Hand& hand, State& state) const noexcept {
     SurfaceProxy& proxy = state.proxy;
     const ProxyBefore before{proxy.place_m, proxy.phase == SurfaceProxy::Phase::touching, proxy.hand_m};
     const Contact contact =
         eased_contact(this->materials(), proxy.place_m, before.touching, hand.dt_s, state.memory);
-    ProxyFollower<Surface>(this->surface(), {contact.static_friction, contact.dynamic_friction})
-        .follow(hand.position, proxy);
-    // One object for both cases, so that the result is built in its place.
-    LawOutput output = output_of(state);
-    if (!proxy.holds_the_hand()) {
-      state.memory.texture.share = 0.0;
-      if (proxy.crossed_m > 0.0) add_crossing(hand, contact, proxy, output);
-      return output;
-    }
-    const Vec3 stretched = proxy.place_m - hand.position.v;
-    const models::CurvedSample& s = proxy.surface;
-    const Outward up{{-s.dzdx, -s.dzdy, 1.0}, 1.0 / (1.0 + (s.dzdx * s.dzdx + s.dzdy * s.dzdy))};
-    output.force_N.v = proxy_force(hand, contact, proxy.place_m, before, up);
-    output.spring_N.v = contact.stiffness_N_per_m * stretched;
-    output.stored_J = 0.5 * contact.stiffness_N_per_m * squared_norm(stretched);
-    if (textures_.any()) {
-      const Vec3 normal = std::sqrt(up.per_length2) * up.v;
-      add_texture(hand, textures_.of(state.memory.label),
-                  {proxy.place_m, normal, dot(stretched, normal), contact.stiffness_N_per_m}, on_plan,
-                  state.memory.texture, output);
-    }
-    return output;
+    const bool rests =
+        ProxyFollower<Surface>(this->surface(), {contact.static_friction, contact.dynamic_friction})
+            .follow(hand.position, proxy);
+    // Apart from the other cases, so that the place and the surface are still in registers.
+    if (rests) [[likely]]
+      return pushed(hand, contact, before, state);
+    return output_after(hand, contact, before, state);
   }
 
   EnergyModel energy_model() const noexcept { return EnergyModel::spring; }
@@ -91,6 +76,36 @@ class ProxyLaw : public ContactLaw<Surface> {
   }
 
  private:
+  /// The output after any tick.
+  [[gnu::noinline]] LawOutput output_after(const Hand& hand, const Contact& contact,
+                                           const ProxyBefore& before, State& state) const noexcept {
+    if (state.proxy.holds_the_hand()) return pushed(hand, contact, before, state);
+    LawOutput output = output_of(state);
+    state.memory.texture.share = 0.0;
+    if (state.proxy.crossed_m > 0.0) add_crossing(hand, contact, state.proxy, output);
+    return output;
+  }
+
+  /// The output with a proxy in contact.
+  [[gnu::always_inline]] LawOutput pushed(const Hand& hand, const Contact& contact, const ProxyBefore& before,
+                                          State& state) const noexcept {
+    const SurfaceProxy& proxy = state.proxy;
+    LawOutput output = output_of(state);
+    const Vec3 stretched = proxy.place_m - hand.position.v;
+    const models::CurvedSample& s = proxy.surface;
+    const Outward up{{-s.dzdx, -s.dzdy, 1.0}, 1.0 / (1.0 + (s.dzdx * s.dzdx + s.dzdy * s.dzdy))};
+    output.force_N.v = proxy_force(hand, contact, proxy.place_m, before, up);
+    output.spring_N.v = contact.stiffness_N_per_m * stretched;
+    output.stored_J = 0.5 * contact.stiffness_N_per_m * squared_norm(stretched);
+    if (textures_.any()) {
+      const Vec3 normal = std::sqrt(up.per_length2) * up.v;
+      add_texture(hand, textures_.of(state.memory.label),
+                  {proxy.place_m, normal, dot(stretched, normal), contact.stiffness_N_per_m}, on_plan,
+                  state.memory.texture, output);
+    }
+    return output;
+  }
+
   /// Every member by name: to clear the whole first takes as long as a surface evaluation.
   static LawOutput output_of(const State& state) noexcept {
     return {.force_N = {},

@@ -26,27 +26,31 @@ class ProxyFollower {
   ProxyFollower(const Surface& surface, Friction friction) noexcept
       : surface_(surface), slide_(surface, friction) {}
 
-  /// Moves the proxy by one tick; `hand` is the hand's position, finite.
-  void follow(Point<SceneFrame> hand, SurfaceProxy& proxy) const noexcept {
-    if (proxy.phase == SurfaceProxy::Phase::fresh) begin(hand.v, proxy);
-    Tick tick(hand.v, proxy, surface_.pixel_m());
+  /// Moves the proxy by one tick; `hand` is the hand's position, finite. True if a proxy in contact came to
+  /// rest by its first slide, as it mostly does: then it is in contact. Inlined, so that what follows finds
+  /// its place and surface in registers.
+  [[gnu::always_inline]] bool follow(Point<SceneFrame> hand, SurfaceProxy& proxy) const noexcept {
+    if (proxy.phase == SurfaceProxy::Phase::fresh) [[unlikely]]
+      begin(hand.v, proxy);
+    const Before before{proxy.place_m, proxy.hand_m, proxy.holds_the_hand()};
+    const double moved_m = norm(hand.v - before.hand_m);
+    const double longest_m = std::max(surface_.pixel_m(), 0.5 * moved_m);
+    int evaluations = kEvaluations + static_cast<int>(std::min(kPerPixel * moved_m / surface_.pixel_m(),
+                                                               1.0 * kMaxEvaluations));
     proxy.hand_m = hand.v;
     proxy.crossed_m = 0.0;
-    // If the hand may meet the surface in the next tick: where it will probably be.
-    if (!tick.was_held && proxy.clearance_m <= tick.longest_m)
-      surface_.prefetch(hand.v, hand.v + (hand.v - tick.hand_before_m));
-    // A proxy that does not come to rest in this tick asks about the hand, which may be far from it.
-    if (tick.was_held && !is_known_below(hand.v, proxy)) surface_.prefetch(hand.v.x, hand.v.y);
-    if (!reaches_hand(proxy, tick)) {
-      if (tick.waits && !is_known_below(hand.v, proxy) && sees_hand(proxy, tick)) {
-        proxy.lift_off();
-        proxy.place_m = hand.v;
-      }
-      return;
+    Slid slid = Slid::leaves;
+    if (before.was_held) {
+      // A proxy that does not come to rest in this tick asks about the hand, which may be far from it.
+      if (!is_known_below(hand.v, proxy)) surface_.prefetch(hand.v.x, hand.v.y);
+      slid = slide_.slide(hand.v, longest_m, proxy, evaluations);
+      if (slid == Slid::rests) return true;
+    } else if (proxy.clearance_m <= longest_m) {
+      // The hand may meet the surface in the next tick: where it will probably be.
+      surface_.prefetch(hand.v, hand.v + (hand.v - before.hand_m));
     }
-    // The proxy is free, at the hand. Did the hand cut the surface on its way? If it was under the surface,
-    // after it left that.
-    if (tick.was_held || tick.met) note_crossing(proxy, tick);
+    follow_on(slid, before, {longest_m, evaluations}, proxy);
+    return false;
   }
 
   /// Takes over the proxy of another surface: it moves straight down, or, if it is below this surface, to the
@@ -71,20 +75,19 @@ class ProxyFollower {
   static constexpr int kMaxEvaluations = SurfaceFlight<Surface>::kMaxEvaluations;
   /// A contact within this distance of a place is at this place.
   static constexpr double kReturned_m = 1e-5;
+  /// The proxy and the hand before the tick.
+  struct Before {
+    Vec3 place_m;
+    Vec3 hand_m;
+    bool was_held;
+  };
+  /// What is left of a tick after its first slide: the longest step, and evaluations.
+  struct Left {
+    double longest_m;
+    int evaluations;
+  };
   /// What the parts of a tick share.
   struct Tick {
-    Tick(Vec3 hand, const SurfaceProxy& proxy, double pixel_m) noexcept
-        : hand_m(hand),
-          hand_before_m(proxy.hand_m),
-          place_before_m(proxy.place_m),
-          left_m(proxy.place_m),
-          was_held(proxy.holds_the_hand()) {
-      const double moved_m = norm(hand - proxy.hand_m);
-      longest_m = std::max(pixel_m, 0.5 * moved_m);
-      evaluations =
-          kEvaluations + static_cast<int>(std::min(kPerPixel * moved_m / pixel_m, 1.0 * kMaxEvaluations));
-    }
-
     Vec3 hand_m;
     Vec3 hand_before_m;
     /// The proxy before the tick, and where it last left the surface in it.
@@ -99,12 +102,37 @@ class ProxyFollower {
     /// The straight way from the proxy to the hand was followed, and is not clear.
     bool is_blocked = false;
     /// Where the flight along the hand's path met it first, if it did.
-    models::PathEntry entry;
+    models::PathEntry entry{};
   };
+
+  /// The rest of a tick whose proxy was free, or whose first slide ended with `slid` before it came to rest.
+  [[gnu::noinline]] void follow_on(Slid slid, const Before& before, Left left,
+                                   SurfaceProxy& proxy) const noexcept {
+    Tick tick{proxy.hand_m,   before.hand_m,    before.place_m, before.place_m,
+              left.longest_m, left.evaluations, before.was_held};
+    if (!reaches_hand_after(slid, tick.place_before_m, proxy, tick)) {
+      if (tick.waits && !is_known_below(tick.hand_m, proxy) && sees_hand(proxy, tick)) {
+        proxy.lift_off();
+        proxy.place_m = tick.hand_m;
+      }
+      return;
+    }
+    // The proxy is free, at the hand. Did the hand cut the surface on its way? If it was under the surface,
+    // after it left that.
+    if (tick.was_held || tick.met) note_crossing(proxy, tick);
+  }
 
   /// Moves the proxy towards the hand, as far as the surface lets it; true if it is free and at the hand
   /// then.
-  bool reaches_hand(SurfaceProxy& proxy, Tick& tick) const noexcept {
+  [[gnu::noinline, gnu::flatten]] bool reaches_hand(SurfaceProxy& proxy, Tick& tick) const noexcept {
+    const Vec3 from = proxy.place_m;
+    const Slid slid = slide_.slide(tick.hand_m, tick.longest_m, proxy, tick.evaluations);
+    return slid != Slid::rests && reaches_hand_after(slid, from, proxy, tick);
+  }
+
+  /// The same after a slide of a proxy in contact, from `from`; of a free one from its place on.
+  [[gnu::noinline, gnu::flatten]] bool reaches_hand_after(Slid slid, Vec3 from, SurfaceProxy& proxy,
+                                                          Tick& tick) const noexcept {
     const Vec3 hand_m = tick.hand_m;
     // A slide may leave the surface, and the free path may meet it again, as between the walls of a narrow
     // valley.
@@ -124,10 +152,10 @@ class ProxyFollower {
           tick.evaluations = std::max(tick.evaluations, kAfterMeeting);
         }
         tick.met = true;
+        from = proxy.place_m;
+        slid = slide_.slide(hand_m, tick.longest_m, proxy, tick.evaluations);
+        if (slid == Slid::rests) return false;
       }
-      const Vec3 from = proxy.place_m;
-      const Slid slid = slide_.slide(hand_m, tick.longest_m, proxy, tick.evaluations);
-      if (slid == Slid::rests) return false;
       // If every attempt to continue is blocked, the proxy stays in contact.
       tick.waits = met && tick.evaluations <= 0;
       if (tick.waits) return false;
@@ -236,7 +264,7 @@ class ProxyFollower {
   }
 
   /// Starts a new touch at rest; a hand below the surface gets the proxy straight above it.
-  void begin(Vec3 hand_m, SurfaceProxy& proxy) const noexcept {
+  [[gnu::noinline]] void begin(Vec3 hand_m, SurfaceProxy& proxy) const noexcept {
     const models::CurvedSample s = surface_.curved_sample(hand_m.x, hand_m.y);
     proxy.slipping = false;
     proxy.hand_m = hand_m;

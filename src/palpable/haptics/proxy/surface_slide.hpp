@@ -33,7 +33,8 @@ class SurfaceSlide {
   SurfaceSlide(const Surface& surface, Friction friction) noexcept : surface_(surface), friction_(friction) {}
 
   /// Steps are at most `longest_m` long, at least a pixel. Subtracts from `evaluations`.
-  Slid slide(Vec3 hand_m, double longest_m, SurfaceProxy& proxy, int& evaluations) const noexcept {
+  [[gnu::always_inline]] Slid slide(Vec3 hand_m, double longest_m, SurfaceProxy& proxy,
+                                    int& evaluations) const noexcept {
     return longest_m > surface_.pixel_m() ? slide<Steps::longer>(hand_m, longest_m, proxy, evaluations)
                                           : slide<Steps::pixels>(hand_m, longest_m, proxy, evaluations);
   }
@@ -80,17 +81,43 @@ class SurfaceSlide {
     dy *= surface_.pixel_m() / length_m;
   }
 
+  /// Whether a step of more than a pixel rises at its start and falls at its end. No jumps: the processor
+  /// foresees none of them, but mostly that not all are true.
+  bool rises_and_falls(const models::CurvedSample& from, const models::CurvedSample& to, double dx,
+                       double dy) const noexcept {
+    const bool is_long = dx * dx + dy * dy > surface_.pixel_m() * surface_.pixel_m();
+    const bool rises = from.dzdx * dx + from.dzdy * dy > 0.0;
+    const bool falls = to.dzdx * dx + to.dzdy * dy < 0.0;
+    return (is_long & rises & falls) != 0;
+  }
+
   /// Whether a step passes over a crest that would hold a proxy back: then the squared distance to the hand
   /// falls, grows and falls again. It is examined only where the distances and their changes at the two ends
   /// are not nearly those of a parabola, whose changes sum to twice the difference.
   bool passes_crest(Vec3 place, const models::WayFromSurface& before, const models::WayFromSurface& after,
                     double dx, double dy, Vec3 hand_m) const noexcept {
     const double falls = before.whole2 - after.whole2;
-    const double at_start = dx * before.down_x + dy * before.down_y;
-    const double at_end = dx * after.down_x + dy * after.down_y;
+    const models::Pair step{dx, dy};
+    const models::Pair starts = step * models::Pair{before.down_x, before.down_y};
+    const models::Pair ends = step * models::Pair{after.down_x, after.down_y};
+    const double at_start = starts[0] + starts[1];
+    const double at_end = ends[0] + ends[1];
     const double least2 = kSure_px * kSure_px * surface_.pixel_m() * surface_.pixel_m();
     return std::abs(at_start + at_end - falls) > kUneven * falls && dx * dx + dy * dy > least2 &&
            !keeps_approaching(surface_, place, dx, dy, hand_m);
+  }
+
+  /// Whether the distance along the surface is within the tolerance of what friction holds, both times the
+  /// root of `steep2`, which is at least 1. Bounds of that root decide mostly, so that a jump that the
+  /// processor did not foresee does not wait for it.
+  [[gnu::always_inline]] static bool is_near(double along2, double held, double steep2) noexcept {
+    const double least = kTolerance_m - held;
+    if (along2 <= least * least) return true;
+    const double most = kTolerance_m * steep2 - held;
+    if (along2 > most * most) [[likely]]
+      return false;
+    const double near = kTolerance_m * std::sqrt(steep2) - held;
+    return along2 <= near * near;
   }
 
   /// Whether the hand is in free air beside the crest on which the proxy is (offset `d`, sample `s`):
@@ -104,11 +131,11 @@ class SurfaceSlide {
     return bent < d.z && hand_m.z >= surface_.sample(hand_m.x, hand_m.y).z_m;
   }
 
-  /// Slides the proxy along the surface towards the hand. Flattened, since a call of a surface evaluation
-  /// with its result in memory would cost a third of it.
+  /// Slides the proxy along the surface towards the hand. Inlined with all it calls (its callers are
+  /// flattened), since a call of a surface evaluation with its result in memory would cost a third of it.
   template <Steps kSteps>
-  [[gnu::flatten]] Slid slide(Vec3 hand_m, double longest_m, SurfaceProxy& proxy,
-                              int& evaluations) const noexcept {
+  [[gnu::always_inline]] Slid slide(Vec3 hand_m, double longest_m, SurfaceProxy& proxy,
+                                    int& evaluations) const noexcept {
     // The dependency chain between steps is kept short, since it determines the time of the tick.
     models::CurvedSample s = proxy.surface;
     Vec3 place = proxy.place_m;
@@ -122,18 +149,20 @@ class SurfaceSlide {
     models::WayFromSurface way = models::way_from_surface(hand_m - place, s);
     for (;;) {
       const Vec3 d = way.d;
-      const double lifted = d.z - (s.dzdx * d.x + s.dzdy * d.y);
+      const models::Pair slope{s.dzdx, s.dzdy};
+      const models::Pair along_d = slope * models::Pair{d.x, d.y};
+      const double lifted = d.z - (along_d[0] + along_d[1]);
       if (lifted > 0.0) {
         slid = Slid::leaves;
         break;
       }
       // Squared components of the distance along the normal and along the surface, both times `steep2`.
-      const double steep2 = 1.0 + (s.dzdx * s.dzdx + s.dzdy * s.dzdy);
+      const models::Pair slope2 = slope * slope;
+      const double steep2 = 1.0 + (slope2[0] + slope2[1]);
       const double normal2 = lifted * lifted;
       const double along2 = std::max(0.0, way.whole2 * steep2 - normal2);
       const double held2 = mu * mu * normal2;
-      const double near = kTolerance_m * std::sqrt(steep2) - mu * lifted;
-      if (along2 <= near * near) {
+      if (is_near(along2, mu * lifted, steep2)) {
         if (mu <= 0.0 || !is_beside_crest(d, s, steep2, hand_m)) break;
         mu = sliding = 0.0;
         continue;
@@ -149,12 +178,11 @@ class SurfaceSlide {
       const double x = place.x + dx;
       const double y = place.y + dy;
       --evaluations;
-      surface_.prefetch(x + kAhead * dx, y + kAhead * dy);
+      // The first step shows where the proxy goes, in this tick and the next.
+      if (!moved) surface_.prefetch(x + kAhead * dx, y + kAhead * dy);
       const models::CurvedSample next = surface_.curved_sample(x, y);
       // A step of more than a pixel must not pass over a top, which may be a wall.
-      const bool over_a_top = kSteps == Steps::longer &&
-                              dx * dx + dy * dy > surface_.pixel_m() * surface_.pixel_m() &&
-                              s.dzdx * dx + s.dzdy * dy > 0.0 && next.dzdx * dx + next.dzdy * dy < 0.0;
+      const bool over_a_top = kSteps == Steps::longer && rises_and_falls(s, next, dx, dy);
       const models::WayFromSurface after = models::way_from_surface(hand_m - Vec3{x, y, next.z_m}, next);
       if (over_a_top || after.whole2 >= way.whole2 || passes_crest(place, way, after, dx, dy, hand_m)) {
         // Too far: the surface is curved. Steps shorter than the tolerance are not tried.
@@ -179,7 +207,7 @@ class SurfaceSlide {
       s = next;
       way = after;
     }
-    if (moved) proxy.rest(place.x, place.y, s);
+    proxy.rest(place.x, place.y, s);
     proxy.slipping = moved;
     if (slid != Slid::leaves) proxy.step_share = shorter;
     return slid;

@@ -7,8 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace palpable::models {
+
+/// Two components at once, as the compiler's vector type.
+using Pair = double __attribute__((vector_size(16)));
 
 /// A horizontal step, in metres.
 struct GroundStep {
@@ -28,7 +32,10 @@ struct WayFromSurface {
 /// `d`: the vector from a surface point to the given point; `s`: the height field's derivatives there. Tick
 /// path.
 inline WayFromSurface way_from_surface(Vec3 d, const CurvedSample& s) noexcept {
-  return {d, squared_norm(d), d.x + d.z * s.dzdx, d.y + d.z * s.dzdy};
+  const Pair level{d.x, d.y};
+  const Pair squares = level * level;
+  const Pair down = level + d.z * Pair{s.dzdx, s.dzdy};
+  return {d, (squares[0] + squares[1]) + d.z * d.z, down[0], down[1]};
 }
 
 /// Newton's step towards the surface point nearest to a given point. `s`: the height field's derivatives at
@@ -37,9 +44,8 @@ inline WayFromSurface way_from_surface(Vec3 d, const CurvedSample& s) noexcept {
 /// is a descent step of that length. Tick path.
 inline GroundStep step_towards_nearest(const WayFromSurface& way, const CurvedSample& s, double part,
                                        double longest_m) noexcept {
-  // The compiler's vector type, whose choices need no jumps: the processor does not foresee which kind of
-  // step it is. This is on the tick's critical path.
-  using Pair = double __attribute__((vector_size(16)));
+  // Pairs' choices need no jumps: the processor does not foresee which kind of step it is. This is on the
+  // tick's critical path.
   const auto swapped = [](auto p) { return __builtin_shufflevector(p, p, 1, 0); };
   constexpr double kLeast = 0.05;
   const Pair level = Pair{1.0, 1.0} + Pair{s.dzdx * s.dzdx, s.dzdy * s.dzdy};
@@ -50,8 +56,14 @@ inline GroundStep step_towards_nearest(const WayFromSurface& way, const CurvedSa
   const double least_determinant = kLeast * (level[0] * level[1] - level_xy * level_xy);
   const auto exceeds = Pair{bent[0] + bent[1], bent_determinant} > Pair{0.0, least_determinant};
   const auto bends_rightly = exceeds & swapped(exceeds);
-  const Pair diagonal = bends_rightly ? bent : level;
-  const Pair rest = bends_rightly ? Pair{bent_xy, bent_determinant} : Pair{level_xy, least_determinant};
+  // By bits: without SSE4.1, g++ makes jumps of the operator ?:.
+  using Bits = std::remove_cv_t<decltype(exceeds)>;
+  const auto chosen = [bends_rightly](Pair a, Pair b) {
+    return reinterpret_cast<Pair>((bends_rightly & reinterpret_cast<Bits>(a)) |
+                                  (~bends_rightly & reinterpret_cast<Bits>(b)));
+  };
+  const Pair diagonal = chosen(bent, level);
+  const Pair rest = chosen(Pair{bent_xy, bent_determinant}, Pair{level_xy, least_determinant});
   const Pair down{way.down_x, way.down_y};
   const Pair whole = swapped(diagonal) * down - rest[0] * swapped(down);
   const double whole2 = whole[0] * whole[0] + whole[1] * whole[1];
