@@ -7,7 +7,7 @@ import { build, defineConfig, type Plugin, type Rollup } from 'vite';
 
 const inside = '\0worklet inside ';
 
-/** Audio worklets are loaded from an address: here from one that the page makes of its own text, since there is no other file. */
+/** Audio worklets are loaded from an address: here from one that holds their text, since there is no other file. */
 const workletsInside: Plugin = {
   name: 'palpable-onefile-worklets',
   enforce: 'pre',
@@ -21,7 +21,8 @@ const workletsInside: Plugin = {
     const lib = { entry: file, formats: ['iife' as const], name: 'worklet' };
     const built = (await build({ configFile: false, logLevel: 'error', publicDir: false, build: { write: false, target: 'es2022', minify: true, lib } })) as Rollup.RollupOutput[];
     const code = JSON.stringify(built[0]!.output[0].code);
-    return `export default URL.createObjectURL(new Blob([${code}], { type: 'text/javascript' }));`;
+    // Of a page from disk a browser loads no worklet from blob:.
+    return `export default 'data:text/javascript,' + encodeURIComponent(${code});`;
   },
 };
 

@@ -33,6 +33,8 @@ export class Sound {
   private make: MakePlayer | null = null;
   /** By probe; the list's examples have a voice of their own. */
   private readonly voices = new Map<number, Voice>();
+  /** The material that each probe touches, also while sound is off or not started. */
+  private readonly materials = new Map<number, Command>();
   private waiting: [number, Command, Direction | null][] = [];
   private on = false;
   private volume = 0.5;
@@ -81,7 +83,8 @@ export class Sound {
 
   /** A probe sounds; `from`: where it is heard, null if that has not changed. */
   play(probe: number, command: Command, from: Direction | null = null): void {
-    if (!this.on) return;
+    if (command.what === 'material') this.materials.set(probe, command);
+    if (!this.on) return command.what === 'material' ? this.voices.get(probe)?.player.send(command) : undefined;
     if (command.what === 'slide' && command.speed > 0 && !this.runs && !this.starting) this.tellOnce('waits');
     const { context, master, make } = this;
     if (context === null) return;
@@ -97,6 +100,7 @@ export class Sound {
 
   /** Ends the sounds of removed probes: of all but these. */
   removeProbesExcept(numbers: readonly number[]): void {
+    for (const probe of this.materials.keys()) if (!numbers.includes(probe) && probe >= 0) this.materials.delete(probe);
     for (const [probe, { player, panner }] of this.voices) {
       if (numbers.includes(probe) || probe < 0) continue;
       this.voices.delete(probe);
@@ -153,7 +157,8 @@ export class Sound {
   }
 
   private begin(probe: number, context: AudioContext, master: GainNode, make: MakePlayer): Voice {
-    const player = make([{ what: 'levels', levels: this.levels }]);
+    const material = this.materials.get(probe);
+    const player = make([{ what: 'levels', levels: this.levels }, ...(material ? [material] : [])]);
     // As loud from every direction.
     const panner = new PannerNode(context, { panningModel: 'HRTF', distanceModel: 'linear', rolloffFactor: 0, positionZ: -1 });
     player.node.connect(panner).connect(master);
