@@ -12,6 +12,7 @@ import { Walking, type Walk } from '../probe/walking';
 import { controlWords } from '../settings/control_words';
 import type { Settings } from '../settings/settings';
 import { Importance } from '../sound/announcer';
+import { exampleActions } from '../sound/examples';
 import { Feedback } from '../sound/feedback';
 import { Voice } from '../sound/voice';
 import type { Surface } from '../surface';
@@ -38,7 +39,7 @@ export class TouchPage implements KeyTarget {
   private readonly settings: TouchSettings;
   private readonly stage: Stage;
   private readonly voice = new Voice();
-  private readonly feedback = new Feedback();
+  private readonly feedback = new Feedback((sentence) => this.voice.say(sentence, Importance.news));
   private readonly readouts = new Readouts();
   private readonly probes = new Probes();
   private readonly own = this.probes.own;
@@ -167,7 +168,7 @@ export class TouchPage implements KeyTarget {
   private follow(settings: Settings): void {
     this.stage.set(settings.touch.heightFactor, settings.page);
     this.voice.set(settings.page.speech);
-    this.feedback.set(settings.page);
+    this.feedback.set(settings);
     this.readouts.redraw();
     this.offerSound();
     this.showProbes();
@@ -236,6 +237,7 @@ export class TouchPage implements KeyTarget {
       case 'scene':
         this.loaded.scene = message;
         showHeading(message);
+        this.feedback.setNames(message.labels);
         this.trace.scene(message.kind, message.size_x_m, message.size_y_m);
         this.settings.controls.offerCells(message.cells !== null);
         this.settings.controls.offerHeight(message.kind === 'relief');
@@ -303,7 +305,7 @@ export class TouchPage implements KeyTarget {
     this.showProbes();
     const { surface } = this;
     if (surface === null) return;
-    this.motion.hear(surface);
+    this.motion.hear(surface, state.t_s);
     if (this.trace.running) this.frames.request();
   }
 
@@ -386,6 +388,7 @@ export class TouchPage implements KeyTarget {
       reset: () => this.settings.reset(),
       'region-here': () => this.settings.editRegion(this.probes.chosen?.label ?? 0),
       save: () => this.connection.send({ type: 'save' }),
+      ...exampleActions(this.feedback, () => this.own.chosen),
     };
     bindButtons(actions, () => this.wake());
     bindWindow({

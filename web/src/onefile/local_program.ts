@@ -39,11 +39,6 @@ export class LocalProgram implements Program {
     this.wake();
   }
 
-  /** Lets the page know something that its program would tell. */
-  tell(text: string): void {
-    this.receiver.message({ type: 'notice', level: 'info', text });
-  }
-
   private wake(): void {
     if (this.advancedAt !== null) return;
     this.advancedAt = performance.now();

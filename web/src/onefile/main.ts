@@ -28,15 +28,6 @@ async function openTouch(): Promise<TouchModule> {
   return touch;
 }
 
-/** What this browser lacks, each once. */
-function lacks(): string[] {
-  const sentences: string[] = [];
-  if (typeof AudioContext === 'undefined') sentences.push('This browser plays no sound: height and edges are told by words only.');
-  const isPhone = matchMedia('(pointer: coarse)').matches;
-  if (isPhone && typeof navigator.vibrate !== 'function') sentences.push('This device does not vibrate for pages: sound tells contact and edges.');
-  return sentences;
-}
-
 function start(): void {
   const opened = openTouch();
   window.palpable = { probe: async (rows, options = {}) => (await opened).probe(rows, options) };
@@ -44,11 +35,7 @@ function start(): void {
   element('save').hidden = true;
   element('stored-data').textContent = 'Nothing is stored, and no data leaves this page: it asks no address for anything.';
   new TouchPage(
-    (receiver) => {
-      const program = new LocalProgram(receiver, opened);
-      void opened.then(() => lacks().forEach((sentence) => program.tell(sentence))).catch(() => undefined);
-      return program;
-    },
+    (receiver) => new LocalProgram(receiver, opened),
     // From above: quick on every phone. In 3D is a setting.
     { read: () => ({ ...defaults, view: 'flat' }), keep: () => undefined },
   ).start();

@@ -17,13 +17,16 @@ interface Slider {
   words(value: number): string;
 }
 
-const pageSlider = (id: 'volume' | 'tilt', words: Slider['words']): Slider => ({
+const pageSlider = (key: keyof typeof ranges, words: Slider['words'], id: string = key): Slider => ({
   id,
-  ...ranges[id],
-  read: ({ page }) => page[id],
-  write: (settings, value) => ({ ...settings, page: { ...settings.page, [id]: value } }),
+  ...ranges[key],
+  read: ({ page }) => page[key],
+  write: (settings, value) => ({ ...settings, page: { ...settings.page, [key]: value } }),
   words,
 });
+const soundSlider = (sound: 'contact' | 'slide' | 'height' | 'edge' | 'name'): Slider =>
+  pageSlider(`${sound}Volume`, (value) => (value === 0 ? '0 %, off' : `${value} %`), `${sound}-volume`);
+const soundSliders = (['contact', 'slide', 'height', 'edge', 'name'] as const).map(soundSlider);
 
 const sliders: Slider[] = [
   {
@@ -36,6 +39,7 @@ const sliders: Slider[] = [
   },
   pageSlider('volume', (value) => `${value} %`),
   pageSlider('tilt', (value) => `${value}°`),
+  ...soundSliders,
 ];
 const checks = ['sound', 'speech', 'vibration', 'gamepads'] as const;
 const selects = ['surface', 'view', 'theme'] as const;
@@ -83,8 +87,10 @@ export class Controls {
     const law = this.law();
     element<HTMLSelectElement>('law').value = settings.touch.law;
     this.parameters.show(law?.parameters ?? [], used, settings.touch.set, settings.materials.length);
+    const noSound = settings.page.sound ? null : 'sound is off';
     const disabled: Record<string, string | null> = {
-      volume: settings.page.sound ? null : 'sound is off',
+      volume: noSound,
+      ...Object.fromEntries(soundSliders.map(({ id }) => [id, noSound])),
       'height-factor': this.isRelief ? null : 'reliefs only',
       tilt: settings.page.view === 'flat' || element<HTMLSelectElement>('view').disabled ? 'in 3D only' : null,
     };

@@ -9,6 +9,12 @@ export interface Preferences {
   tilt: number;
   sound: boolean;
   volume: number;
+  /** Of each sound, per cent of the whole. */
+  contactVolume: number;
+  slideVolume: number;
+  heightVolume: number;
+  edgeVolume: number;
+  nameVolume: number;
   /** Of the phone. */
   vibration: boolean;
   /** Of gamepads. A browser that was asked for gamepads once polls them until the page is closed: off unless chosen. */
@@ -23,6 +29,11 @@ export const defaults: Preferences = {
   tilt: 25,
   sound: true,
   volume: 50,
+  contactVolume: 100,
+  slideVolume: 100,
+  heightVolume: 100,
+  edgeVolume: 100,
+  nameVolume: 100,
   vibration: true,
   gamepads: false,
   speech: false,
@@ -31,8 +42,17 @@ export const defaults: Preferences = {
 
 const name = 'palpable_page';
 const choices = { surface: ['picture', 'unlit', 'clay', 'cells'], view: ['3d', 'flat'], theme: ['system', 'light', 'dark', 'contrast'] };
+const percent = { min: 0, max: 100 };
 /** Degrees from above, and per cent. */
-export const ranges = { tilt: { min: 0, max: 80 }, volume: { min: 0, max: 100 } };
+export const ranges = {
+  tilt: { min: 0, max: 80 },
+  volume: percent,
+  contactVolume: percent,
+  slideVolume: percent,
+  heightVolume: percent,
+  edgeVolume: percent,
+  nameVolume: percent,
+};
 
 /** The preferences in a document.cookie; defaults for missing or invalid values. */
 export function readPreferences(cookies: string): Preferences {

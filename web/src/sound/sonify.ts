@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Sonification as numbers; sound.ts plays it.
+import type { Place, Surface } from '../surface';
 
 export const lowestPitch = 196;
 export const octaves = 2.5;
@@ -12,9 +13,29 @@ export function pitchOf(height: number, lowest: number, highest: number): number
   return lowestPitch * 2 ** (octaves * part);
 }
 
-/** Stereo pan, -1 (left) to 1 (right), for a place across the scene; never fully on one side, for people who hear with one ear. */
-export function panOf(x: number, width: number): number {
-  return 0.8 * Math.min(1, Math.max(-1, (2 * x) / width));
+/** Where a sound comes from, at a distance of 1 from the listener's head: x right, y up, z back (the axes of Web Audio). */
+export interface Direction {
+  x: number;
+  y: number;
+  z: number;
+}
+
+export const ahead: Direction = { x: 0, y: 0, z: -1 };
+
+/** Angles to the sides and up at the scene's borders: never fully on one side, for people who hear with one ear. */
+const widest = Math.PI / 3;
+const uppermost = Math.PI / 6;
+
+/** From a listener before the middle of the scene, who looks at it. */
+export function directionOf({ x, y }: Place, { sizeX, sizeY }: Pick<Surface, 'sizeX' | 'sizeY'>): Direction {
+  const part = (value: number, size: number) => (size > 0 ? Math.min(1, Math.max(-1, (2 * value) / size)) : 0);
+  const [side, up] = [widest * part(x, sizeX), uppermost * part(y, sizeY)];
+  return { x: Math.sin(side) * Math.cos(up), y: Math.sin(up), z: -Math.cos(side) * Math.cos(up) };
+}
+
+/** Strength of the sound of a contact, 0 ... 1: force in N, speed of the approach in m/s. */
+export function contactStrength(force: number, speed: number): number {
+  return Math.min(1, 0.2 + 0.3 * Math.sqrt(Math.max(0, force)) + 0.5 * Math.min(1, Math.max(0, speed) / 0.1));
 }
 
 /** Detects edges with hysteresis: the slope exceeds one limit, and must fall below another before the next edge. */
@@ -43,5 +64,20 @@ export class RisingEdge {
     const rose = now && !this.before;
     this.before = now;
     return rose;
+  }
+}
+
+/** A probe's motion from the program's reports of it. */
+export class MotionMeter {
+  private last: { t: number; x: number; y: number; z: number } | null = null;
+
+  /** Speed along the surface and towards it (m/s), from the last two reports; t in s, places in m. 0 after a pause of half a second. */
+  at(t: number, x: number, y: number, z: number): { along: number; towards: number } {
+    const { last } = this;
+    if (last !== null && t === last.t) return { along: 0, towards: 0 };
+    this.last = { t, x, y, z };
+    const passed = last === null ? 0 : t - last.t;
+    if (last === null || !(passed > 0) || passed > 0.5) return { along: 0, towards: 0 };
+    return { along: Math.hypot(x - last.x, y - last.y) / passed, towards: Math.max(0, (last.z - z) / passed) };
   }
 }

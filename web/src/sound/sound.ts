@@ -1,91 +1,145 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Plays the values of sonify.ts: a tone for the height, a click for contact, a short tone for an edge.
+// The audio output: an instrument for each probe, placed in space for two ears, and the volumes.
+import type { Preferences } from '../settings/preferences';
+import { soundKinds, type Command, type Levels } from './instrument/instrument';
+import { loadPlayers, type MakePlayer, type Player } from './players';
+import type { Direction } from './sonify';
 
-const toneLevel = 0.25;
-/** The tone fades out after the probe has rested this long (s): silence means no motion. */
-const restTime = 1.2;
 /** Audio is suspended after this long without a sound (s), since a running context costs processor time even in silence. */
 const suspendTime = 4;
+/** A removed probe's sounds fade for this long (s). */
+const endTime = 0.5;
+/** Commands that wait while the instrument is loaded; older ones are dropped. */
+const mostWaiting = 64;
+/** After a key or a click, audio runs within this time (ms), or there is no output for it. */
+const startTime = 2000;
 
-interface Tone {
-  oscillator: OscillatorNode;
-  gain: GainNode;
-  pan: StereoPannerNode;
+/** What is said, each once. */
+export const sentences = {
+  none: 'This browser plays no sound: height and edges are told by words only.',
+  refused: 'Sound does not start: no audio output was found. Height and edges are told by words.',
+  waits: 'Sound waits for a key press or a click on this page.',
+};
+
+interface Voice {
+  player: Player;
+  panner: PannerNode;
 }
 
 export class Sound {
   private context: AudioContext | null = null;
   private master: GainNode | null = null;
-  /** One tone for each probe. */
-  private readonly tones = new Map<number, Tone>();
+  private make: MakePlayer | null = null;
+  /** By probe; the list's examples have a voice of their own. */
+  private readonly voices = new Map<number, Voice>();
+  /** The material that each probe touches, also while sound is off or not started. */
+  private readonly materials = new Map<number, Command>();
+  private waiting: [number, Command, Direction | null][] = [];
   private on = false;
   private volume = 0.5;
+  private levels: Levels = { contact: 1, slide: 1, height: 1, edge: 1, name: 1 };
   /** Suspended by suspendTime, not by the browser. */
   private resting = false;
+  /** A user action has asked for audio, which does not run yet. */
+  private starting = false;
   private timer: ReturnType<typeof setTimeout> | undefined;
-  /** How often each sound was played, for tests. */
-  readonly played = { clicks: 0, edges: 0 };
+  private readonly told = new Set<string>();
+
+  constructor(private readonly tell: (sentence: string) => void) {}
 
   /** Whether sounds can be heard. */
   get runs(): boolean {
     return this.resting || this.context?.state === 'running';
   }
+  /** The context's time, s; 0 before audio was started. */
+  get now(): number {
+    return this.context?.currentTime ?? 0;
+  }
 
   /** Browsers start audio only after a user action: call this from such an event. */
   async wake(): Promise<void> {
-    if (!this.on || typeof AudioContext === 'undefined') return;
-    if (this.context === null) this.build(new AudioContext());
-    if (this.context?.state === 'suspended') await this.context.resume();
+    if (!this.on) return;
+    if (typeof AudioContext === 'undefined') return this.tellOnce('none');
+    if (this.context === null && !this.build()) return;
+    if (this.context?.state === 'suspended') await this.resume(this.context);
     this.stayAwake();
   }
 
-  /** @param volume loudness of all sounds, 0 ... 100 */
-  set(on: boolean, volume: number): void {
-    this.on = on;
+  set({ sound, volume, contactVolume, slideVolume, heightVolume, edgeVolume, nameVolume }: Preferences): void {
+    this.on = sound;
     this.volume = volume / 100;
+    const amplitude = (percent: number) => (percent / 100) ** 2;
+    this.levels = {
+      contact: amplitude(contactVolume),
+      slide: amplitude(slideVolume),
+      height: amplitude(heightVolume),
+      edge: amplitude(edgeVolume),
+      name: amplitude(nameVolume),
+    };
+    for (const { player } of this.voices.values()) player.send({ what: 'levels', levels: this.levels });
     this.level();
   }
 
-  /**
-   * Plays the tone of a probe's place; several tones share the loudness of one.
-   * @param pitch frequency, Hz
-   * @param pan -1 (left) ... 1 (right)
-   */
-  height(probe: number, pitch: number, pan: number): void {
-    if (!this.on || this.context === null || this.master === null) return;
-    this.stayAwake();
-    const tone = this.tones.get(probe) ?? this.begin(probe, this.context, this.master);
-    const now = this.context.currentTime;
-    tone.oscillator.frequency.setTargetAtTime(pitch, now, 0.012);
-    tone.pan.pan.setTargetAtTime(pan, now, 0.02);
-    tone.gain.gain.cancelScheduledValues(now);
-    tone.gain.gain.setTargetAtTime(toneLevel / Math.sqrt(this.tones.size), now, 0.02);
-    tone.gain.gain.setTargetAtTime(0, now + restTime, 0.15);
-  }
-
-  /** Ends the tones of removed probes: of all but these. */
-  removeTonesExcept(numbers: readonly number[]): void {
-    for (const [probe, tone] of this.tones) {
-      if (numbers.includes(probe) || this.context === null) continue;
-      this.tones.delete(probe);
-      tone.gain.gain.cancelScheduledValues(this.context.currentTime);
-      tone.gain.gain.setTargetAtTime(0, this.context.currentTime, 0.02);
-      tone.oscillator.onended = () => tone.pan.disconnect();
-      tone.oscillator.stop(this.context.currentTime + 0.2);
+  /** A probe sounds; `from`: where it is heard, null if that has not changed. */
+  play(probe: number, command: Command, from: Direction | null = null): void {
+    if (command.what === 'material') this.materials.set(probe, command);
+    if (!this.on) return command.what === 'material' ? this.voices.get(probe)?.player.send(command) : undefined;
+    if (command.what === 'slide' && command.speed > 0 && !this.runs && !this.starting) this.tellOnce('waits');
+    const { context, master, make } = this;
+    if (context === null) return;
+    if ((soundKinds as readonly string[]).includes(command.what)) this.stayAwake();
+    if (master === null || make === null) {
+      this.waiting = [...this.waiting.slice(1 - mostWaiting), [probe, command, from]];
+      return;
     }
+    const voice = this.voices.get(probe) ?? this.begin(probe, context, master, make);
+    if (from !== null) place(voice.panner, from, command.at ?? context.currentTime);
+    voice.player.send(command);
   }
 
-  /** The sound of contact. @param pan -1 (left) ... 1 (right) */
-  click(pan: number): void {
-    this.played.clicks += 1;
-    this.blip('square', 140, 0.018, 0.5, pan);
+  /** Ends the sounds of removed probes: of all but these. */
+  removeProbesExcept(numbers: readonly number[]): void {
+    for (const probe of this.materials.keys()) if (!numbers.includes(probe) && probe >= 0) this.materials.delete(probe);
+    for (const [probe, { player, panner }] of this.voices) {
+      if (numbers.includes(probe) || probe < 0) continue;
+      this.voices.delete(probe);
+      player.send({ what: 'silence' });
+      setTimeout(() => {
+        player.end();
+        panner.disconnect();
+      }, 1000 * endTime);
+    }
+    this.level();
   }
 
-  /** The sound of an edge that is crossed. @param pan -1 (left) ... 1 (right) */
-  edge(pan: number): void {
-    this.played.edges += 1;
-    this.blip('triangle', 1568, 0.06, 0.35, pan);
+  private build(): boolean {
+    try {
+      this.context = new AudioContext({ latencyHint: 'interactive' });
+    } catch {
+      // No output device, or the browser has too many contexts.
+      this.tellOnce('refused');
+      return false;
+    }
+    const { context } = this;
+    context.addEventListener('error', () => this.tellOnce('refused'));
+    this.master = new GainNode(context, { gain: 0 });
+    this.master.connect(new WaveShaperNode(context, { curve: softLimit() })).connect(context.destination);
+    this.level();
+    void loadPlayers(context, (onset) => showOnset(context, onset)).then((make) => {
+      this.make = make;
+      for (const [probe, command, from] of this.waiting.splice(0)) this.play(probe, command, from);
+    });
+    return true;
+  }
+
+  private async resume(context: AudioContext): Promise<void> {
+    this.starting = true;
+    const late = new Promise<void>((resolve) => setTimeout(resolve, startTime));
+    await Promise.race([context.resume().catch(() => undefined), late]);
+    this.starting = false;
+    // Without a user action a browser holds it back: that is no fault.
+    if (context.state === 'suspended' && !this.resting && navigator.userActivation?.hasBeenActive !== false) this.tellOnce('refused');
   }
 
   /** Resumes audio for a sound, and suspends it when none has followed. */
@@ -102,41 +156,49 @@ export class Sound {
     }, 1000 * suspendTime);
   }
 
-  private build(context: AudioContext): void {
-    this.context = context;
-    this.master = context.createGain();
-    this.master.connect(context.destination);
+  private begin(probe: number, context: AudioContext, master: GainNode, make: MakePlayer): Voice {
+    const material = this.materials.get(probe);
+    const player = make([{ what: 'levels', levels: this.levels }, ...(material ? [material] : [])]);
+    // As loud from every direction.
+    const panner = new PannerNode(context, { panningModel: 'HRTF', distanceModel: 'linear', rolloffFactor: 0, positionZ: -1 });
+    player.node.connect(panner).connect(master);
+    const voice = { player, panner };
+    this.voices.set(probe, voice);
     this.level();
+    return voice;
   }
 
-  private begin(probe: number, context: AudioContext, master: GainNode): Tone {
-    const oscillator = new OscillatorNode(context, { type: 'sine', frequency: 220 });
-    const gain = new GainNode(context, { gain: 0 });
-    const pan = new StereoPannerNode(context);
-    oscillator.connect(gain).connect(pan).connect(master);
-    oscillator.start();
-    const tone = { oscillator, gain, pan };
-    this.tones.set(probe, tone);
-    return tone;
-  }
-
+  /** Several probes share the loudness of one. */
   private level(): void {
-    if (this.context && this.master)
-      this.master.gain.setTargetAtTime(this.on ? this.volume ** 2 : 0, this.context.currentTime, 0.02);
+    const probes = [...this.voices.keys()].filter((probe) => probe >= 0).length;
+    const gain = this.on ? this.volume ** 2 / Math.sqrt(Math.max(1, probes)) : 0;
+    if (this.context && this.master) this.master.gain.setTargetAtTime(gain, this.context.currentTime, 0.02);
   }
 
-  private blip(type: OscillatorType, frequency: number, seconds: number, level: number, where: number): void {
-    const { context, master } = this;
-    if (!this.on || context === null || master === null) return;
-    this.stayAwake();
-    const now = context.currentTime;
-    const gain = new GainNode(context, { gain: level });
-    gain.gain.setTargetAtTime(0, now, seconds / 3);
-    const oscillator = new OscillatorNode(context, { type, frequency });
-    const pan = new StereoPannerNode(context, { pan: where });
-    oscillator.connect(gain).connect(pan).connect(master);
-    oscillator.start();
-    oscillator.stop(now + seconds * 3);
-    oscillator.onended = () => pan.disconnect();
+  private tellOnce(which: keyof typeof sentences): void {
+    if (this.told.has(which)) return;
+    this.told.add(which);
+    this.tell(sentences[which]);
   }
+}
+
+function place({ positionX, positionY, positionZ }: PannerNode, { x, y, z }: Direction, at: number): void {
+  positionX.setTargetAtTime(x, at, 0.02);
+  positionY.setTargetAtTime(y, at, 0.02);
+  positionZ.setTargetAtTime(z, at, 0.02);
+}
+
+/** For measurements: when the newest contact leaves the output, in ms of performance.now(); `onset`: s, the context's. */
+function showOnset(context: AudioContext, onset: number): void {
+  const { contextTime = 0, performanceTime = 0 } = context.getOutputTimestamp();
+  const leaves = performanceTime > 0 ? performanceTime + 1000 * (onset - contextTime) : performance.now() + 1000 * (onset - context.currentTime + context.outputLatency);
+  document.documentElement.dataset.contactHeard = String(leaves);
+}
+
+/** Several loud sounds at once are bent, not cut: 1.5 x - 0.5 x^3. */
+function softLimit(): Float32Array<ArrayBuffer> {
+  return Float32Array.from({ length: 2049 }, (_, i) => {
+    const x = i / 1024 - 1;
+    return 1.5 * x - 0.5 * x ** 3;
+  });
 }
