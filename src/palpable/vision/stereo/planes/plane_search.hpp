@@ -36,7 +36,7 @@ std::vector<Parameter> parameters_of(PlaneCostOptions& options);
 struct PlaneSmoothnessOptions {
   /// Cost per pixel of disparity between the two planes (mean at the two neighbours); units, 0 … 10.
   float step_per_px = 0.6F;
-  /// The smoothness cost is truncated here; units, 0 … 20.
+  /// The smoothness cost is truncated here; units, 0 … 10.
   float largest_step = 3.0F;
   /// Both are weighted by colour: the weight falls by e with this difference; levels of 255, 1 … 255.
   float colour_levels = 12.0F;
