@@ -35,10 +35,13 @@ float cost_at(const std::uint16_t* cost, int count, float disparity, float beyon
   return b + 0.5F * t * (c - a + t * (2.0F * a - 5.0F * b + 4.0F * c - e + t * (3.0F * (b - c) + e - a)));
 }
 
-/// The cost of a pixel whose own costs say nothing: the least of them at every disparity.
-float flat_cost(const std::uint16_t* cost, int count, float disparity, float beyond_range_per_px) {
-  const float beyond = std::max(std::max(-disparity, disparity - static_cast<float>(count - 1)), 0.0F);
-  return static_cast<float>(*std::min_element(cost, cost + count)) / kCostUnit + beyond_range_per_px * beyond;
+/// The cost at a pixel that matches as a nearer surface beside it: what lies behind costs no more.
+float cost_beside_nearer(const std::uint16_t* cost, int count, float disparity, float nearer,
+                         float beyond_range_per_px) {
+  const float own = cost_at(cost, count, disparity, beyond_range_per_px);
+  if (!(disparity < nearer)) return own;
+  return std::min(own, cost_at(cost, count, nearer, beyond_range_per_px) +
+                           beyond_range_per_px * std::max(-disparity, 0.0F));
 }
 
 /// A candidate's cost including visibility in the other view.
@@ -326,20 +329,18 @@ float matching_cost_at(const CostVolume& volume, int x, int y, float disparity, 
 }
 
 void plane_costs(const CostVolume& volume, const OtherView& other, const PlaneCostOptions& options,
-                 PlaneCandidates& candidates, const Work& work,
-                 const Raster<std::uint8_t>* without_evidence) {
+                 PlaneCandidates& candidates, const Work& work, const Raster<float>* nearer_px) {
   parallel_for(work, volume.height, 4, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)
       for (int x = 0; x < volume.width; ++x) {
         const std::uint16_t* cost = volume.at(x, y);
-        const auto matching_cost =
-            without_evidence != nullptr && (*without_evidence)(x, y) != 0 ? flat_cost : cost_at;
+        const float nearer = nearer_px != nullptr ? (*nearer_px)(x, y) : NAN;
         const std::size_t at = candidates.at(x, y);
         for (std::size_t k = at; k < at + kCount; ++k) {
           const float d = candidates.disparity[k];
-          const float own =
-              cost_with_other_view(other, options, x, y, d,
-                                   matching_cost(cost, volume.disparities, d, options.beyond_range_per_px));
+          const float matching =
+              cost_beside_nearer(cost, volume.disparities, d, nearer, options.beyond_range_per_px);
+          const float own = cost_with_other_view(other, options, x, y, d, matching);
           candidates.cost[k] = own + options.slope_cost * (std::fabs(candidates.slope_x[k]) +
                                                            std::fabs(candidates.slope_y[k]));
         }

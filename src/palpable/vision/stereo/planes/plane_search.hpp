@@ -64,11 +64,10 @@ float matching_cost_at(const CostVolume& volume, int x, int y, float disparity, 
 
 /// Sets the candidates' own costs from the volume. With another view, a candidate behind the other view's
 /// surface is occluded there and has a constant cost; one in front of it should be visible there and costs
-/// more. Pixels marked in `without_evidence` (of the volume's size; none if null) cost the same at every
-/// disparity, their least matching cost.
+/// more. At a pixel with a disparity in `nearer_px` (of the volume's size, NaN = none; null = none at all) a
+/// candidate behind it has at most its matching cost (edge_evidence.hpp).
 void plane_costs(const CostVolume& volume, const OtherView& other, const PlaneCostOptions& options,
-                 PlaneCandidates& candidates, const Work& work,
-                 const Raster<std::uint8_t>* without_evidence = nullptr);
+                 PlaneCandidates& candidates, const Work& work, const Raster<float>* nearer_px = nullptr);
 
 /// Runs the sweeps and assigns each pixel its candidate of least cost. The result does not depend on the
 /// number of threads.
