@@ -174,7 +174,7 @@ std::vector<Surface> boards_before_dark_wall(Random& random) {
   const double far = random.between(3.0, 8.0);
   std::vector<Surface> out{wall(random, far)};
   out[0].texture.colour = random_colour(random, 0.06, 0.25);
-  out[0].texture.contrast = random.between(0.01, 0.06);
+  out[0].texture.contrast = random.between(0.05, 0.15);
   out[0].texture.scale_px = random.between(6.0, 30.0);
   for (int i = random.count(3, 5); i > 0; --i) {
     Surface s = board(random, far + random.between(1.4, 4.0), random.between(30.0, 80.0), 0.02);

@@ -137,6 +137,7 @@ class BestMatcher {
     refine_photometrically(colour, input_.left_grey, input_.right_grey, seen_right, options_.shift, left_.map,
                            work_);
     if (work_.cancelled()) return out;
+    fill_pits(colour, seen_right, options_.background, options_.contradicted, left_.map, work_);
     continue_background(colour, seen_right, options_.background, left_.map, work_);
     out.disparity_px =
         median_3x3(replace_contradicted(colour, seen_right, options_.contradicted, left_.map, work_), work_);
@@ -154,9 +155,9 @@ class BestMatcher {
     propose_planes(view.picture.colour,
                    {view.map, view.start, trust, view.regions, exchange ? &theirs : nullptr},
                    options_.proposals, round, candidates_, work_);
-    const Raster<std::uint8_t> without_evidence =
-        evidence_of_nearer_edges(view.picture.colour, view.map.disparity, options_.edges, work_);
-    plane_costs(view.costs, other, options_.costs, candidates_, work_, &without_evidence);
+    const Raster<float> nearer_px =
+        nearer_beyond_edges(view.picture.colour, view.map.disparity, options_.edges, work_);
+    plane_costs(view.costs, other, options_.costs, candidates_, work_, &nearer_px);
     choose_planes(view.picture.colour, options_.smoothness, candidates_, view.map, work_);
   }
   void report(int round, const char* what) const { work_.report(0.2 + 0.8 * (round + 1) / rounds(), what); }

@@ -126,9 +126,9 @@ void refine_borders(std::array<View, 2>& views, const SegmentsOptions& options, 
       View& view = views[k];
       const Raster<float> seen = seen_from_other(views[1 - k], k == 0 ? right_first : 0);
       propose_planes(view.surfaces, candidates, work);
-      const Raster<std::uint8_t> without_evidence =
-          evidence_of_nearer_edges(view.picture.colour, view.map.disparity, options.edges, work);
-      plane_costs(view.costs, {&seen, 0.0F}, options.costs, candidates, work, &without_evidence);
+      const Raster<float> nearer_px =
+          nearer_beyond_edges(view.picture.colour, view.map.disparity, options.edges, work);
+      plane_costs(view.costs, {&seen, 0.0F}, options.costs, candidates, work, &nearer_px);
       for (std::size_t own = 0; own < candidates.cost.size(); own += PlaneCandidates::kCount)
         candidates.cost[own] -= options.leave_cost;
       choose_planes(view.picture.colour, options.smoothness, candidates, view.map, work);

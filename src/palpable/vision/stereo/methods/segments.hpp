@@ -26,7 +26,7 @@ struct SegmentsOptions {
   VolumeOptions volume = {};
   PlaneCostOptions costs = {};
   PlaneSmoothnessOptions smoothness = {};
-  EdgeEvidenceOptions edges = {};
+  EdgeEvidenceOptions edges = {.reach_px = 0};
   BackgroundOptions background = {};
   PlaneVoteWindow contradicted = kContradictedWindow;
 };

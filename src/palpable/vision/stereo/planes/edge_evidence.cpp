@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/planes/edge_evidence.hpp"
 
-#include <algorithm>
+#include <cmath>
 
 namespace palpable::vision {
 namespace {
@@ -39,16 +39,17 @@ std::vector<Parameter> parameters_of(EdgeEvidenceOptions& o) {
            "The surface beyond the edge is the farther one from this difference on"}};
 }
 
-Raster<std::uint8_t> evidence_of_nearer_edges(const ColourPlanes& colour, const Raster<float>& disparity_px,
-                                              const EdgeEvidenceOptions& options, const Work& work) {
-  Raster<std::uint8_t> out(colour.width(), colour.height());
+Raster<float> nearer_beyond_edges(const ColourPlanes& colour, const Raster<float>& disparity_px,
+                                  const EdgeEvidenceOptions& options, const Work& work) {
+  Raster<float> out(colour.width(), colour.height(), NAN);
   if (options.reach_px == 0) return out;
   // x is the last column before the edge; `away` leads from the edge into the surface.
   const auto mark = [&](int x, int y, int away) {
     if (!is_plain_up_to_edge(colour, x, y, away, options)) return;
-    if (disparity_px(x - away * kBeyondEdge_px, y) < disparity_px(x, y) - options.farther_px) return;
+    const float beyond = disparity_px(x - away * kBeyondEdge_px, y);
+    if (beyond < disparity_px(x, y) - options.farther_px) return;
     for (int i = 0; i < options.reach_px; ++i)
-      if (out.contains(x + away * i, y)) out(x + away * i, y) = 1;
+      if (out.contains(x + away * i, y)) out(x + away * i, y) = std::fmax(out(x + away * i, y), beyond);
   };
   parallel_for(work, out.height(), 8, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)

@@ -6,15 +6,14 @@
 #include "palpable/core/work.hpp"
 #include "palpable/vision/image/colour_planes.hpp"
 
-#include <cstdint>
 #include <vector>
 
 namespace palpable::vision {
 
-/// Which pixels beside a colour edge match as the surface beyond it.
+/// Which pixels beside a colour edge match as the nearer surface beyond it.
 struct EdgeEvidenceOptions {
-  /// Columns beside an edge; px, 0 … 20; 0 = none: no default yet, see docs/history/2026-11-25-stereo.md.
-  int reach_px = 0;
+  /// Columns beside an edge; px, 0 … 20; 0 = none.
+  int reach_px = 5;
   /// An edge: the difference of pixels two columns apart exceeds this, and so does that of the surface to
   /// each of the beyond_px (2 … 60) columns beyond; levels of 255, 1 … 255.
   int edge_levels = 40;
@@ -28,13 +27,13 @@ struct EdgeEvidenceOptions {
 };
 std::vector<Parameter> parameters_of(EdgeEvidenceOptions& options);
 
-/// 1 where the matching cost says nothing about a pixel's own surface. The outline between two surfaces moves
-/// with the nearer one. Mixed and sharpened pixels, and windows that contain them, match at its disparity,
-/// too; beside it some pixels of the farther surface are hidden. If the farther surface is plain, nothing
-/// else in it contradicts. So the columns of a plain surface beside a colour edge are marked, unless
-/// `disparity_px`, the present map, says that the surface beyond the edge is the farther one. The result does
-/// not depend on the number of threads.
-Raster<std::uint8_t> evidence_of_nearer_edges(const ColourPlanes& colour, const Raster<float>& disparity_px,
-                                              const EdgeEvidenceOptions& options, const Work& work);
+/// Where the matching cost favours a nearer surface than a pixel's own: that surface's disparity; NaN
+/// elsewhere. The outline between two surfaces moves with the nearer one. Mixed and sharpened pixels, and
+/// windows that contain them, match at its disparity, too; beside it some pixels of the farther surface are
+/// hidden. If the farther surface is plain, nothing else in it contradicts. So the columns of a plain surface
+/// beside a colour edge are marked, unless `disparity_px`, the present map, says that the surface beyond the
+/// edge is the farther one. The result does not depend on the number of threads.
+Raster<float> nearer_beyond_edges(const ColourPlanes& colour, const Raster<float>& disparity_px,
+                                  const EdgeEvidenceOptions& options, const Work& work);
 
 }  // namespace palpable::vision

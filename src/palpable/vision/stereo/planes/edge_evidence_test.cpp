@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/planes/edge_evidence.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace palpable::vision {
@@ -25,14 +27,25 @@ struct TwoSurfaces {
           disparity(x, y) = dark_px;
     colour = {plane, plane, plane};
   }
+  Raster<float> nearer(const EdgeEvidenceOptions& options = {.reach_px = 5}) const {
+    return nearer_beyond_edges(colour, disparity, options, {});
+  }
   Raster<std::uint8_t> marked(const EdgeEvidenceOptions& options = {.reach_px = 5}) const {
-    return evidence_of_nearer_edges(colour, disparity, options, {});
+    const Raster<float> found = nearer(options);
+    Raster<std::uint8_t> out(kWidth, kHeight);
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x) out(x, y) = std::isfinite(found(x, y)) ? 1 : 0;
+    return out;
   }
 };
 
 TEST(EdgeEvidence, MarksThePlainSurfaceBehindANearerOne) {
   const auto marked = TwoSurfaces(4.0F, 30).marked();
   for (int x = 0; x < kWidth; ++x) EXPECT_EQ(marked(x, 3) != 0, x >= kEdge - 6 && x < kEdge) << x;
+}
+
+TEST(EdgeEvidence, NamesTheNearerSurfacesDisparity) {
+  EXPECT_EQ(TwoSurfaces(4.0F, 30).nearer()(kEdge - 1, 3), 9.0F);
 }
 
 TEST(EdgeEvidence, MarksAPlainSurfaceThatHasTakenTheDisparityBesideIt) {
@@ -49,8 +62,8 @@ TEST(EdgeEvidence, KeepsTheEvidenceOfSurfacesThatAreNarrow) {
   EXPECT_EQ(scene.marked()(kEdge - 1, 3), 0);
 }
 
-TEST(EdgeEvidence, NothingIsMarkedByDefault) {
-  EXPECT_EQ(TwoSurfaces(4.0F, 30).marked({}), Raster<std::uint8_t>(kWidth, kHeight));
+TEST(EdgeEvidence, NothingIsMarkedWithoutReach) {
+  EXPECT_EQ(TwoSurfaces(4.0F, 30).marked({.reach_px = 0}), Raster<std::uint8_t>(kWidth, kHeight));
 }
 
 TEST(EdgeEvidence, TheMirroredPictureIsMarkedMirrored) {

@@ -35,10 +35,13 @@ float cost_at(const std::uint16_t* cost, int count, float disparity, float beyon
   return b + 0.5F * t * (c - a + t * (2.0F * a - 5.0F * b + 4.0F * c - e + t * (3.0F * (b - c) + e - a)));
 }
 
-/// The cost of a pixel whose own costs say nothing: the least of them at every disparity.
-float flat_cost(const std::uint16_t* cost, int count, float disparity, float beyond_range_per_px) {
-  const float beyond = std::max(std::max(-disparity, disparity - static_cast<float>(count - 1)), 0.0F);
-  return static_cast<float>(*std::min_element(cost, cost + count)) / kCostUnit + beyond_range_per_px * beyond;
+/// The cost at a pixel that matches as a nearer surface beside it: what lies behind costs no more.
+float cost_beside_nearer(const std::uint16_t* cost, int count, float disparity, float nearer,
+                         float beyond_range_per_px) {
+  const float own = cost_at(cost, count, disparity, beyond_range_per_px);
+  if (!(disparity < nearer)) return own;
+  return std::min(own, cost_at(cost, count, nearer, beyond_range_per_px) +
+                           beyond_range_per_px * std::max(-disparity, 0.0F));
 }
 
 /// A candidate's cost including visibility in the other view.
@@ -118,36 +121,78 @@ inline __attribute__((always_inline)) void load(const RowOfCandidates& row, std:
   std::memcpy(&out.slope_y, row.slope_y + at, sizeof out.slope_y);
 }
 
+/// StepCosts between neighbours are compared as 16-bit integers, of this many steps per unit: a register then
+/// holds the costs of all candidates.
+constexpr float kStepsPerUnit = 512.0F;
+/// Disparities, scaled to cost, are measured from the pixel's first candidate and limited to this range. Two
+/// candidates beyond its end seem equal; but they are both wrong, since the first candidate is the pixel's
+/// present plane and the range is larger than any largest step.
+constexpr float kScaledRange = 8191.0F;
+using StepCosts = std::int16_t __attribute__((vector_size(sizeof(std::int16_t) * kCount)));
+
+/// Half of the candidates: a register of AVX2. The compiler splits comparisons of larger vectors into
+/// scalars.
+using Half = float __attribute__((vector_size(sizeof(float) * kCount / 2)));
+using HalfMasks = int __attribute__((vector_size(sizeof(int) * kCount / 2)));
+
+/// Rounded to integers from 0 to `largest`.
+inline __attribute__((always_inline)) void round_to(float largest, const Lanes& values, StepCosts& out) {
+  const Half zero = {};
+  const Half most = zero + largest;
+  Half halves[2];
+  std::memcpy(halves, &values, sizeof halves);
+  HalfMasks whole[2];
+  for (int k = 0; k < 2; ++k) {
+    Half value = halves[k] + 0.5F;
+    value = value > zero ? value : zero;
+    value = value < most ? value : most;
+    whole[k] = __builtin_convertvector(value, HalfMasks);
+  }
+  LaneMasks all;
+  std::memcpy(&all, whole, sizeof all);
+  out = __builtin_convertvector(all, StepCosts);
+}
+
 /// A step from a pixel's predecessor to it.
 struct PathStep {
   float dx, dy;
-  float per_px;
-  /// No candidate costs more than this: the least path cost of the predecessor plus the largest step.
-  float limit;
+  /// Cost per pixel of either difference, and the largest step.
+  float per_px, largest;
 };
 
-/// The least path cost at which each candidate `here` is reached from any of the predecessor's, whose path
-/// costs are `paths`.
-inline __attribute__((always_inline)) void reach_from(const CandidateLanes& source, const float* paths,
-                                                      const PathStep& step, const CandidateLanes& here,
-                                                      Lanes& best) {
-  const Lanes zero = {};
-  const LaneMasks magnitude = reinterpret_cast<LaneMasks>(zero) + 0x7fffffff;
-  const Lanes carried_back = here.disparity - (here.slope_x * step.dx + here.slope_y * step.dy);
-  // The source's planes continued to this pixel, all at once; the loop then uses them as scalars.
-  const Lanes carried = source.disparity + (source.slope_x * step.dx + source.slope_y * step.dy);
-  float carried_on[kCount], there[kCount];
-  std::memcpy(carried_on, &carried, sizeof carried);
-  std::memcpy(there, &source.disparity, sizeof there);
-  best = zero + step.limit;
+/// Adds the cost from the least path of the predecessor at which each candidate `here` is reached from any of
+/// the predecessor's, whose path costs are `paths`, the least of them `least`.
+inline __attribute__((always_inline)) void add_reach_from(const CandidateLanes& source, const Lanes& paths,
+                                                          float least, const PathStep& step,
+                                                          const CandidateLanes& here, Lanes& to) {
+  const float scale = step.per_px * kStepsPerUnit;
+  // The value of the first candidate is kScaledRange / 2.
+  const float origin = 0.5F * kScaledRange - here.disparity[0] * scale;
+  const float limit = step.largest * kStepsPerUnit;
+  StepCosts on, back, carried, there, begin;
+  round_to(kScaledRange, here.disparity * scale + origin, on);
+  round_to(kScaledRange,
+           (here.disparity - (here.slope_x * step.dx + here.slope_y * step.dy)) * scale + origin, back);
+  // The source's planes continued to this pixel, and their disparities at the source.
+  round_to(kScaledRange,
+           (source.disparity + (source.slope_x * step.dx + source.slope_y * step.dy)) * scale + origin,
+           carried);
+  round_to(kScaledRange, source.disparity * scale + origin, there);
+  round_to(limit, (paths - least) * kStepsPerUnit, begin);
+  std::int16_t carried_of[kCount], there_of[kCount], begin_of[kCount];
+  std::memcpy(carried_of, &carried, sizeof carried);
+  std::memcpy(there_of, &there, sizeof there);
+  std::memcpy(begin_of, &begin, sizeof begin);
+  const StepCosts zero = {};
+  StepCosts best = zero + static_cast<std::int16_t>(limit + 0.5F);
   for (int i = 0; i < kCount; ++i) {
-    const Lanes ahead = carried_on[i] - here.disparity;
-    const Lanes behind = there[i] - carried_back;
-    const Lanes bend = reinterpret_cast<Lanes>(reinterpret_cast<LaneMasks>(ahead) & magnitude) +
-                       reinterpret_cast<Lanes>(reinterpret_cast<LaneMasks>(behind) & magnitude);
-    const Lanes reached = paths[i] + step.per_px * bend;
+    const StepCosts ahead = carried_of[i] - on, ahead_negative = -ahead;
+    const StepCosts behind = there_of[i] - back, behind_negative = -behind;
+    const StepCosts reached = begin_of[i] + (ahead > ahead_negative ? ahead : ahead_negative) +
+                              (behind > behind_negative ? behind : behind_negative);
     best = reached < best ? reached : best;
   }
+  to += __builtin_convertvector(__builtin_convertvector(best, LaneMasks), Lanes) * (1.0F / kStepsPerUnit);
 }
 
 /// One row of the four paths of a sweep: from the neighbour in the row, and from three neighbours in the
@@ -172,16 +217,14 @@ void sweep_row(const SweepRow& row) {
       if (weight >= 0.0F) {
         const std::size_t from = x - static_cast<std::size_t>(step_x);
         const std::size_t slot = (k == 0 ? 0 : k - 1) * width + from;
-        const float* paths = k == 0 ? beside : row.path_before->cost.data() + slot * kCount;
-        const float least = k == 0 ? least_beside : row.path_before->least[slot];
         CandidateLanes source;
         load(k == 0 ? row.here : row.before, from * kCount, source);
-        Lanes best;
-        reach_from(source, paths,
-                   {static_cast<float>(step_x), static_cast<float>(step_y), 0.5F * row.step_per_px * weight,
-                    least + row.largest_step * weight},
-                   here, best);
-        path = cost + best - least;
+        Lanes paths;
+        std::memcpy(&paths, k == 0 ? beside : row.path_before->cost.data() + slot * kCount, sizeof paths);
+        add_reach_from(source, paths, k == 0 ? least_beside : row.path_before->least[slot],
+                       {static_cast<float>(step_x), static_cast<float>(step_y),
+                        0.5F * row.step_per_px * weight, row.largest_step * weight},
+                       here, path);
       }
       total += path;
       const float least = least_of(path);
@@ -275,7 +318,7 @@ std::vector<Parameter> parameters_of(PlaneSmoothnessOptions& o) {
            {0, 10},
            "units",
            "Cost per pixel of disparity between neighbouring planes"},
-          {"largest_step", &o.largest_step, {0, 20}, "units", "The smoothness cost is truncated here"},
+          {"largest_step", &o.largest_step, {0, 10}, "units", "The smoothness cost is truncated here"},
           {"colour_levels", &o.colour_levels, {1, 255}, "levels", "Colour difference at which it falls by e"},
           {"least_weight", &o.least_weight, {0, 1}, "", "Weight across the strongest edge"},
           {"diagonal_weight", &o.diagonal_weight, {0, 1}, "", "Weight of diagonal neighbours"}};
@@ -286,20 +329,18 @@ float matching_cost_at(const CostVolume& volume, int x, int y, float disparity, 
 }
 
 void plane_costs(const CostVolume& volume, const OtherView& other, const PlaneCostOptions& options,
-                 PlaneCandidates& candidates, const Work& work,
-                 const Raster<std::uint8_t>* without_evidence) {
+                 PlaneCandidates& candidates, const Work& work, const Raster<float>* nearer_px) {
   parallel_for(work, volume.height, 4, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)
       for (int x = 0; x < volume.width; ++x) {
         const std::uint16_t* cost = volume.at(x, y);
-        const auto matching_cost =
-            without_evidence != nullptr && (*without_evidence)(x, y) != 0 ? flat_cost : cost_at;
+        const float nearer = nearer_px != nullptr ? (*nearer_px)(x, y) : NAN;
         const std::size_t at = candidates.at(x, y);
         for (std::size_t k = at; k < at + kCount; ++k) {
           const float d = candidates.disparity[k];
-          const float own =
-              cost_with_other_view(other, options, x, y, d,
-                                   matching_cost(cost, volume.disparities, d, options.beyond_range_per_px));
+          const float matching =
+              cost_beside_nearer(cost, volume.disparities, d, nearer, options.beyond_range_per_px);
+          const float own = cost_with_other_view(other, options, x, y, d, matching);
           candidates.cost[k] = own + options.slope_cost * (std::fabs(candidates.slope_x[k]) +
                                                            std::fabs(candidates.slope_y[k]));
         }

@@ -36,7 +36,7 @@ std::vector<Parameter> parameters_of(PlaneCostOptions& options);
 struct PlaneSmoothnessOptions {
   /// Cost per pixel of disparity between the two planes (mean at the two neighbours); units, 0 … 10.
   float step_per_px = 0.6F;
-  /// The smoothness cost is truncated here; units, 0 … 20.
+  /// The smoothness cost is truncated here; units, 0 … 10.
   float largest_step = 3.0F;
   /// Both are weighted by colour: the weight falls by e with this difference; levels of 255, 1 … 255.
   float colour_levels = 12.0F;
@@ -64,11 +64,10 @@ float matching_cost_at(const CostVolume& volume, int x, int y, float disparity, 
 
 /// Sets the candidates' own costs from the volume. With another view, a candidate behind the other view's
 /// surface is occluded there and has a constant cost; one in front of it should be visible there and costs
-/// more. Pixels marked in `without_evidence` (of the volume's size; none if null) cost the same at every
-/// disparity, their least matching cost.
+/// more. At a pixel with a disparity in `nearer_px` (of the volume's size, NaN = none; null = none at all) a
+/// candidate behind it has at most its matching cost (edge_evidence.hpp).
 void plane_costs(const CostVolume& volume, const OtherView& other, const PlaneCostOptions& options,
-                 PlaneCandidates& candidates, const Work& work,
-                 const Raster<std::uint8_t>* without_evidence = nullptr);
+                 PlaneCandidates& candidates, const Work& work, const Raster<float>* nearer_px = nullptr);
 
 /// Runs the sweeps and assigns each pixel its candidate of least cost. The result does not depend on the
 /// number of threads.

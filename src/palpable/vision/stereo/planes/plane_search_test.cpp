@@ -102,20 +102,24 @@ TEST(PlaneCosts, GrowWithTheSlope) {
   EXPECT_NEAR(candidates.cost[candidates.at(7, 0)], 0.75F * PlaneCostOptions{}.slope_cost, 1e-6F);
 }
 
-TEST(PlaneCosts, AreTheLeastAtEveryDisparityWithoutEvidence) {
+TEST(PlaneCosts, AreNoMoreBehindANearerSurfaceThanOnIt) {
   CostVolume costs = ramp(6);
-  costs.at(7, 0)[0] = 900;  // the least cost, 400, is now that of the disparity 1
-  Raster<std::uint8_t> without_evidence(8, 1);
-  without_evidence(7, 0) = 1;
+  costs.at(7, 0)[0] = 2000;
+  costs.at(7, 0)[4] = 100;  // elsewhere costs rise by 400 a disparity
+  Raster<float> nearer_px(8, 1, NAN);
+  nearer_px(7, 0) = 4.0F;
   PlaneCandidates candidates(8, 1);
-  std::fill(candidates.disparity.begin(), candidates.disparity.end(), 5.0F);
-  candidates.disparity[candidates.at(7, 0) + 1] = 7.0F;  // 2 px beyond the range
-  plane_costs(costs, {}, {}, candidates, {}, &without_evidence);
-  constexpr float kLeast = 400.0F / kCostUnit;
-  EXPECT_NEAR(candidates.cost[candidates.at(7, 0)], kLeast, 1e-6F);
-  EXPECT_NEAR(candidates.cost[candidates.at(7, 0) + 1],
-              kLeast + 2.0F * PlaneCostOptions{}.beyond_range_per_px, 1e-6F);
-  EXPECT_NEAR(candidates.cost[candidates.at(6, 0)], 5.0F * kLeast, 1e-6F);  // not marked
+  std::fill(candidates.disparity.begin(), candidates.disparity.end(), 2.0F);
+  const std::size_t marked = candidates.at(7, 0);
+  candidates.disparity[marked + 1] = 5.0F;
+  candidates.disparity[marked + 2] = -2.0F;  // 2 px beyond the range
+  plane_costs(costs, {}, {}, candidates, {}, &nearer_px);
+  const float on_it = matching_cost_at(costs, 7, 0, 4.0F, 0.0F);
+  EXPECT_NEAR(candidates.cost[marked], on_it, 1e-6F);
+  EXPECT_NEAR(candidates.cost[marked + 1], matching_cost_at(costs, 7, 0, 5.0F, 0.0F), 1e-6F);
+  EXPECT_GT(candidates.cost[marked + 1], on_it);
+  EXPECT_NEAR(candidates.cost[marked + 2], on_it + 2.0F * PlaneCostOptions{}.beyond_range_per_px, 1e-6F);
+  EXPECT_NEAR(candidates.cost[candidates.at(6, 0)], matching_cost_at(costs, 6, 0, 2.0F, 0.0F), 1e-6F);
 }
 
 TEST(ChosenPlanes, AreOfLeastCostWithoutSmoothness) {

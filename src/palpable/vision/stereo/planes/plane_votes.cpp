@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace palpable::vision {
@@ -81,6 +82,7 @@ std::vector<Parameter> parameters_of(PlaneVoteWindow& w) {
 std::vector<Parameter> parameters_of(BackgroundOptions& o) {
   std::vector<Parameter> all{
       {"behind_px", &o.behind_px, {0, 10}, "px", "A surface occludes pixels behind it by more than this"},
+      {"deepest_pit_px", &o.deepest_pit_px, {0, 100}, "px", "Deeper pits are kept"},
       {"filled_weight", &o.filled_weight, {0, 1}, "", "Weight of pixels filled earlier"},
       {"hidden_quantile",
        &o.hidden_quantile,
@@ -149,6 +151,45 @@ void continue_background(const ColourPlanes& colour, const Raster<float>& other_
     reached = rest.size() < left.size();
     left.swap(rest);
   }
+}
+
+void fill_pits(const ColourPlanes& colour, const Raster<float>& other_disparity,
+               const BackgroundOptions& options, const PlaneVoteWindow& window, PlaneMap& map,
+               const Work& work) {
+  constexpr float kMedian = 0.5F;
+  const auto alike = [&](int difference) {
+    return std::exp(-static_cast<float>(difference) / window.colour_levels);
+  };
+  const int w = colour.width();
+  const Raster<float> agreed = left_right_check(map.disparity, other_disparity);
+  PlaneMap out = map;
+  parallel_for(work, colour.height(), 4, [&](int begin, int end) {
+    PlaneVoting voting(window);
+    for (int y = begin; y < end && !work.cancelled(); ++y) {
+      const auto hidden = [&](int x) {
+        const float d = map.disparity(x, y);
+        const float in_front = seen_at(other_disparity, {x, y}, d) - d;
+        return std::isfinite(in_front) && in_front > options.behind_px;
+      };
+      for (int first = 1, last = 1; first + 1 < w; first = last + 1) {
+        last = first;
+        if (!hidden(first)) continue;
+        while (last + 2 < w && hidden(last + 1)) ++last;
+        const float on_left = map.disparity(first - 1, y), on_right = map.disparity(last + 1, y);
+        if (on_right - on_left > options.behind_px) continue;
+        if (on_left - map.disparity(first, y) > options.deepest_pit_px) continue;
+        for (int x = first; x <= last; ++x) {
+          const Vote vote = voting.winner(
+              colour, map, agreed, {x, y}, alike, [](float) { return true; }, kMedian);
+          if (vote.weight <= 0.0F) continue;
+          out.disparity(x, y) = vote.disparity;
+          out.slope_x(x, y) = vote.slope_x;
+          out.slope_y(x, y) = vote.slope_y;
+        }
+      }
+    }
+  });
+  map = std::move(out);
 }
 
 Raster<float> replace_contradicted(const ColourPlanes& colour, const Raster<float>& other_disparity,

@@ -29,6 +29,8 @@ struct BackgroundOptions {
   PlaneVoteWindow window = {};
   /// A surface occludes pixels behind it by more than this; px, 0 … 10.
   float behind_px = 1.0F;
+  /// Pits deeper than this are kept: gaps whose background is hidden; px, 0 … 100.
+  float deepest_pit_px = 4.0F;
   /// The weight of pixels filled earlier; 0 … 1.
   float filled_weight = 0.5F;
   /// The winner's quantile of the votes, sorted by disparity: about a third for occluded pixels, which belong
@@ -51,6 +53,15 @@ void continue_background(const ColourPlanes& colour, const Raster<float>& other_
 /// The window for replacing contradicted disparities.
 inline constexpr PlaneVoteWindow kContradictedWindow{
     .reach_px = 15, .step_px = 2, .distance_px = 12.0F, .colour_levels = 10.0F, .least_weight = 0.5F};
+
+/// Fills pits. Where a nearer surface hides a farther one from the other camera, the hidden pixels lie
+/// between the two: the disparity steps up by more than `behind_px` from their left to their right. Pixels
+/// that are hidden by more than that without such a step, and not deeper than `deepest_pit_px`, are pits of
+/// noise in one surface or strips behind a thin object. They get the median of the votes of nearby consistent
+/// pixels, if enough of those have their colour. Colour weights: exp(-difference / colour_levels).
+void fill_pits(const ColourPlanes& colour, const Raster<float>& other_disparity,
+               const BackgroundOptions& options, const PlaneVoteWindow& window, PlaneMap& map,
+               const Work& work);
 
 /// The map's disparities, except where the two views contradict each other without an occlusion: there the
 /// median of the votes of nearby consistent pixels. Colour weights: exp(-difference / colour_levels).

@@ -50,6 +50,43 @@ PlaneMap map_with(const Hidden& hidden_px) {
   return map;
 }
 
+/// The truth, but two columns of row 10 are farther.
+PlaneMap map_with_pit(float depth_px = 3.0F) {
+  PlaneMap map = map_with(wall_px);
+  for (const int x : {20, 21}) map.disparity(x, 10) -= depth_px;
+  return map;
+}
+
+void fill_pits_of(const ColourPlanes& colour, PlaneMap& map) {
+  fill_pits(colour, seen_from_right(), {}, kContradictedWindow, map, {});
+}
+
+TEST(PlaneVotes, FillAPitThatNoStepExplains) {
+  PlaneMap map = map_with_pit();
+  fill_pits_of(grey(), map);
+  for (const int x : {20, 21}) EXPECT_NEAR(map.disparity(x, 10), wall_px(x), 0.1F) << x;
+}
+
+TEST(PlaneVotes, KeepADeepGap) {
+  PlaneMap map = map_with_pit(5.0F);
+  fill_pits_of(grey(), map);
+  EXPECT_EQ(map.disparity, map_with_pit(5.0F).disparity);
+}
+
+TEST(PlaneVotes, KeepAPitOfItsOwnColour) {
+  PlaneMap map = map_with_pit();
+  ColourPlanes colour = grey();
+  for (const int x : {20, 21}) colour.r(x, 10) = 200;
+  fill_pits_of(colour, map);
+  EXPECT_EQ(map.disparity, map_with_pit().disparity);
+}
+
+TEST(PlaneVotes, AreNoPitsWhereTheBoardHidesTheWall) {
+  PlaneMap map = map_with(wall_px);
+  fill_pits_of(grey(), map);
+  EXPECT_EQ(map.disparity, map_with(wall_px).disparity);
+}
+
 TEST(PlaneVotes, ContinueTheWallBehindTheBoard) {
   // Like the search's result: a slope between the wall and the board.
   PlaneMap map = map_with([](int x) { return 11.0F + 0.5F * static_cast<float>(x - kBoard + 18); });

@@ -126,6 +126,11 @@ std::vector<Parameter> parameters_of(RangeOptions& o) {
       {"share_beyond_gap", &o.share_beyond_gap, {0, 1}, "", "The share beyond a gap"},
       {"share_behind_infinity", &o.share_behind_infinity, {0, 1}, "", "The share behind infinity"},
       {"far_margin_divisor", &o.far_margin_divisor, {1, 1000}, "", "The far margin: the range over this"},
+      {"enough_texture",
+       &o.enough_texture,
+       {0.01, 1},
+       "",
+       "Textured share below which the far end moves to 0"},
       {"near_margin_divisor", &o.near_margin_divisor, {1, 1000}, "", "The near margin: the range over this"}};
 }
 
@@ -173,7 +178,9 @@ DisparityRange find_disparity_range(const Raster<std::uint8_t>& left, const Rast
   const int spread = bins->high - bins->low;
   const int low = (bins->low - 1) * factor - factor / 2 - spread * factor / options.far_margin_divisor;
   const bool all_in_front = bins->low >= -1;
-  range.min_px = all_in_front ? std::max(0, low) : low;
+  // What has no texture was not matched at all, and may be farther than everything that was.
+  const double matched = std::min(1.0, range.textured / options.enough_texture);
+  range.min_px = all_in_front ? static_cast<int>(std::max(0, low) * matched) : low;
   range.max_px = (bins->high + 1) * factor + factor / 2 + spread * factor / options.near_margin_divisor;
   range.max_px = std::clamp(range.max_px, range.min_px + 1, left.width() - 1);
   range.min_px = std::max(range.min_px, 1 - left.width());

@@ -44,6 +44,9 @@ struct RangeOptions {
   /// pair; 1/n with n from 1 … 1000.
   int far_margin_divisor = 4;
   int near_margin_divisor = 16;
+  /// If less than this share of the picture has texture, the far end moves towards 0 in proportion: what has
+  /// none is not matched here; 0.01 … 1.
+  double enough_texture = 0.5;
 };
 std::vector<Parameter> parameters_of(RangeOptions& options);
 

@@ -48,6 +48,23 @@ TEST(DisparityRange, OfUnrelatedPicturesHasLittleAgreement) {
   EXPECT_LT(find_disparity_range(left, other, {}, {}).agreement, 0.08);
 }
 
+TEST(DisparityRange, BeginsNearInfinityIfMostOfThePictureHasNoTexture) {
+  const auto band = [](Raster<std::uint8_t> picture) {
+    for (int y = 0; y < 100; ++y)
+      for (int x = 0; x < 200; ++x)
+        if (y < 40 || y >= 60) picture(x, y) = 90;
+    return picture;
+  };
+  const auto left = moved(200, 100, [](int) { return 0; });
+  const auto right = moved(200, 100, [](int) { return 23; });
+  EXPECT_GT(find_disparity_range(left, right, {}, {}).min_px, 15);
+  const DisparityRange range = find_disparity_range(band(left), band(right), {}, {});
+  EXPECT_LT(range.textured, 0.4);
+  EXPECT_LE(range.min_px, 23 * 0.8);
+  EXPECT_GE(range.min_px, 0);
+  EXPECT_GE(range.max_px, 23);
+}
+
 TEST(DisparityRange, OfPlainPicturesFindsNoTexture) {
   const Raster<std::uint8_t> plain(200, 100, 90);
   const DisparityRange range = find_disparity_range(plain, plain, {}, {});
