@@ -47,8 +47,9 @@ std::vector<double> common_radii(std::vector<Width> widths, const CarriagewayOpt
         }
       if (sum.length > best.length) best = {sum.radius / sum.length, sum.length};
     }
-    if (best.length < options.common_part * all) break;
-    out.push_back(best.radius);
+    if (best.length == 0.0) break;
+    if (best.length >= std::min(options.common_part * all, options.common_widths * 2.0 * best.radius))
+      out.push_back(best.radius);
     std::erase_if(widths, [&](const Width& w) {
       return std::abs(w.radius - best.radius) <= 2.0 * options.same_width * best.radius;
     });
@@ -61,13 +62,15 @@ std::vector<double> common_radii(std::vector<Width> widths, const CarriagewayOpt
 double single_radius(std::vector<double> radii, bool is_main, const CarriagewayOptions& options) {
   double single = radii.empty() ? 0.0 : radii.front();
   std::sort(radii.begin(), radii.end());
-  // Of a colour with two carriageways nearly everywhere, the narrower width is the single one.
+  // Of a colour with two carriageways nearly everywhere, the narrower width is the single one, unless there
+  // are streets that are too wide for two of it: then it is that of slip roads.
   const auto narrower = std::find_if(radii.begin(), radii.end(), [&](double radius) {
-    return single > options.next_width * radius && single <= options.most_widths * radius;
+    return single > options.next_width * radius && radii.back() <= options.most_widths * radius;
   });
   if (!is_main && narrower != radii.end()) single = *narrower;
+  const double most = options.next_width * single;
   for (const double radius : radii)
-    if (radius > single && radius <= options.next_width * single) single = radius;
+    if (radius > single && radius <= most) single = radius;
   return single;
 }
 

@@ -17,8 +17,10 @@ struct CarriagewayOptions {
   double measured_spread = 0.25;
   /// Widths of streets of one colour that differ by less than this part are the same. 0 ... 1.
   double same_width = 0.1;
-  /// A width is common if this part of a colour's length has it. 0 ... 1.
+  /// A width is common if this part of a colour's length has it, 0 ... 1, or a length of this many of it, 0
+  /// ... 1000.
   double common_part = 0.1;
+  double common_widths = 20.0;
   /// The next wider common width is still that of one carriageway if it is at most this many times as wide. 1
   /// ... 5.
   double next_width = 1.55;

@@ -39,6 +39,25 @@ TEST(Carriageways, TheWidestCommonWidthIsASingleOne) {
   EXPECT_NEAR(carriageway_radii(colours)[0], 9.0, 0.01);
 }
 
+TEST(Carriageways, ARareWidthOnALargeMapIsCommonByItsLength) {
+  CentreLines graph = one_line(4000, 6.0);
+  for (const auto& [length, radius] : {std::array{380.0, 8.7}, {500.0, 12.0}})
+    graph.lines.push_back(one_line(length, radius).lines[0]);
+  const std::array<const CentreLines*, 1> colours{&graph};
+  // 12 is wider than one carriageway beside streets of 6, though not beside those of 8.7.
+  EXPECT_NEAR(carriageway_radii(colours)[0], 8.7, 0.01);
+}
+
+TEST(Carriageways, SlipRoadsAreNarrowerThanACarriageway) {
+  CentreLines graph = one_line(800, 9.0);
+  for (const auto& [length, radius] : {std::array{300.0, 16.0}, {150.0, 5.0}})
+    graph.lines.push_back(one_line(length, radius).lines[0]);
+  const CentreLines main = one_line(4000, 6.0);
+  const std::array<const CentreLines*, 2> colours{&graph, &main};
+  // 16 is two of 9, but more than two of 5.
+  EXPECT_NEAR(carriageway_radii(colours)[0], 9.0, 0.01);
+}
+
 /// Two streets 14 pixels wide whose middles are `apart` pixels from each other between x = 100 and 300, and
 /// meet at both sides of it.
 Raster<std::uint8_t> two_streets(double apart) {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
+#include <unordered_map>
+#include <utility>
 
 #include <opencv2/imgproc.hpp>
 
@@ -54,7 +56,7 @@ struct SmallDifferences {
 
 SmallDifferences small_differences(const Raster<Rgb8>& picture, const MapColourOptions& options) {
   SmallDifferences out;
-  out.counts.resize(static_cast<std::size_t>(options.least_edge) + 1);
+  out.counts.resize(static_cast<std::size_t>(std::max(2, options.least_edge)) + 1);
   for (int y = 0; y < picture.height(); ++y)
     for (int x = 1; x < picture.width(); ++x) {
       const int d = difference(picture(x, y), picture(x - 1, y));
@@ -79,9 +81,17 @@ bool is_noisy(const Raster<Rgb8>& picture, const MapColourOptions& options) {
          differences.quantile(0.5, 1) <= options.most_noise;
 }
 
-/// Without noise, if there is any; edges stay.
+/// Whether a picture is a drawing that was never compressed with loss: hardly any neighbours differ by one or
+/// two levels.
+bool is_clean(const Raster<Rgb8>& picture, const MapColourOptions& options) {
+  const SmallDifferences differences = small_differences(picture, options);
+  const auto least = static_cast<double>(differences.counts[1] + differences.counts[2]);
+  const auto differing = static_cast<double>(differences.all - differences.counts[0]);
+  return differences.quantile(0.5, 0) == 0 && least <= options.lossy_part * differing;
+}
+
+/// Without noise; edges stay.
 Raster<Rgb8> without_noise(const Raster<Rgb8>& picture, const MapColourOptions& options) {
-  if (!is_noisy(picture, options)) return picture;
   const cv::Mat view(picture.height(), picture.width(), CV_8UC3,
                      const_cast<void*>(static_cast<const void*>(picture.data())));
   Raster<Rgb8> out(picture.width(), picture.height());
@@ -137,6 +147,38 @@ std::vector<MapColour> peaks_of(const Raster<Rgb8>& picture, const cv::Mat& insi
   return found;
 }
 
+/// Finds the colours of the flat places of a clean drawing, the most frequent first: pixels that have the
+/// colour of their neighbours, so that the blends at edges count for nothing.
+std::vector<MapColour> flat_colours_of(const Raster<Rgb8>& picture, const cv::Mat& inside,
+                                       const MapColourOptions& options) {
+  const auto key = [](Rgb8 c) { return (c.r << 16) | (c.g << 8) | c.b; };
+  std::unordered_map<int, int> counts;
+  for (int y = 1; y + 1 < picture.height(); ++y)
+    for (int x = 1; x + 1 < picture.width(); ++x) {
+      const Rgb8 c = picture(x, y);
+      const auto is_same = [&](int dx, int dy) { return difference(c, picture(x + dx, y + dy)) <= 1; };
+      if (inside.at<std::uint8_t>(y, x) != 0 && is_same(-1, 0) && is_same(1, 0) && is_same(0, -1) &&
+          is_same(0, 1))
+        ++counts[key(c)];
+    }
+  std::vector<std::pair<int, int>> sorted;
+  for (const auto& [colour, n] : counts) sorted.emplace_back(-n, colour);
+  std::sort(sorted.begin(), sorted.end());
+  const double least = options.least_part * static_cast<double>(picture.count());
+  std::vector<MapColour> found;
+  for (const auto& [n, colour] : sorted) {
+    const Rgb8 value{static_cast<std::uint8_t>(colour >> 16), static_cast<std::uint8_t>(colour >> 8 & 255),
+                     static_cast<std::uint8_t>(colour & 255)};
+    const bool is_known = std::any_of(found.begin(), found.end(), [&](const MapColour& other) {
+      return difference(value, other.value) <= options.least_apart;
+    });
+    if (is_known) continue;
+    if (-n < least || found.size() == static_cast<std::size_t>(options.most_colours)) break;
+    found.push_back({value, 0});
+  }
+  return found;
+}
+
 /// Area of the largest connected piece, pixels.
 int largest_piece(const cv::Mat& mask) {
   cv::Mat labels, stats, centres;
@@ -167,14 +209,17 @@ void add_thin_lines(const cv::Mat& all, cv::Mat& mask, const MapColourOptions& o
 
 MapColours find_map_colours(const Raster<Rgb8>& given, const MapColourOptions& options) {
   MapColours out;
-  out.picture = without_noise(given, options);
+  const bool has_noise = is_noisy(given, options);
+  out.picture = has_noise ? without_noise(given, options) : given;
   const Raster<Rgb8>& picture = out.picture;
+  const bool is_drawing = !has_noise && is_clean(given, options);
   const double tolerance = options.tolerance + options.noise_tolerance * noise_of(picture, options);
   const int width = picture.width();
   const int height = picture.height();
   out.frame = find_map_frame(given, options.frame);
   const cv::Mat inside = inside_of(out.frame, width, height);
-  std::vector<MapColour> peaks = peaks_of(picture, inside, tolerance, options);
+  std::vector<MapColour> peaks =
+      is_drawing ? flat_colours_of(picture, inside, options) : peaks_of(picture, inside, tolerance, options);
   cv::Mat nearest(height, width, CV_8U, cv::Scalar(MapColours::kNone));
   const int most = static_cast<int>(std::lround(tolerance));
   for (int y = 0; y < height; ++y) {

@@ -32,6 +32,12 @@ struct MapColourOptions {
   double noise_difference = 24.0;
   double noise_reach_px = 1.5;
   int noise_rounds = 2;
+  /// A picture without noise is a drawing that was never compressed with loss if of the neighbouring pixels
+  /// that differ, at most this part does by one or two levels. 0 ... 1.
+  double lossy_part = 0.25;
+  /// In such a drawing, colours that differ by more than this in one channel are two: a tunnel's pale fill
+  /// and the land. Levels, 1 ... 128.
+  int least_apart = 5;
   /// A colour that fills less than this part of the picture is not an area of the map. 0.00001 ... 0.5.
   double least_part = 0.0005;
   /// Most colours that are distinguished. 2 ... 64.

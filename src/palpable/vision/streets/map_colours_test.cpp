@@ -63,6 +63,20 @@ TEST(MapColours, GiveEachPixelTheAreaInWhichItLies) {
   EXPECT_EQ(colours.seen(40, 180), MapColours::kArea);
 }
 
+TEST(MapColours, OfACleanDrawingAreTwoWhereTheyDifferByLittle) {
+  constexpr Rgb8 kTunnel{245, 244, 242}, kBlend{243, 241, 238};
+  Raster<Rgb8> picture = small_map();
+  fill(picture, 0, 120, 200, 10, kTunnel);
+  fill(picture, 0, 119, 200, 1, kBlend);
+  fill(picture, 0, 130, 200, 1, kBlend);
+  const MapColours colours = find_map_colours(picture);
+  ASSERT_EQ(colours.colours.size(), 4U) << "without the blend at the edges";
+  const int tunnel = index_of(colours, kTunnel, 0);
+  ASSERT_GE(tunnel, 0);
+  EXPECT_EQ(colours.of_pixel(100, 125), tunnel);
+  EXPECT_EQ(colours.of_pixel(100, 140), index_of(colours, kLand, 0));
+}
+
 TEST(MapColours, LongThinLinesOfAnAreasColourAreStreets) {
   Raster<Rgb8> picture = small_map();
   fill(picture, 20, 120, 60, 2, kStreet);
