@@ -80,6 +80,8 @@ struct Reading {
   /// Orientation of the handle, device_from_tool; valid if Traits::has_torque.
   Rotation rotation = kIdentityRotation;
   std::optional<RecordedTime> recorded = std::nullopt;
+  /// The hand moves the device without touching: as in a pause, no force is wanted.
+  bool clutched = false;
 };
 
 /// A force-feedback device or a substitute. It is opened by open_device() and closed by its destructor, which
@@ -94,6 +96,9 @@ class Device {
 
   virtual const Traits& traits() const noexcept = 0;
   virtual Reading read() noexcept = 0;
+  /// The factor 0 ... 1 by which start, pause and fault ramp this tick's forces; called before each write().
+  /// For a device that adds forces of its own, which must end with those of the touch.
+  virtual void note_ramp(double /*factor*/) noexcept {}
   /// Sets the force on the hand. The caller guarantees that it is finite and within the cap.
   virtual void write(Vector<DeviceFrame> force_N) noexcept = 0;
   /// Sets the torque on the hand about the handle's origin; it takes effect with the next write(). Called

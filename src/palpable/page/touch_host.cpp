@@ -46,8 +46,10 @@ protocol::Hello TouchHost::hello() const {
   protocol::Hello hello;
   hello.version = protocol::kVersion;
   hello.program = options_.program;
-  hello.device = session_.device_traits().name;
+  for (std::size_t hand = 0; hand < session_.hands(); ++hand)
+    hello.device += (hand > 0 ? ", " : "") + session_.device_traits(hand).name;
   hello.pointer_moves = pointer_moves();
+  hello.hands = static_cast<std::int64_t>(session_.hands());
   hello.probes = static_cast<std::int64_t>(session_.probes());
   hello.egocentric = options_.egocentric;
   return hello;
@@ -205,12 +207,15 @@ void TouchHost::take_notices() {
   if (const std::string step = session_.take_guidance(); !step.empty()) say("info", step);
   for (const auto& event : session_.take_events()) {
     // No fault: a pointer is lost whenever no page is open, an additional probe whenever it is lifted.
-    const bool device = event.probe == 0 && !pointer_moves();
+    const bool device = event.probe < session_.hands() && !pointer_moves();
     if (event.kind == Kind::fault && device) {
-      const auto fault = session_.device_fault();
-      say("fault", fault.empty() ? "The device does not answer: its force is off" : fault);
+      const auto fault = session_.device_fault(event.probe);
+      say("fault", session_.said_of(event.probe,
+                                    fault.empty() ? "The device does not answer: its force is off" : fault));
     } else if (event.kind == Kind::recovered && device) {
-      say("recovered", "The device answers again");
+      say("recovered", session_.said_of(event.probe, "The device answers again"));
+    } else if (const auto words = session_.clutch_words(event); !words.empty()) {
+      say("info", words);
     } else if (event.kind == Kind::not_finite) {
       say("fault", "The law gave a force that is not a number: the force is off");
     }

@@ -261,7 +261,7 @@ export class TouchPage implements KeyTarget {
     this.hello = hello;
     this.probes.page = hello.page;
     this.readouts.setDevice(hello.device);
-    this.own.set(hello.probes, hello.pointer_moves);
+    this.own.set(hello.probes, hello.pointer_moves, hello.hands);
     this.actions.changed();
     this.walking.allow(hello.egocentric);
     // Moves the device's middle to the place of this page's explorer.

@@ -51,6 +51,20 @@ describe('pointers and probes', () => {
     expect(own.press(7, right)).toEqual({ probe: 1, isNew: true });
     expect(own.advance(0.016, ramp, 1)).toEqual([1]);
   });
+  it('fingers and keys leave the probes of several devices alone', () => {
+    const { own } = probes;
+    own.set(4, false, 2);
+    expect(own.numbers).toEqual([0, 1]);
+    expect([0, 1, 2].map((probe) => own.movable(probe))).toEqual([false, false, true]);
+    expect(own.press(7, right)).toEqual({ probe: 2, isNew: true });
+    expect(own.choose(1, right)).toBe(true);
+    expect(own.movedBy(9)).toBe(null);
+    expect(own.remove(1)).toBe(false);
+    expect(own.press(8, right)).toEqual({ probe: 3, isNew: true });
+    expect(own.press(9, right)).toBe(null);
+    expect(own.release(7)).toBe(2);
+    expect(own.numbers).toEqual([0, 1, 3]);
+  });
 });
 
 describe('keys and probes', () => {

@@ -17,12 +17,18 @@ export class PageProbes {
   private chosenProbe = 0;
   private most = 1;
   private movesFirst = true;
+  private hands = 1;
   private scale = 1;
 
-  /** How many probes there can be, and whether this page moves the first one (else a device does). */
-  set(most: number, movesFirst: boolean): void {
+  /**
+   * How many probes there can be, whether this page moves the first one (else a device does), and how many of the first
+   * ones are hands: those after the first are always moved by devices.
+   */
+  set(most: number, movesFirst: boolean, hands = 1): void {
     this.most = most;
     this.movesFirst = movesFirst;
+    this.hands = hands;
+    for (let hand = 1; hand < hands; ++hand) if (!this.probes.has(hand)) this.put(hand, { x: 0, y: 0 });
   }
 
   /** The scale of the touched surface. */
@@ -34,7 +40,7 @@ export class PageProbes {
   get chosen(): number {
     return this.chosenProbe;
   }
-  /** The numbers of this page's probes and the first one. */
+  /** The numbers of this page's probes and the hands. */
   get numbers(): number[] {
     return [...this.probes.keys()].sort((a, b) => a - b);
   }
@@ -52,7 +58,7 @@ export class PageProbes {
     return this.probes.get(this.chosenProbe)!;
   }
   movable(probe = this.chosenProbe): boolean {
-    return probe !== 0 || this.movesFirst;
+    return probe >= this.hands || (probe === 0 && this.movesFirst);
   }
 
   /** Selects a probe, which is added at `place` if it does not exist; false for an invalid number. */
@@ -69,9 +75,9 @@ export class PageProbes {
     return null;
   }
 
-  /** False for the first one, which cannot be removed. */
+  /** False for the hands, which cannot be removed. */
   remove(probe: number): boolean {
-    if (probe === 0 || !this.probes.delete(probe)) return false;
+    if (probe < this.hands || !this.probes.delete(probe)) return false;
     if (this.chosenProbe === probe) this.chosenProbe = 0;
     for (const [pointer, held] of this.pointers) if (held.probe === probe) this.pointers.delete(pointer);
     return true;

@@ -43,7 +43,10 @@ export class ProbeActions implements ProbesTarget {
   }
   take(): void {
     const probe = this.probes.own.chosen;
-    if (!this.probes.own.remove(probe)) return this.page.say('The first probe cannot be removed.', Importance.answer);
+    if (!this.probes.own.remove(probe)) {
+      const words = probe === 0 ? 'The first probe cannot be removed.' : 'A device moves this probe: it cannot be removed.';
+      return this.page.say(words, Importance.answer);
+    }
     this.lift(probe);
     this.page.say(`Probe ${probe + 1} removed. The keys move probe 1.`, Importance.answer);
   }

@@ -15,6 +15,7 @@
 #include "palpable/device/url.hpp"
 
 #include <array>
+#include <set>
 
 namespace palpable::device {
 namespace {
@@ -86,6 +87,24 @@ Result<void> check_device_url(std::string_view url) {
   const auto driver = driver_of(*parsed);
   if (!driver) return driver.error();
   return (*driver)->check == nullptr ? Result<void>{} : (*driver)->check(*parsed);
+}
+
+Result<void> check_together(const std::vector<std::string>& urls) {
+  if (urls.size() < 2) return {};
+  std::set<std::string> seen;
+  for (const std::string& url : urls) {
+    if (auto known = check_device_url(url); !known) return known;
+    if (url.starts_with("pointer:"))
+      return Error{ErrorCode::usage, "the page's pointers touch beside devices anyway: leave it out",
+                   public_url(url)};
+    // Its library has one scheduler for all devices, which ends with the first that is closed.
+    const std::string one = url.starts_with("touch:") ? "touch:" : url;
+    if (!seen.insert(one).second && !is_virtual_device(url))
+      return Error{ErrorCode::usage,
+                   one == url ? "the device is named twice" : "only one device of this kind can be touched",
+                   public_url(url)};
+  }
+  return {};
 }
 
 bool is_virtual_device(std::string_view url) {

@@ -27,6 +27,10 @@ std::function<Result<std::unique_ptr<Device>>()> reopener(const std::string& url
 /// computer, without opening it, so that errors are reported before long computations. Errors: usage.
 Result<void> check_device_url(std::string_view url);
 
+/// Checks that the devices of several hands can be open at the same time: no real one twice, no `pointer:`
+/// beside others, and at most one of a vendor's library that serves only one. Errors: usage.
+Result<void> check_together(const std::vector<std::string>& urls);
+
 /// Whether a URL names a device without real motors: a simulation, the pointer, a recording.
 bool is_virtual_device(std::string_view url);
 

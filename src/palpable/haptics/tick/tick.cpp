@@ -75,6 +75,7 @@ const TouchSample& TickPipeline::step(double clock_t_s, double clock_dt_s) noexc
   const TouchSample before = sample_;
   flags_ = 0;
   const device::Reading reading = device_.read();
+  clutched_ = reading.clutched;
   const auto [t_s, dt_s, stalled] = when_of(reading, clock_t_s, clock_dt_s);
   if (stalled) {
     flags_ |= flag::kStalled;
@@ -87,7 +88,7 @@ const TouchSample& TickPipeline::step(double clock_t_s, double clock_dt_s) noexc
   const bool is_glitch = use == ReadingUse::glitch;
   if (fading()) fade(dt_s);
   const bool valid = good && evaluate_laws(dt_s);
-  if (!is_glitch) account_spring(dt_s, valid && !paused_);
+  if (!is_glitch) account_spring(dt_s, valid && !is_paused());
   account_returns(dt_s);
   if (fading() && faded_ >= 1.0) end_fade();
   observe(dt_s);
@@ -285,7 +286,7 @@ void TickPipeline::make_force(double dt_s) noexcept {
   if (capped.limited) flags_ |= flag::kForceCapped;
   if (risen.limited || rise_.share() < ramp_.value()) flags_ |= flag::kRiseLimited;
   if (gain < 1.0) flags_ |= flag::kRamping;
-  if (paused_) flags_ |= flag::kPaused;
+  if (is_paused()) flags_ |= flag::kPaused;
   scene_changes_ = fading() && !same_surface_;
   shortened_ = scene_changes_ || torque_capped_ || (gain < 1.0 && !is_accounted());
 }

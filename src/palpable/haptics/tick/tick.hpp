@@ -222,6 +222,9 @@ class TickPipeline {
   bool shortened_ = true;
   bool scene_changes_ = false;
   bool paused_ = false;
+  /// The newest reading's.
+  bool clutched_ = false;
+  bool is_paused() const noexcept { return paused_ || clutched_; }
   bool force_was_cut_ = false;
   bool healthy_ = true;
   std::uint32_t flags_ = 0;

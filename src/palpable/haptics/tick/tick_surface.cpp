@@ -64,9 +64,10 @@ device::LocalSurface TickPipeline::local_surface() const noexcept {
 void TickPipeline::write_device(bool wanted, bool is_glitch) noexcept {
   if (takes_surface_ != nullptr) {
     // A reading that is not believed changes nothing.
-    if (!is_glitch) surface_ = wanted && !paused_ ? local_surface() : LocalSurface{};
+    if (!is_glitch) surface_ = wanted && !is_paused() ? local_surface() : LocalSurface{};
     takes_surface_->write_surface(surface_);
   }
+  device_.note_ramp(ramp_.value());
   if (has_torque_) device_.write_torque(written_Nm_);
   device_.write(written_N_);
 }

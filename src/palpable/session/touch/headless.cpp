@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/touch/headless.hpp"
 
-#include "palpable/device/url.hpp"
 #include "palpable/haptics/servo/pacing.hpp"
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 namespace palpable::session {
 namespace {
@@ -25,6 +26,43 @@ Result<void> walk_on(TouchSession& session, const HeadlessOptions& options, doub
   if (auto moved = session.move_explorer(pose); !moved) return moved;
   if (options.on_pose) options.on_pose(pose);
   return {};
+}
+
+/// Tells which hands' devices do not answer, and when they answer again.
+class DeviceNews {
+ public:
+  explicit DeviceNews(const TouchSession& session) : session_(session), silent_(session.hands(), false) {}
+
+  /// What is said of an event; empty for most.
+  std::string of(const haptics::TouchEvent& event) {
+    using Kind = haptics::TouchEvent::Kind;
+    const std::size_t hand = event.probe;
+    if (hand >= silent_.size()) return {};
+    // A device that is not ready says itself what the person does next.
+    const bool is_lost =
+        event.kind == Kind::fault && event.value != static_cast<std::uint32_t>(device::Status::not_ready);
+    if (is_lost && !silent_[hand]) {
+      silent_[hand] = true;
+      const std::string fault = session_.device_fault(hand);
+      return session_.said_of(
+          hand, "The device does not answer: its force is off" + (fault.empty() ? "." : " (" + fault + ")."));
+    }
+    if (event.kind == Kind::recovered && silent_[hand]) {
+      silent_[hand] = false;
+      return session_.said_of(hand, "The device answers again.");
+    }
+    return session_.clutch_words(event);
+  }
+
+ private:
+  const TouchSession& session_;
+  std::vector<bool> silent_;
+};
+
+std::optional<std::size_t> failed_hand(const TouchSession& session) {
+  for (std::size_t hand = 0; hand < session.hands(); ++hand)
+    if (session.latest(hand).status == device::Status::fault) return hand;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -51,15 +89,16 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
     if (options.on_notice) options.on_notice(sentence);
   });
   const auto guide = [&] {
-    if (const std::string step = session.take_guidance(); !step.empty() && options.on_notice)
-      options.on_notice(step + ".");
+    if (const std::string step = session.take_guidance(); !step.empty() && options.on_device)
+      options.on_device(step + ".", false);
   };
 
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   const auto end = start + std::chrono::duration<double>(options.seconds);
   std::size_t next_step = 0;
-  bool failed = false;
+  std::optional<std::size_t> failed;
+  DeviceNews news(session);
   while (Clock::now() < end && !work.cancelled()) {
     const auto before = Clock::now();
     const double t_s = std::chrono::duration<double>(before - start).count();
@@ -71,25 +110,26 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
     if (const auto fault = session.take_recording_fault(); fault && options.on_notice)
       options.on_notice("The recording has ended: " + fault->sentence());
     guide();
-    if (session.latest().status == device::Status::fault) {
-      failed = true;
-      break;
-    }
+    failed = failed_hand(session);
+    if (failed) break;
     for (const auto& missed : session.take_missed())
       if (options.on_missed) options.on_missed(missed);
-    for (const auto& event : session.take_events())
+    for (const auto& event : session.take_events()) {
+      if (const std::string words = news.of(event); !words.empty() && options.on_device)
+        options.on_device(words, event.kind == haptics::TouchEvent::Kind::fault);
       if (options.on_event) options.on_event(event, *session.scene());
+    }
     std::this_thread::sleep_until(before + kLook);
   }
   maker.cancel();
   feeding.reset();
   auto recorded = session.stop_recording();
-  const std::string fault = session.device_fault();
+  const std::string fault = failed ? session.device_fault(*failed) : std::string();
   session.stop();
   if (!recorded) return std::move(recorded).error();
   if (failed)
     return Error{ErrorCode::device, fault.empty() ? "the device has failed" : fault,
-                 device::public_url(options.device_url)};
+                 session.device_url(*failed)};
   auto statistics = session.statistics();
   if (options.live != nullptr) statistics.live = options.live->statistics();
   return statistics;

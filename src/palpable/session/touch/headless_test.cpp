@@ -12,10 +12,13 @@
 #include "palpable/session/touch/recorder.hpp"
 #include "palpable/session/touch/test_session.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
 #include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -56,6 +59,32 @@ TEST(TouchHeadless, ReplacesTheSceneByABetterOneDuringTheTouch) {
   EXPECT_EQ(json["servo"]["ticks"], touch.ticks);
   EXPECT_EQ(json["allocations_in_ticks"], 0);
   EXPECT_EQ(json["seconds_to_scene"], statistics->seconds_to_scene);
+}
+
+TEST(TouchHeadless, SaysThatItsDeviceIsSilentAndThatItAnswersAgain) {
+  device::VirtualTwoDiy board(device::kTwoDiyVariants[0]);
+  auto options = unprivileged(1.5);
+  options.device_url = "2diy:" + board.path();
+  std::vector<std::string> notices;
+  options.on_device = [&](const std::string& notice, bool) { notices.push_back(notice); };
+  std::thread trouble([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    board.inject(device::VirtualTwoDiy::Fault::silent);
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    board.inject(device::VirtualTwoDiy::Fault::none);
+  });
+  const auto statistics = touch_headless(two_scenes, options, {});
+  trouble.join();
+  ASSERT_TRUE(statistics) << statistics.error().sentence();
+  const auto place_of = [&](const std::string& words) {
+    const auto found =
+        std::find_if(notices.begin(), notices.end(), [&](const auto& one) { return one.starts_with(words); });
+    return found - notices.begin();
+  };
+  const auto count = static_cast<std::ptrdiff_t>(notices.size());
+  EXPECT_LT(place_of("The device does not answer"), count);
+  EXPECT_LT(place_of("The device answers again."), count);
+  EXPECT_LT(place_of("The device does not answer"), place_of("The device answers again."));
 }
 
 TEST(TouchHeadless, EndsWithASentenceWhenItsDeviceFails) {

@@ -3,17 +3,16 @@
 #pragma once
 
 #include "palpable/core/result.hpp"
-#include "palpable/core/work.hpp"
 #include "palpable/device/device.hpp"
 #include "palpable/haptics/servo/servo_loop.hpp"
 #include "palpable/models/scene/scene.hpp"
+#include "palpable/session/touch/session_options.hpp"
 #include "palpable/session/touch/touch_settings.hpp"
 #include "palpable/session/touch/touch_statistics.hpp"
 #include "palpable/session/touch/walk.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,30 +20,15 @@
 
 namespace palpable::session {
 
-struct SessionOptions {
-  haptics::ServoOptions servo;
-  /// Written to recordings, and used for a simulated hand whose URL has no seed.
-  std::uint64_t seed = 1;
-  /// Written to recordings: "shi", "park", ... if the parameters of a paper were chosen.
-  std::string as_published;
-  /// Written to recordings: "palpable 0.1.0", and the command line as given.
-  std::string made_by = "palpable";
-  std::vector<std::string> command;
-  /// File in which the touch is recorded from the first tick; empty = none.
-  std::filesystem::path recording;
-  /// Preparing a scene (haptic_scene.hpp) takes seconds for a large relief and a ball.
-  Work work;
-  /// Number of probes besides the hand, moved by move_pointer(); at most haptics::kMaxLiveProbes - 1.
-  std::size_t further_probes = 0;
-};
-
-/// One touch: a scene, a law and a device. Any thread may call any method; no method makes the servo wait.
-/// However it ends, the device is left at zero force.
+/// One touch: a scene, a law and a device, or several for several hands (device_hand.hpp), each at the whole
+/// scene. Any thread may call any method; no method makes a servo wait. However it ends, the devices are left
+/// at zero force.
 class TouchSession {
  public:
-  /// Opens the device (device/drivers/open.hpp) and starts the servo. `begin_ns` is CLOCK_MONOTONIC at the
-  /// user's request, from which seconds_to_first_force counts; 0 = now. Errors: device (cannot be opened),
-  /// usage (an unknown law, parameter or URL), failed (the recording cannot be created).
+  /// Opens the device (device/drivers/open.hpp) and those of further hands, and starts their servos.
+  /// `begin_ns` is CLOCK_MONOTONIC at the user's request, from which seconds_to_first_force counts; 0 = now.
+  /// Errors: device (cannot be opened), usage (an unknown law, parameter or URL, devices that exclude each
+  /// other), failed (a recording cannot be created).
   static Result<std::unique_ptr<TouchSession>> open(std::shared_ptr<const models::Scene> scene,
                                                     const TouchSettings& settings,
                                                     const std::string& device_url,
@@ -64,19 +48,19 @@ class TouchSession {
   /// The id that samples have of the scene that was handed over last.
   std::uint32_t newest_scene_id() const;
   TouchSettings settings() const;
-  /// Differs from the settings if the scene or the device does not support that law.
+  /// The first hand's. Differs from the settings if the scene or the device does not support that law.
   haptics::Law law_in_use() const;
-  /// Radius of the touching ball in use, metres: lower than in the settings if the scene has no room for
-  /// that.
+  /// The first hand's radius of the touching ball, metres: lower than in the settings if the scene has no
+  /// room for that.
   double radius_in_use_m() const;
   /// What the device's limits changed and why, one sentence each: "Stiffness 800 N/m was lowered to 412 N/m:
-  /// …". Empty if nothing was changed.
+  /// …". Empty if nothing was changed. With several hands each begins with the hand's number and device.
   std::vector<std::string> notices() const;
 
   void pause();
   void resume();
   bool paused() const;
-  /// Moves the scene so that the hand is at its centre, at the height of its highest point.
+  /// Moves the scene for each hand so that this hand is at its centre, at the height of its highest point.
   void recentre();
   /// The egocentric frame of reference: from now on the centre of the device's workspace moves and turns with
   /// an explorer; its height and scale do not change. This also holds for later scenes. Forces are
@@ -84,12 +68,14 @@ class TouchSession {
   Result<void> move_explorer(const ExplorerPose& pose);
   void stop();
 
-  /// Greatest number of simultaneous probes, including the hand (probe 0).
+  /// Number of hands, each at a device: probes 0 to hands() - 1.
+  std::size_t hands() const;
+  /// Greatest number of simultaneous probes, including the hands.
   std::size_t probes() const;
-  /// Moves the hand if the device is `pointer:` (other devices ignore it), or a further probe with any
-  /// device. The position is in the scene frame, so that the page need not know the device frame. Call it at
-  /// least ten times a second, also while the pointer rests: after half a second without a call the source
-  /// counts as lost, and the force ramps to zero. Unknown probes are ignored.
+  /// Moves a hand if its device is `pointer:` (other devices ignore it), or a further probe with any device.
+  /// The position is in the scene frame, so that the page need not know the device frame. Call it at least
+  /// ten times a second, also while the pointer rests: after half a second without a call the source counts
+  /// as lost, and the force ramps to zero. Unknown probes are ignored.
   void move_pointer(Point<SceneFrame> position, std::size_t probe = 0);
   /// Removes a probe until it is moved again; its force ramps to zero.
   void lift_pointer(std::size_t probe);
@@ -97,22 +83,29 @@ class TouchSession {
   /// The newest tick of a probe, which must be less than probes(). Before the first tick its status is
   /// not_ready.
   haptics::TouchSample latest(std::size_t probe = 0) const;
-  /// All events since the last call, in order. For one reader, which should call it several times a second:
-  /// the ring holds 1024 events, and further ones are lost.
+  /// All events since the last call, those of a hand in order. For one reader, which should call it several
+  /// times a second: the ring holds 1024 events, and further ones are lost.
   std::vector<haptics::TouchEvent> take_events();
   /// Deadlines missed since the last call, each with its cause; also for one reader.
   std::vector<haptics::MissedDeadline> take_missed();
-  /// The reason why the current recording cannot be continued, returned once; the touch continues.
+  /// The reason why a recording cannot be continued, returned once; the touch continues.
   std::optional<Error> take_recording_fault();
 
-  /// Ends the recording; errors of any earlier write are returned here.
+  /// Ends the recordings; errors of any earlier write are returned here.
   Result<void> stop_recording();
 
+  /// Those of the first hand; the others' are in TouchStatistics::further_hands.
   TouchStatistics statistics() const;
-  const device::Traits& device_traits() const;
-  /// Empty while the device works.
-  std::string device_fault() const;
-  /// What the person does next so that the device becomes ready, once for each such step; empty if nothing is
+  /// Of a hand, which must be less than hands().
+  const device::Traits& device_traits(std::size_t hand = 0) const;
+  const std::string& device_url(std::size_t hand = 0) const;
+  /// Empty while the hand's device works.
+  std::string device_fault(std::size_t hand = 0) const;
+  /// A sentence as it is said of one hand: with several hands it begins with "Hand 2 (Haply 2DIY): ".
+  std::string said_of(std::size_t hand, const std::string& sentence) const;
+  /// What a hand's user hears of its clutch; empty for other events.
+  std::string clutch_words(const haptics::TouchEvent& event) const;
+  /// What the person does next so that a device becomes ready, once for each such step; empty if nothing is
   /// new. For one reader.
   std::string take_guidance();
 

@@ -30,9 +30,7 @@ Json live_json(const LiveStatistics& live) {
           {"stale_s", number(live.stale_s)}};
 }
 
-}  // namespace
-
-std::string to_json(const TouchStatistics& statistics) {
+Json hand_json(const TouchStatistics& statistics) {
   const auto& servo = statistics.servo;
   const auto& touch = servo.touch;
   const auto& cause = servo.missed_by_cause;
@@ -67,7 +65,17 @@ std::string to_json(const TouchStatistics& statistics) {
   json["device"] = statistics.device;
   json["realtime_priority"] = statistics.realtime_priority;
   json["memory_lock"] = statistics.memory_lock;
+  return json;
+}
+
+}  // namespace
+
+std::string to_json(const TouchStatistics& statistics) {
+  Json json = hand_json(statistics);
   if (statistics.live) json["live"] = live_json(*statistics.live);
+  if (!statistics.further_hands.empty()) json["further_hands"] = Json::array();
+  for (const TouchStatistics& hand : statistics.further_hands)
+    json["further_hands"].push_back(hand_json(hand));
   return json.dump();
 }
 

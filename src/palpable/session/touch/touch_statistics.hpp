@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace palpable::session {
 
@@ -38,6 +39,8 @@ struct TouchStatistics {
   std::string memory_lock;
   /// Of a touch of a live source.
   std::optional<LiveStatistics> live;
+  /// Of the hands after the first.
+  std::vector<TouchStatistics> further_hands;
 };
 
 /// One JSON object {"servo": {"ticks", "rate_hz", …}, "force": …} (docs/cli.md); values that are not finite

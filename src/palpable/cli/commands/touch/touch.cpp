@@ -28,8 +28,8 @@ bool is_about_scene(const Error& error, const std::vector<std::string>& inputs) 
 
 Result<Answer> touch(TouchArguments arguments, Console& console) {
   haptics::write_zero_force_on_crash();
-  if (!arguments.device.empty())
-    if (auto known = device::check_device_url(arguments.device); !known) return known.error();
+  for (const std::string& url : arguments.devices)
+    if (auto known = device::check_device_url(url); !known) return known.error();
   const auto published = published_as(arguments.as_published);
   if (!published) return published.error();
   TouchPlan plan;
@@ -93,6 +93,7 @@ void add_touch(Program& program) {
                   "  palpable touch left.png right.png\n"
                   "  palpable touch sample:map --route \"Mill Lane to Church Lane\"\n"
                   "  palpable touch room.palp --law rolling\n"
+                  "  palpable touch room.palp --device falcon:0 --device falcon:1    two hands\n"
                   "  palpable touch \"frames:folder?fps=30&loop=1\"    frames of a depth camera, live\n"
                   "  palpable touch left.png right.png --headless --seconds 10 --json",
                   [arguments](Console& console) { return touch(*arguments, console); });
@@ -110,8 +111,19 @@ void add_touch(Program& program) {
   options.number("--hand-damping", arguments->hand_damping_Ns_per_m, {0.1, 40.0},
                  "Least damping that the hand adds to the device, N·s/m; the stiffness limit depends on it "
                  "(doctor --measure-hand measures it)");
-  options.text("--device", arguments->device,
-               "Device (palpable devices lists them); default: the page's pointer");
+  options.texts(
+      "--device", arguments->devices,
+      "Device (palpable devices lists them); default: the page's pointer. Again for each further hand");
+  options.number(
+      "--magnify", arguments->magnification, {1.0, 10.0},
+      "The scene is that many times larger than what fits into the device's workspace; at the border "
+      "it moves beneath the hand");
+  options.integer(
+      "--clutch", arguments->clutch, {0, 32},
+      "While this button of the device is pressed the scene moves with the hand; 0 = none; default: 1 "
+      "with --magnify, else none");
+  options.flag("--no-cushion", arguments->no_cushion,
+               "No soft spring at the border of the device's workspace");
   options.integer("--port", arguments->port, {0, 65535}, "Port of the page on 127.0.0.1; 0 = any free one");
   options.flag("--no-browser", arguments->no_browser, "Do not open the browser");
   options.flag("--headless", arguments->headless, "No page: a scripted hand explores");
@@ -128,7 +140,14 @@ void add_touch(Program& program) {
   options.number("--seconds", arguments->seconds, {0.01, 86400.0}, "How long a headless touch lasts");
   options.number("--rate", arguments->rate_hz, {100.0, 4000.0},
                  "Servo rate in Hz (1000 unless a paper states another)");
-  options.output("--record", arguments->recording, {}, "Record every tick into this file");
+  options.output("--record", arguments->recording, {},
+                 "Record every tick into this file; the second hand's into FILE-2, and so on");
+  options.last_output_writes([arguments](const std::string& file) {
+    std::vector<std::string> files;
+    for (std::size_t hand = 0; hand < std::max<std::size_t>(1, arguments->devices.size()); ++hand)
+      files.push_back(session::recording_of_hand(file, hand).string());
+    return files;
+  });
 }
 
 }  // namespace palpable::cli

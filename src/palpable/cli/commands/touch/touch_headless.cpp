@@ -23,7 +23,7 @@ std::string sentence_of(const haptics::MissedDeadline& missed) {
                      missed.late_us, kCauses[static_cast<std::size_t>(missed.cause)]);
 }
 
-/// Speaks faults and the names of touched regions.
+/// Speaks faults, steps at a device, and the names of touched regions.
 void let_speak(session::HeadlessOptions& headless, Console& console) {
   auto speaker = voice::open_speaker();
   if (!speaker) return console.note(speaker.error().sentence());
@@ -32,13 +32,14 @@ void let_speak(session::HeadlessOptions& headless, Console& console) {
     console.note(session::words_of(pose));
     speech->say(voice::Importance::news, session::words_of(pose));
   };
+  headless.on_device = [speech, &console](const std::string& sentence, bool is_fault) {
+    console.note(sentence);
+    speech->say(is_fault ? voice::Importance::fault : voice::Importance::news, sentence);
+  };
   headless.on_event = [speech](const haptics::TouchEvent& event, const models::Scene& scene) {
     using Kind = haptics::TouchEvent::Kind;
-    if (event.kind == Kind::fault)
-      speech->say(voice::Importance::fault, "The device does not answer. Its force is off.");
     if (event.kind == Kind::not_finite)
       speech->say(voice::Importance::fault, "The force is off: the law gave an invalid value.");
-    if (event.kind == Kind::recovered) speech->say(voice::Importance::news, "The device answers again.");
     const bool named = event.kind == Kind::label_entered && event.value < scene.materials.size() &&
                        scene.materials[event.value].name != models::Material{}.name;
     if (named) speech->say(voice::Importance::label, scene.materials[event.value].name);
@@ -57,8 +58,9 @@ Result<Answer> touch_without_page(const TouchArguments& arguments, const TouchPl
   headless.walk = plan.walk;
   headless.live = plan.live.get();
   headless.on_pose = [&console](const session::ExplorerPose& pose) { console.note(session::words_of(pose)); };
-  if (!arguments.device.empty()) headless.device_url = arguments.device;
+  if (!arguments.devices.empty()) headless.device_url = arguments.devices.front();
   headless.on_notice = [&console](const std::string& sentence) { console.note(sentence); };
+  headless.on_device = [&console](const std::string& sentence, bool) { console.note(sentence); };
   headless.on_missed = [&console](const haptics::MissedDeadline& missed) {
     console.note(sentence_of(missed));
   };

@@ -92,11 +92,11 @@ Result<Answer> touch_with_page(const TouchArguments& arguments, const TouchPlan&
   auto scene = maker.first_scene(console.work());
   if (!scene) return scene.error();
   session::SessionOptions options = plan.options;
-  options.further_probes = haptics::kMaxLiveProbes - 1;
+  options.further_probes = haptics::kMaxLiveProbes - 1 - options.further_devices.size();
   options.recording = arguments.recording;
-  auto opened = session::TouchSession::open(std::move(*scene), plan.settings,
-                                            arguments.device.empty() ? "pointer:" : arguments.device, options,
-                                            plan.begin_ns);
+  auto opened = session::TouchSession::open(
+      std::move(*scene), plan.settings, arguments.devices.empty() ? "pointer:" : arguments.devices.front(),
+      options, plan.begin_ns);
   if (!opened) return opened.error();
   session::TouchSession& session = **opened;
   auto feeding =

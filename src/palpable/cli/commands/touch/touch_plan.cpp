@@ -3,6 +3,7 @@
 #include "palpable/cli/commands/touch/touch_plan.hpp"
 
 #include "palpable/cli/arguments/route_option.hpp"
+#include "palpable/device/drivers/open.hpp"
 
 #include <limits>
 #include <set>
@@ -56,6 +57,14 @@ std::optional<Note> note_on_law(const TouchPlan& plan, const models::Scene& scen
   return note_on_unused(plan.law, law);
 }
 
+std::string line_of(const session::TouchStatistics& hand) {
+  const auto& servo = hand.servo;
+  return fmt::format(
+      "{}: {} ticks at {:.1f} Hz, {} missed, {} in contact, at most {:.2f} N; real-time priority: {}\n",
+      hand.device, servo.touch.ticks, servo.rate_hz, servo.missed, servo.touch.contact_ticks,
+      servo.touch.max_force_N, hand.realtime_priority);
+}
+
 }  // namespace
 
 session::SceneMaker maker_of(const TouchPlan& plan, Notes notes) {
@@ -93,10 +102,13 @@ session::SceneMaker maker_of(const TouchPlan& plan, Notes notes) {
 
 Result<void> check_touch_options(const TouchArguments& arguments,
                                  const std::vector<session::WalkStep>& walk) {
+  if (arguments.devices.size() > haptics::kMaxLiveProbes)
+    return Error{ErrorCode::usage, fmt::format("at most {} devices", haptics::kMaxLiveProbes), "--device"};
+  if (auto together = device::check_together(arguments.devices); !together) return together;
   if (arguments.keys && !arguments.headless)
     return Error{ErrorCode::usage,
                  "the keys of the terminal are for a touch without the page: add --headless", "--keys"};
-  if (arguments.keys && (!arguments.device.empty() || !walk.empty()))
+  if (arguments.keys && (!arguments.devices.empty() || !walk.empty()))
     return Error{ErrorCode::usage, "the keys move the probe themselves: leave out --device and --view",
                  "--keys"};
   if (!arguments.view.walk.empty() && !arguments.headless)
@@ -127,6 +139,13 @@ Result<void> fill_plan(TouchArguments& arguments, const std::optional<Published>
   const auto settings = settings_of(arguments, published);
   if (!settings) return settings.error();
   plan.settings = *settings;
+  auto& workspace = plan.options.workspace;
+  workspace.magnification = arguments.magnification;
+  workspace.cushion = !arguments.no_cushion;
+  const int clutch = arguments.clutch.value_or(arguments.magnification > 1.0 ? 1 : 0);
+  if (clutch > 0) workspace.clutch_button = clutch - 1;
+  for (std::size_t hand = 1; hand < arguments.devices.size(); ++hand)
+    plan.options.further_devices.push_back(arguments.devices[hand]);
   if (arguments.unlimited) {
     plan.options.servo.tick.max_force_rate_N_per_s = std::numeric_limits<double>::infinity();
     plan.options.servo.tick.passivity = haptics::Passivity::observe;
@@ -135,13 +154,10 @@ Result<void> fill_plan(TouchArguments& arguments, const std::optional<Published>
 }
 
 Answer answer_of(const session::TouchStatistics& statistics) {
-  const auto& servo = statistics.servo;
   Answer answer;
   answer.json = Json::parse(session::to_json(statistics));
-  answer.text = fmt::format(
-      "{}: {} ticks at {:.1f} Hz, {} missed, {} in contact, at most {:.2f} N; real-time priority: {}\n",
-      statistics.device, servo.touch.ticks, servo.rate_hz, servo.missed, servo.touch.contact_ticks,
-      servo.touch.max_force_N, statistics.realtime_priority);
+  answer.text = line_of(statistics);
+  for (const auto& hand : statistics.further_hands) answer.text += line_of(hand);
   answer.exit_code = interrupted() ? static_cast<int>(ErrorCode::interrupted) : 0;
   return answer;
 }

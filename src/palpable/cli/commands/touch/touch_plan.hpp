@@ -24,7 +24,12 @@ namespace palpable::cli {
 struct TouchArguments {
   SceneArguments scene;
   LawArguments law;
-  std::string device;
+  /// URLs, one for each hand; empty: the command's own default.
+  std::vector<std::string> devices;
+  double magnification = 1.0;
+  /// The number of a button, from 1; 0: none. Not given: the first one of a magnified scene.
+  std::optional<int> clutch;
+  bool no_cushion = false;
   std::string recording;
   int port = 0;
   bool headless = false;

@@ -1,0 +1,285 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/touch/device_hand.hpp"
+
+#include "palpable/device/drivers/open.hpp"
+#include "palpable/device/local_surface.hpp"
+#include "palpable/device/url.hpp"
+#include "palpable/haptics/servo/pacing.hpp"
+#include "palpable/haptics/servo/start_touch.hpp"
+#include "palpable/session/touch/recorded_touch.hpp"
+#include "palpable/session/touch/recording_header.hpp"
+#include "palpable/session/touch/surface_strokes.hpp"
+
+#include <utility>
+
+namespace palpable::session {
+namespace {
+
+/// Describes a prepared scene for a recording.
+RecordedTouch recorded_touch(const PreparedScene& prepared, const TouchSettings& asked) {
+  RecordedTouch touch;
+  touch.law = prepared.law;
+  touch.asked_for = asked.law;
+  touch.height_factor = asked.height_factor;
+  touch.transient = prepared.transient;
+  touch.materials = prepared.materials;
+  touch.scene_from_device = prepared.scene.scene_from_device;
+  return touch;
+}
+
+using Opened = Result<std::unique_ptr<device::Device>>;
+
+/// A device of another computer computes its forces there, and a recording's positions were moved already.
+bool can_be_moved(const device::Device& device, const std::string& url) {
+  return device.traits().pushes_back && !url.starts_with("replay:") &&
+         dynamic_cast<const device::TakesLocalSurface*>(&device) == nullptr;
+}
+
+std::unique_ptr<device::Device> moved(std::unique_ptr<device::Device> device, const SessionOptions& options,
+                                      const std::string& url) {
+  if (!can_be_moved(*device, url)) return device;
+  return std::make_unique<haptics::MovedWorkspace>(std::move(device), options.workspace,
+                                                   options.servo.rate_hz);
+}
+
+/// Empty if the device is not opened again.
+haptics::ReopeningLoop::Open reopener_of(const std::string& url, const SessionOptions& options) {
+  const auto again = device::reopener(url, options.servo.rate_hz);
+  if (!again) return {};
+  return [again, options, url]() -> Opened {
+    auto device = again();
+    if (!device) return device;
+    return moved(*std::move(device), options, url);
+  };
+}
+
+Transform<SceneFrame, DeviceFrame> placed(const models::Scene& scene, const device::Traits& traits,
+                                          const SessionOptions& options) {
+  auto place = haptics::fit_workspace(scene, traits);
+  place.scale /= options.workspace.magnification;
+  return place;
+}
+
+Opened opened_device(const DeviceHand::Begin& begin, const SessionOptions& options) {
+  device::OpenOptions open;
+  open.seed = options.seed;
+  open.rate_hz = options.servo.rate_hz;
+  open.strokes = [&begin](const device::Traits& traits) {
+    return strokes_along_solid(*begin.scene, haptics::fit_workspace(*begin.scene, traits));
+  };
+  open.check_header = [](const std::string& header) -> Result<void> {
+    const auto session = parse_header(header);
+    return session ? Result<void>{} : Result<void>(session.error());
+  };
+  open.pointer = begin.pointers.front();
+  auto device = device::open_device(begin.url, open);
+  if (!device) return device;
+  if (begin.settings.limits == Limits::off && !device::is_virtual_device(begin.url) &&
+      !((*device)->traits().max_force_N <= kMostUnlimited_N))
+    return Error{ErrorCode::usage,
+                 "the limits may be off on simulated devices and on those of at most 4 N only",
+                 device::public_url(begin.url)};
+  const auto& workspace = options.workspace;
+  if ((workspace.magnification > 1.0 || workspace.clutch_button) && !can_be_moved(**device, begin.url))
+    return Error{ErrorCode::usage,
+                 "only a device with motors at this computer can magnify a scene or have a clutch",
+                 device::public_url(begin.url)};
+  return moved(*std::move(device), options, begin.url);
+}
+
+}  // namespace
+
+std::filesystem::path recording_of_hand(const std::filesystem::path& file, std::size_t hand) {
+  if (file.empty() || hand == 0) return file;
+  std::filesystem::path own = file;
+  own.replace_filename(file.stem().string() + "-" + std::to_string(hand + 1) + file.extension().string());
+  return own;
+}
+
+Result<std::unique_ptr<DeviceHand>> DeviceHand::open(const Begin& begin, SceneCaches& caches) {
+  std::unique_ptr<DeviceHand> hand(new DeviceHand);
+  hand->options_ = begin.options;
+  hand->options_.seed += begin.number;
+  hand->options_.recording = recording_of_hand(begin.options.recording, begin.number);
+  hand->options_.servo.recording =
+      begin.options.recording.empty() ? haptics::Recording::off : haptics::Recording::on;
+  hand->url_ = device::public_url(begin.url);
+  for (auto& sample : hand->latest_) sample.status = device::Status::not_ready;
+  auto device = opened_device(begin, hand->options_);
+  if (!device) return std::move(device).error();
+  const auto place = placed(*begin.scene, (*device)->traits(), hand->options_);
+  auto prepared = hand->prepared_for((*device)->traits(), begin.scene, begin.settings, place, caches);
+  if (!prepared) return std::move(prepared).error();
+  hand->take_over(prepared->scene, place);
+  hand->described_now_ = std::move(prepared->description);
+  const double rate_hz = hand->options_.servo.rate_hz;
+  const auto further = [pointers = begin.pointers, rate_hz] {
+    std::vector<std::unique_ptr<device::Device>> devices;
+    for (std::size_t probe = 1; probe < pointers.size(); ++probe)
+      devices.push_back(std::make_unique<device::PointerDevice>(pointers[probe], rate_hz));
+    return devices;
+  };
+  auto loop =
+      haptics::ReopeningLoop::start(*std::move(device), std::move(prepared->scene.scene),
+                                    hand->options_.servo, reopener_of(begin.url, hand->options_), further);
+  if (!loop) return std::move(loop).error();
+  hand->servo_begin_ns_ = haptics::monotonic_ns();
+  hand->loop_ = *std::move(loop);
+  if (!hand->options_.recording.empty())
+    if (auto recording = hand->record(); !recording) return std::move(recording).error();
+  return hand;
+}
+
+DeviceHand::~DeviceHand() {
+  static_cast<void>(stop_recording());
+  if (loop_) loop_->stop();
+}
+
+device::RecordedScene DeviceHand::described(const PreparedScene& prepared,
+                                            const std::shared_ptr<const models::Scene>& touched,
+                                            const TouchSettings& asked, SceneCaches& caches) const {
+  RecordedTouch touch = recorded_touch(prepared, asked);
+  if (touched->guide != nullptr) touch.guide = *touched->guide;
+  touch.hashes = caches.hashes.of(touched);
+  touch.inputs = touched->source.inputs;
+  touch.method = touched->source.method;
+  return {prepared.scene.id, touch_json(touch)};
+}
+
+Result<DeviceHand::Prepared> DeviceHand::prepared_for(const device::Traits& traits,
+                                                      const std::shared_ptr<const models::Scene>& to,
+                                                      const TouchSettings& settings,
+                                                      const Transform<SceneFrame, DeviceFrame>& place,
+                                                      SceneCaches& caches) {
+  auto scene =
+      prepare_scene(*to, settings, traits, options_.servo.rate_hz, place, caches.kept, options_.work);
+  if (!scene) return std::move(scene).error();
+  scene->scene.id = last_scene_id_ + 1;
+  auto description = described(*scene, to, settings, caches);
+  return Prepared{*std::move(scene), std::move(description), place};
+}
+
+Result<DeviceHand::Prepared> DeviceHand::prepare(const std::shared_ptr<const models::Scene>& scene,
+                                                 const TouchSettings& settings,
+                                                 const Transform<SceneFrame, DeviceFrame>& place,
+                                                 SceneCaches& caches) {
+  return prepared_for(loop_->device_traits(), scene, settings, place, caches);
+}
+
+void DeviceHand::take_over(const PreparedScene& prepared, const Transform<SceneFrame, DeviceFrame>& place) {
+  last_scene_id_ = prepared.scene.id;
+  law_in_use_ = prepared.law.law;
+  radius_in_use_m_ = prepared.law.radius_m.value_or(0.0);
+  scene_from_device_ = place;
+  notices_ = prepared.notices;
+}
+
+void DeviceHand::apply(Prepared prepared) {
+  {
+    // The recording must know the scene before its first tick.
+    const std::lock_guard lock(state_);
+    if (recorder_) recorder_->note(prepared.description);
+  }
+  // This reads every page of the model.
+  loop_->change(std::move(prepared.scene.scene));
+  const std::lock_guard lock(state_);
+  described_now_ = std::move(prepared.description);
+  take_over(prepared.scene, prepared.place);
+}
+
+Transform<SceneFrame, DeviceFrame> DeviceHand::place() const {
+  const std::lock_guard lock(state_);
+  return scene_from_device_;
+}
+
+Transform<SceneFrame, DeviceFrame> DeviceHand::fitted(const models::Scene& scene) const {
+  return placed(scene, loop_->device_traits(), options_);
+}
+
+std::optional<Transform<SceneFrame, DeviceFrame>> DeviceHand::recentred(const models::Scene& scene) const {
+  const Vec3 hand = latest(0).device_position.v;
+  if (!is_finite(hand)) return std::nullopt;
+  auto moved = place();
+  const Vec3 turned = moved.scale * moved.rotate(hand);
+  moved.translation_m = Vec3{0.0, 0.0, models::size_m(scene).z} - turned;
+  return moved;
+}
+
+haptics::Law DeviceHand::law_in_use() const {
+  const std::lock_guard lock(state_);
+  return law_in_use_;
+}
+
+double DeviceHand::radius_in_use_m() const {
+  const std::lock_guard lock(state_);
+  return radius_in_use_m_;
+}
+
+std::vector<std::string> DeviceHand::notices() const {
+  const std::lock_guard lock(state_);
+  return notices_;
+}
+
+std::uint32_t DeviceHand::newest_scene_id() const {
+  const std::lock_guard lock(state_);
+  return described_now_.id;
+}
+
+haptics::TouchSample DeviceHand::latest(std::size_t probe) const {
+  const std::lock_guard lock(state_);
+  if (const auto newer = loop_->take_latest(probe)) latest_[probe] = *newer;
+  return latest_[probe];
+}
+
+Result<void> DeviceHand::record() {
+  RecordedSession session;
+  session.made_by = options_.made_by;
+  session.command = options_.command;
+  session.seed = options_.seed;
+  session.rate_hz = options_.servo.rate_hz;
+  session.device_url = url_;
+  session.traits = loop_->device_traits();
+  session.tick = haptics::tick_options(options_.servo);
+  session.as_published = options_.as_published;
+  auto started = Recorder::start(*loop_, options_.recording, header_json(session), described_now_);
+  if (!started) return std::move(started).error();
+  const std::lock_guard lock(state_);
+  recorder_ = std::move(*started);
+  return {};
+}
+
+std::optional<Error> DeviceHand::take_recording_fault() {
+  const std::lock_guard lock(state_);
+  return recorder_ ? recorder_->take_fault() : std::nullopt;
+}
+
+Result<void> DeviceHand::stop_recording() {
+  std::unique_ptr<Recorder> ended;
+  {
+    const std::lock_guard lock(state_);
+    ended = std::exchange(recorder_, nullptr);
+  }
+  return ended ? ended->finish() : Result<void>();
+}
+
+std::string DeviceHand::take_guidance() {
+  std::string guidance = loop_->device_guidance();
+  const std::lock_guard lock(state_);
+  if (guidance == guidance_) return {};
+  return guidance_ = std::move(guidance);
+}
+
+TouchStatistics DeviceHand::statistics(std::int64_t begin_ns) const {
+  TouchStatistics statistics;
+  statistics.servo = loop_->statistics();
+  statistics.seconds_to_scene = 1e-9 * static_cast<double>(servo_begin_ns_ - begin_ns);
+  statistics.seconds_to_first_force = statistics.seconds_to_scene + statistics.servo.touch.first_force_t_s;
+  statistics.device = loop_->device_traits().name;
+  const auto real_time = loop_->real_time();
+  statistics.realtime_priority = real_time.priority;
+  statistics.memory_lock = real_time.memory;
+  return statistics;
+}
+
+}  // namespace palpable::session
