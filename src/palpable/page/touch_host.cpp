@@ -50,6 +50,7 @@ protocol::Hello TouchHost::hello() const {
   hello.pointer_moves = pointer_moves();
   hello.probes = static_cast<std::int64_t>(session_.probes());
   hello.egocentric = options_.egocentric;
+  hello.home = options_.home;
   return hello;
 }
 
