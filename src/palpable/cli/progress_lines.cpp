@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kEvery{100};
 
-std::string text_of(const nlohmann::ordered_json& report) {
+std::string line_of(const nlohmann::ordered_json& report) {
   return report.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -22,12 +22,12 @@ bool ProgressLines::progress(double fraction, std::string_view step) {
   const auto now = std::chrono::steady_clock::now();
   if (descriptor_ < 0 || now - last_ < kEvery) return is_read_;
   last_ = now;
-  put(text_of({{"progress", fraction}, {"step", step}}));
+  put(line_of({{"progress", fraction}, {"step", step}}));
   return is_read_;
 }
 
 void ProgressLines::write(const char* name, std::string_view sentence) {
-  if (descriptor_ >= 0) put(text_of({{name, sentence}}));
+  if (descriptor_ >= 0) put(line_of({{name, sentence}}));
 }
 
 void ProgressLines::put(std::string line) {
