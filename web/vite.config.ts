@@ -9,5 +9,6 @@ export default defineConfig({
     assetsInlineLimit: 0,
     modulePreload: false,
     chunkSizeWarningLimit: 900,
+    rollupOptions: { input: ['index.html', 'shelf.html'] },
   },
 });

@@ -57,7 +57,7 @@ expect 'the output of apt is not on standard output' grep -q 'noise of apt' "$ro
 
 : >"$room/calls"
 run
-expect 'without arguments the sample is touched' [ "$(<"$room/out")" = "<$room><touch>" ]
+expect 'without arguments the home page is opened' [ "$(<"$room/out")" = "<$room><home>" ]
 expect 'nothing is installed twice' [ "$(calls_of apt-get)" -eq 0 ]
 expect 'nothing is printed when there is nothing to do' [ ! -s "$room/err" ]
 

@@ -6,7 +6,7 @@ import { extname, join, relative, resolve } from 'node:path';
 
 const mediaTypes = {
   '.html': 'text/html; charset=utf-8', '.js': 'text/javascript; charset=utf-8', '.css': 'text/css; charset=utf-8',
-  '.svg': 'image/svg+xml', '.txt': 'text/plain; charset=utf-8',
+  '.svg': 'image/svg+xml', '.png': 'image/png', '.txt': 'text/plain; charset=utf-8',
 };
 const [folder, out] = process.argv.slice(2).map((path) => resolve(path));
 

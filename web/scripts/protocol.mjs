@@ -19,7 +19,7 @@ function checkFields(where, fields, known) {
       throw new Error(`protocol.json: ${where}.${name}: there is no type ${spec.type}, or it is defined further down`);
 }
 Object.entries(protocol.objects).forEach(([name, { fields }], k, all) => checkFields(name, fields, all.slice(0, k).map(([earlier]) => earlier)));
-for (const messages of [protocol.from_page, protocol.to_page])
+for (const messages of [protocol.from_page, protocol.to_page, protocol.from_shelf, protocol.to_shelf])
   for (const [name, { fields }] of Object.entries(messages)) checkFields(name, fields, Object.keys(protocol.objects));
 
 /** Levels of objects and lists within a message of these fields, the message itself included. */
@@ -62,9 +62,12 @@ export const mostProbes = ${protocol.most_probes};\n
 ${all(protocol.objects, false)}
 ${direction(protocol.from_page, 'FromPage')}
 ${direction(protocol.to_page, 'ToPage')}
+${direction(protocol.from_shelf, 'FromShelf')}
+${direction(protocol.to_shelf, 'ToShelf')}
 export const objectSpecs: Specs = ${specs(protocol.objects)};\n
 export const fromPageSpecs: Specs = ${specs(protocol.from_page)};\n
 export const toPageSpecs: Specs = ${specs(protocol.to_page)};\n
+export const toShelfSpecs: Specs = ${specs(protocol.to_shelf)};\n
 /** ${protocol.raster.doc} */
 export const raster = ${JSON.stringify(protocol.raster, withoutDoc)} as const;
 `;
@@ -125,8 +128,8 @@ constexpr std::int64_t kVersion = ${protocol.version};
 constexpr int kPictureForms = ${protocol.picture_forms};
 /// Probes at once.
 constexpr std::size_t kMostProbes = ${protocol.most_probes};
-/// Levels of objects and lists within a message from the page, the message itself included.
-constexpr int kDeepestFromPage = ${Math.max(...Object.values(protocol.from_page).map(({ fields }) => depthOf(fields)))};
+/// Levels of objects and lists within a message from a page, the message itself included.
+constexpr int kDeepestFromPage = ${Math.max(...Object.values({ ...protocol.from_page, ...protocol.from_shelf }).map(({ fields }) => depthOf(fields)))};
 
 /// What a field may hold: numbers lowest…highest, strings of at most \`longest\` bytes, lists of at most \`most\`.
 struct Limits {
@@ -139,6 +142,8 @@ struct Limits {
 ${all(protocol.objects, false)}
 ${direction(protocol.from_page, 'FromPage')}
 ${direction(protocol.to_page, 'ToPage')}
+${direction(protocol.from_shelf, 'FromShelf')}
+${direction(protocol.to_shelf, 'ToShelf')}
 /// ${protocol.raster.doc}
 constexpr std::uint32_t kRasterMagic = ${protocol.raster.magic}U;
 enum class RasterKind : std::uint32_t { ${kinds} };

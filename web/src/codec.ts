@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Parses the program's messages strictly by the definitions of protocol.json. The C++ side is page/protocol.cpp.
-import { objectSpecs, raster, toPageSpecs, type FromPage, type ToPage } from './generated/protocol';
+import { objectSpecs, raster, toPageSpecs, toShelfSpecs, type FromPage, type FromShelf, type ToPage, type ToShelf } from './generated/protocol';
 
 export interface FieldSpec {
   /** number, integer, boolean, string, or the name of an object. */
@@ -58,7 +58,10 @@ export function readMessage(text: string, specs: Specs = toPageSpecs): ToPage | 
   return complaint === null ? (value as unknown as ToPage) : `${String(value.type)}: ${complaint}`;
 }
 
-export function writeMessage(message: FromPage): string {
+/** The same for an answer to the home page. */
+export const readShelfMessage = (text: string) => readMessage(text, toShelfSpecs) as unknown as ToShelf | string;
+
+export function writeMessage(message: FromPage | FromShelf): string {
   return JSON.stringify(message);
 }
 

@@ -87,6 +87,7 @@ void catch_interrupts() {
 
 Console::Console(const CommonOptions& options)
     : options_(options),
+      lines_(options.progress_to),
       shows_progress_(!options.quiet && isatty(STDERR_FILENO) != 0),
       started_(std::chrono::steady_clock::now()),
       last_shown_(started_) {}
@@ -94,6 +95,7 @@ Console::Console(const CommonOptions& options)
 Console::~Console() { remove_progress(); }
 
 void Console::note(const Note& note) {
+  lines_.note(sentence_of(note));
   if (options_.quiet) return;
   const std::lock_guard lock(mutex_);
   remove_progress();
@@ -120,7 +122,7 @@ Work Console::work() {
   work.threads = static_cast<unsigned>(options_.threads);
   work.seed = options_.seed;
   work.cancel = &interrupted();
-  if (shows_progress_)
+  if (shows_progress_ || options_.progress_to >= 0)
     work.progress = [this](double fraction, std::string_view what) { show_progress(fraction, what); };
   return work;
 }
@@ -128,6 +130,8 @@ Work Console::work() {
 void Console::show_progress(double fraction, std::string_view what) {
   const std::lock_guard lock(mutex_);
   const auto now = std::chrono::steady_clock::now();
+  // Its reader has ended: nobody waits for the result.
+  if (!lines_.progress(fraction, what)) interrupt_flag = true;
   if (!shows_progress_) return;
   if (now - started_ < kProgressAfter || now - last_shown_ < kProgressEvery) return;
   std::string line = fmt::format("{}: {} %", what, std::lround(100.0 * std::clamp(fraction, 0.0, 1.0)));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/cli/progress_lines.hpp"
 #include "palpable/core/note.hpp"
 #include "palpable/core/work.hpp"
 
@@ -20,6 +21,8 @@ struct CommonOptions {
   bool quiet = false;
   int threads = 0;
   std::uint64_t seed = 1;
+  /// An open descriptor that receives progress, notes and the error as lines of JSON; -1: none.
+  int progress_to = -1;
   /// The command line as given, without the program name.
   std::vector<std::string> command;
 };
@@ -51,6 +54,7 @@ class Console {
   void remove_progress();
 
   CommonOptions options_;
+  ProgressLines lines_;
   bool shows_progress_ = false;
   /// The progress line on the terminal; empty = none.
   std::string progress_;

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,8 +17,8 @@ namespace palpable::cli {
 
 struct InputWords;
 
-/// How the sample map is asked for: an extract of a town that does not exist.
-inline constexpr const char* kMapSample = "sample:map";
+/// How an included sample is asked for: sample:map.
+inline constexpr std::string_view kSamplePrefix = "sample:";
 
 /// The folders in which samples are searched, if they exist.
 std::vector<std::filesystem::path> sample_folders();

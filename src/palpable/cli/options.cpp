@@ -135,7 +135,7 @@ std::function<std::vector<std::string>()> Options::given() const {
 
 std::function<std::vector<std::string>()> Options::repeated() const {
   return [app = &app_, outputs = &outputs_] {
-    const std::vector<std::string> no_result{"--help", "--json", "--quiet", "--threads"};
+    const std::vector<std::string> no_result{"--help", "--json", "--progress-to", "--quiet", "--threads"};
     std::vector<std::string> arguments, options;
     for (const CLI::Option* option : app->get_options()) {
       const auto& values = option->results();

@@ -18,6 +18,8 @@ void add_common(Options& options, CommonOptions& common) {
   options.count("--seed", common.seed,
                 "Seed of the random numbers: the same seed gives the same result, except in a live touch, "
                 "which also follows the clock");
+  options.integer("--progress-to", common.progress_to, {-1.0, 1023.0},
+                  "Progress, notes and the error as lines of JSON on this open file descriptor; -1 = none");
   options.under("Options");
 }
 
@@ -51,7 +53,7 @@ void add_commands(Program& program) {
   // Commands inherit it.
   app.formatter(help_format());
   app.description(
-      "Palpable makes pictures touchable: palpable touch begins with the sample that comes with it.");
+      "Palpable makes pictures touchable. Without a command it opens its home page in the browser.");
   app.set_version_flag("--version", std::string("palpable ") + PALPABLE_VERSION);
   app.require_subcommand(0, 1);
   app.footer(
@@ -60,6 +62,7 @@ void add_commands(Program& program) {
       "interrupted.");
   Options options(app, program.outputs);
   add_common(options, program.common);
+  add_home(program);
   add_touch(program);
   add_make(program);
   add_marker(program);

@@ -22,6 +22,9 @@ class Program {
   Action action;
 };
 
+/// What the program does without a command: it opens the home page.
+Action home_action();
+
 /// Adds every command, with its options, to a new program.
 void add_commands(Program& program);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/run.hpp"
 
+#include "palpable/cli/help_format.hpp"
 #include "palpable/cli/hints.hpp"
 #include "palpable/cli/input_files.hpp"
 #include "palpable/cli/program.hpp"
@@ -113,7 +114,10 @@ std::string text_of(const Answer& answer) {
 }
 
 int finish(const Result<Answer>& answer, const CommonOptions& common) {
-  if (!answer) return report(answer.error());
+  if (!answer) {
+    ProgressLines(common.progress_to).error(one_line(sentence_of(answer.error())));
+    return report(answer.error());
+  }
   const std::string text = common.json
                                ? answer->json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"
                                : text_of(*answer);
@@ -134,9 +138,10 @@ std::vector<std::filesystem::path> samples_of(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options())
     if (option->get_positional())
       arguments.insert(arguments.end(), option->results().begin(), option->results().end());
-  const bool reads_one = arguments.empty()
-                             ? command.get_name() == "touch"
-                             : std::find(arguments.begin(), arguments.end(), kMapSample) != arguments.end();
+  const bool reads_one =
+      arguments.empty() ? command.get_name() == "touch"
+                        : std::any_of(arguments.begin(), arguments.end(),
+                                      [](const std::string& one) { return one.starts_with(kSamplePrefix); });
   return reads_one ? sample_folders() : std::vector<std::filesystem::path>();
 }
 
@@ -156,7 +161,7 @@ int parse_and_run(int argc, char** argv) {
   const CLI::App& command = chosen_command(program.app);
   if (auto writable = check_outputs(command, program.outputs, samples_of(command)); !writable)
     return report(writable.error());
-  if (!program.action) return finish(Answer{{}, program.app.help()}, {});
+  if (!program.action) program.action = home_action();
   auto answer = [&program] {
     // Its destructor removes the progress line.
     Console console(program.common);
@@ -201,6 +206,7 @@ Result<Answer> run_command(const std::vector<std::string>& words,
   program.common.json = from.json;
   program.common.quiet = from.quiet;
   program.common.threads = from.threads;
+  program.common.progress_to = from.progress_to;
   Console console(program.common);
   return program.action(console);
 }

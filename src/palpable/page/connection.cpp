@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/connection.hpp"
 
+#include "palpable/page/protocol.hpp"
+
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -17,44 +21,131 @@ using tcp = boost::asio::ip::tcp;
 constexpr std::size_t kLongestHeaderBytes = 8192;
 constexpr std::size_t kBufferBytes = kLongestHeaderBytes + 65536;
 
+constexpr std::size_t kPartBytes = 65536;
+// An absent limit counts as one of zero bytes in Boost 1.74.
+constexpr auto kUnlimited = std::numeric_limits<std::uint64_t>::max();
+
 std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
+
+template <class Message>
+Request request_of(const Message& message, std::string_view body) {
+  return {view(message.method_string()),      view(message.target()),
+          view(message[http::field::host]),   view(message[http::field::origin]),
+          view(message[http::field::cookie]), body};
+}
 
 }  // namespace
 
 void Connection::read() {
   buffer_.max_size(kBufferBytes);
-  parser_.emplace();
-  parser_->header_limit(kLongestHeaderBytes);
-  parser_->body_limit(context_.options.longest_message_bytes);
+  header_.emplace();
+  header_->header_limit(kLongestHeaderBytes);
+  // Checked when it is known what the body is.
+  header_->body_limit(kUnlimited);
+  is_head_ = false;
   stream_.expires_after(milliseconds_of(context_.options.idle_timeout_s));
+  http::async_read_header(
+      stream_, buffer_, *header_,
+      [self = shared_from_this()](beast::error_code error, std::size_t) { self->on_header(error); });
+}
+
+bool Connection::is_refused(beast::error_code error) {
+  if (!error) return false;
+  if (error == http::error::end_of_stream || error == asio::error::operation_aborted) {
+    close();
+  } else if (error == http::error::body_limit) {
+    write({413, "text/plain", "The request is too long.", {}, {}}, false);
+  } else if (error == http::error::header_limit) {
+    write({431, "text/plain", "The request is too long.", {}, {}}, false);
+  } else if (error.category() == http::make_error_code(http::error::bad_method).category()) {
+    write({400, "text/plain", "The request is not HTTP.", {}, {}}, false);
+  } else {
+    close();
+  }
+  return true;
+}
+
+void Connection::on_header(beast::error_code error) {
+  if (is_refused(error)) return;
+  is_head_ = header_->get().method() == http::verb::head;
+  const Request request = request_of(header_->get(), {});
+  if (context_.handler.is_upload(request)) return receive_file(request);
+  read_body();
+}
+
+void Connection::read_body() {
+  if (header_->content_length().value_or(0) > context_.options.longest_message_bytes)
+    return write({413, "text/plain", "The request is too long.", {}, {}}, false);
+  parser_.emplace(std::move(*header_));
+  parser_->body_limit(context_.options.longest_message_bytes);
   http::async_read(
       stream_, buffer_, *parser_,
       [self = shared_from_this()](beast::error_code error, std::size_t) { self->on_read(error); });
 }
 
 void Connection::on_read(beast::error_code error) {
-  if (error == http::error::end_of_stream || error == asio::error::operation_aborted) return close();
-  if (error == http::error::body_limit)
-    return write({413, "text/plain", "The request is too long.", {}}, false);
-  if (error == http::error::header_limit)
-    return write({431, "text/plain", "The request is too long.", {}}, false);
-  if (error.category() == http::make_error_code(http::error::bad_method).category())
-    return write({400, "text/plain", "The request is not HTTP.", {}}, false);
-  if (error) return close();
-  respond(parser_->get());
+  if (!is_refused(error)) respond(parser_->get());
+}
+
+void Connection::receive_file(const Request& request) {
+  if (const Reply refusal = context_.handler.check_upload(request); refusal.status != 200)
+    return write(refusal, false);
+  is_admitted_ = true;
+  const auto bytes = header_->content_length();
+  if (!bytes) return write({411, "text/plain", "The length of the file is missing.", {}, {}}, false);
+  auto upload = context_.shelf->begin_upload(request.target.substr(kUploadPath.size()), *bytes);
+  if (!upload) return write({409, "text/plain", upload.error().sentence(), {}, {}}, false);
+  upload_ = *std::move(upload);
+  file_.emplace(std::move(*header_));
+  file_->body_limit(kUnlimited);
+  part_.resize(kPartBytes);
+  receive_part();
+}
+
+void Connection::receive_part() {
+  stream_.expires_after(milliseconds_of(context_.options.idle_timeout_s));
+  file_->get().body().data = part_.data();
+  file_->get().body().size = part_.size();
+  http::async_read(
+      stream_, buffer_, *file_,
+      [self = shared_from_this()](beast::error_code error, std::size_t) { self->on_part(error); });
+}
+
+void Connection::on_part(beast::error_code error) {
+  if (error && error != http::error::need_buffer) {
+    upload_.reset();
+    return close();
+  }
+  const std::size_t bytes = part_.size() - file_->get().body().size;
+  if (const auto stored = upload_->write({part_.data(), bytes}); !stored) {
+    upload_.reset();
+    return write({507, "text/plain", stored.error().sentence(), {}, {}}, false);
+  }
+  if (file_->is_done()) return answer_file();
+  receive_part();
+}
+
+void Connection::answer_file() {
+  const bool keep_alive = file_->get().keep_alive();
+  const auto done = upload_->finish();
+  upload_.reset();
+  file_.reset();
+  if (!done) return write({507, "text/plain", done.error().sentence(), {}, {}}, false);
+  write({200, "application/json", protocol::write_message(*done), {}, {}}, keep_alive);
 }
 
 void Connection::respond(const Client::Upgrade& message) {
-  const Request request{view(message.method_string()),      view(message.target()),
-                        view(message[http::field::host]),   view(message[http::field::origin]),
-                        view(message[http::field::cookie]), message.body()};
+  const Request request = request_of(message, message.body());
   if (beast::websocket::is_upgrade(message)) return upgrade(message, request);
   Reply reply = context_.handler.answer(request);
   is_admitted_ = is_admitted_ || context_.handler.admits(request) || !reply.set_cookie.empty();
-  if (request.target == kSessionPath && reply.status == 204 && context_.pages.full()) {
-    reply.status = 503;
-    reply.body = context_.pages.full_sentence();
-  }
+  // Not for a browser that only comes in, at a home page.
+  if (request.target == kSessionPath && reply.status == 204 &&
+      (context_.shelf == nullptr || request.method == "GET"))
+    if (std::string obstacle = context_.pages.obstacle(); !obstacle.empty()) {
+      reply.status = 503;
+      reply.body = std::move(obstacle);
+    }
   write(reply, message.keep_alive());
 }
 
@@ -62,23 +153,24 @@ void Connection::upgrade(const Client::Upgrade& message, const Request& request)
   const Reply reply = context_.handler.check_upgrade(request);
   if (reply.status != 101) return write(reply, false);
   if (context_.upgrades.check(seconds_now()) != Verdict::accept)
-    return write({429, "text/plain", "The page is opened too often: wait a few seconds.", {}}, false);
-  if (context_.pages.full()) return write({503, "text/plain", context_.pages.full_sentence(), {}}, false);
+    return write({429, "text/plain", "The page is opened too often: wait a few seconds.", {}, {}}, false);
+  if (std::string obstacle = context_.pages.obstacle(); !obstacle.empty())
+    return write({503, "text/plain", std::move(obstacle), {}, {}}, false);
   context_.pages.add_client(std::move(stream_), message);
 }
 
 void Connection::write(const Reply& reply, bool keep_alive) {
-  const bool head = parser_->get().method() == http::verb::head;
   response_ = {};
   response_.result(reply.status);
   response_.version(11);
   for (const auto& header : kSafetyHeaders) response_.set(header.name, header.value);
   if (!reply.body.empty()) response_.set(http::field::content_type, reply.media_type);
+  if (!reply.location.empty()) response_.set(http::field::location, reply.location);
   if (!reply.set_cookie.empty()) response_.set(http::field::set_cookie, reply.set_cookie);
   response_.keep_alive(keep_alive);
   response_.body() = reply.body;
   response_.prepare_payload();
-  if (head) response_.body().clear();
+  if (is_head_) response_.body().clear();
   http::async_write(stream_, response_,
                     [self = shared_from_this(), keep_alive](beast::error_code error, std::size_t) {
                       if (error || !keep_alive) return self->close();

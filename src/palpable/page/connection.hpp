@@ -23,6 +23,8 @@ namespace palpable::page {
 struct ServerContext {
   RequestHandler handler;
   Pages& pages;
+  /// Null without a home page.
+  ShelfHost* shelf;
   const ServeOptions& options;
   /// Of WebSocket requests with the cookie.
   RateLimit upgrades;
@@ -42,7 +44,15 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void abort() { stream_.close(); }
 
  private:
+  void read_body();
+  void on_header(boost::beast::error_code error);
   void on_read(boost::beast::error_code error);
+  /// Whether an error of reading has been dealt with.
+  bool is_refused(boost::beast::error_code error);
+  void receive_file(const Request& request);
+  void receive_part();
+  void on_part(boost::beast::error_code error);
+  void answer_file();
   void respond(const Client::Upgrade& message);
   void upgrade(const Client::Upgrade& message, const Request& request);
   void write(const Reply& reply, bool keep_alive);
@@ -51,8 +61,14 @@ class Connection : public std::enable_shared_from_this<Connection> {
   boost::beast::tcp_stream stream_;
   ServerContext& context_;
   boost::beast::flat_buffer buffer_;
+  /// Of the header, then of the whole request or of a file that is being received.
+  std::optional<boost::beast::http::request_parser<boost::beast::http::empty_body>> header_;
   std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;
+  std::optional<boost::beast::http::request_parser<boost::beast::http::buffer_body>> file_;
+  std::unique_ptr<Upload> upload_;
+  std::vector<char> part_;
   boost::beast::http::response<boost::beast::http::string_body> response_;
+  bool is_head_ = false;
   bool is_admitted_ = false;
 };
 

@@ -3,6 +3,9 @@
 #include "palpable/page/http.hpp"
 
 #include "palpable/page/assets.hpp"
+#include "palpable/page/protocol.hpp"
+
+#include <utility>
 
 namespace palpable::page {
 namespace {
@@ -37,12 +40,63 @@ Reply RequestHandler::answer(const Request& request) {
   if (!request.origin.empty() && !is_own_origin(request.origin, port_)) return not_from_here();
   if (request.target == kSessionPath) return session(request);
   if (request.target == kSocketPath) return reply_with(426, "This address is for WebSockets.");
+  if (shelf_ != nullptr)
+    if (auto reply = shelf_answer(request)) return *std::move(reply);
   if (request.method != "GET" && request.method != "HEAD")
     return reply_with(405, "This method is not supported here.");
   const Asset* asset = find_asset(request.target);
   if (asset == nullptr) return reply_with(404, "There is no such file in Palpable's page.");
-  return {200, std::string(asset->media_type), std::string(asset->bytes), {}};
+  return {200, std::string(asset->media_type), std::string(asset->bytes), {}, {}};
 }
+
+std::optional<Reply> RequestHandler::shelf_answer(const Request& request) {
+  if (request.target == kShelfPath) return shelf_message(request);
+  if (request.method != "GET" && request.method != "HEAD") return std::nullopt;
+  if (request.target.starts_with(kPicturePath)) {
+    if (!admits(request)) return no_access();
+    auto picture = shelf_->picture(request.target.substr(kPicturePath.size()));
+    if (!picture) return reply_with(404, "There is no such picture.");
+    return Reply{200, "image/png", *std::move(picture), {}, {}};
+  }
+  std::string_view page;
+  if (request.target == "/") page = "/shelf.html";
+  if (request.target == kTouchPath) {
+    if (shelf_->touch() == nullptr) {
+      Reply reply = reply_with(303, "No scene is being touched.");
+      reply.location = "/";
+      return reply;
+    }
+    page = "/index.html";
+  }
+  const Asset* asset = page.empty() ? nullptr : find_asset(page);
+  if (asset == nullptr) return std::nullopt;
+  return Reply{200, std::string(asset->media_type), std::string(asset->bytes), {}, {}};
+}
+
+Reply RequestHandler::check_own(const Request& request) {
+  // A browser sends the Origin of every POST.
+  if (!is_own_host(request.host, port_) || !is_own_origin(request.origin, port_)) return not_from_here();
+  if (request.method != "POST") return reply_with(405, "This method is not supported here.");
+  if (!admits(request)) return no_access();
+  if (shelf_rate_.check(seconds_now()) != Verdict::accept)
+    return reply_with(429, "The home page asks too often: wait a few seconds.");
+  return {};
+}
+
+Reply RequestHandler::shelf_message(const Request& request) {
+  if (Reply refusal = check_own(request); refusal.status != 200) return refusal;
+  const auto message = protocol::parse_from_shelf(request.body);
+  if (!message) return reply_with(400, message.error().sentence());
+  auto answer = shelf_->answer(*message);
+  if (!answer) return reply_with(409, answer.error().sentence());
+  return {200, "application/json", *std::move(answer), {}, {}};
+}
+
+bool RequestHandler::is_upload(const Request& request) const {
+  return shelf_ != nullptr && request.target.starts_with(kUploadPath);
+}
+
+Reply RequestHandler::check_upload(const Request& request) { return check_own(request); }
 
 Reply RequestHandler::session(const Request& request) {
   if (request.method != "GET" && request.method != "POST")

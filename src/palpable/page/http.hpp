@@ -4,8 +4,11 @@
 
 #include "palpable/core/system/secret.hpp"
 #include "palpable/page/access.hpp"
+#include "palpable/page/rate_limit.hpp"
+#include "palpable/page/shelf_host.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -28,30 +31,51 @@ struct Reply {
   std::string body;
   /// The value of Set-Cookie; empty for none.
   std::string set_cookie;
+  /// The value of Location; empty for none.
+  std::string location;
 };
 
 /// The path of the WebSocket, and of the exchange of the token for the cookie.
 constexpr std::string_view kSocketPath = "/socket";
 constexpr std::string_view kSessionPath = "/session";
+/// Of a server with a home page: messages of it, files that it sends (the name follows), pictures of scenes
+/// (likewise), and the page of the touch.
+constexpr std::string_view kShelfPath = "/shelf";
+constexpr std::string_view kUploadPath = "/upload/";
+constexpr std::string_view kPicturePath = "/picture/";
+constexpr std::string_view kTouchPath = "/touch";
 
 /// Answers HTTP requests. Not thread-safe.
 class RequestHandler {
  public:
-  RequestHandler(SessionAccess access, std::uint16_t port) : access_(std::move(access)), port_(port) {}
+  /// `shelf`: null for a server without a home page; else it outlives this.
+  RequestHandler(SessionAccess access, std::uint16_t port, ShelfHost* shelf = nullptr)
+      : access_(std::move(access)), port_(port), shelf_(shelf) {}
 
   /// The answer to an ordinary request: the page's files, and the exchange of the token.
   Reply answer(const Request& request);
   /// Status 101 if this request may become a WebSocket, else the refusal.
   Reply check_upgrade(const Request& request) const;
+  /// Whether the request sends a file to the home page. Its body is not read by answer().
+  bool is_upload(const Request& request) const;
+  /// Status 200 if this request may send a file, else the refusal.
+  Reply check_upload(const Request& request);
   /// Whether the request shows the session's cookie.
   bool admits(const Request& request) const;
 
  private:
   Reply session(const Request& request);
+  std::optional<Reply> shelf_answer(const Request& request);
+  Reply shelf_message(const Request& request);
+  /// Status 200 for a request of the server's own page that changes something, else the refusal.
+  Reply check_own(const Request& request);
   std::string cookie_name() const;
 
   SessionAccess access_;
   std::uint16_t port_;
+  ShelfHost* shelf_;
+  /// Of messages and files of the home page.
+  RateLimit shelf_rate_{{.per_s = 20.0, .burst = 60.0, .most_drops = 0}};
 };
 
 /// Security headers of every response: what the page may load, and that nothing is cached.

@@ -15,24 +15,22 @@ using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
 constexpr auto kRestPeriod = std::chrono::seconds(1);
+// The page knows this reason (web/src/home/connection.ts).
+constexpr const char* kReplaced = "another scene was opened";
 
 }  // namespace
 
-std::string Pages::full_sentence() const {
+std::string Pages::obstacle() const {
+  if (host_ == nullptr) return "No scene is being touched now: one is being opened, or waits to be chosen.";
+  if (clients_.size() < options_.most_clients) return {};
   return "This session is open in " + std::to_string(options_.most_clients) +
          " pages already, which is the limit: close one of them.";
 }
 
 void Pages::add_client(boost::beast::tcp_stream stream, const Client::Upgrade& upgrade) {
   Client::Events events;
-  events.opened = [this](Client& client) {
-    for (const auto& frame : changes_.everything(client.page)) client.send(frame);
-    note_activity();
-  };
-  events.message = [this](Client& client, const protocol::FromPage& message) {
-    std::visit([&](const auto& m) { handle(client, m); }, message);
-    note_activity();
-  };
+  events.opened = [this](Client& client) { greet(client); };
+  events.message = [this](Client& client, const protocol::FromPage& message) { pass(client, message); };
   events.closed = [this](Client& client) {
     release_probes(client);
     std::erase_if(clients_,
@@ -44,11 +42,38 @@ void Pages::add_client(boost::beast::tcp_stream stream, const Client::Upgrade& u
   client->accept(upgrade);
 }
 
+void Pages::greet(Client& client) {
+  if (!changes_) return client.close(boost::beast::websocket::close_code::try_again_later, kReplaced);
+  for (const auto& frame : changes_->everything(client.page)) client.send(frame);
+  note_activity();
+}
+
+void Pages::pass(Client& client, const protocol::FromPage& message) {
+  if (host_ == nullptr) return;
+  std::visit([&](const auto& m) { handle(client, m); }, message);
+  note_activity();
+}
+
+void Pages::show(std::shared_ptr<PageHost> host) {
+  if (host == host_) return;
+  for_each_client([](Client& client) {
+    client.moved.reset();
+    client.close(boost::beast::websocket::close_code::try_again_later, kReplaced);
+  });
+  movers_ = {};
+  sent_probes_.clear();
+  changes_.reset();
+  host_ = std::move(host);
+  if (host_ != nullptr) changes_.emplace(*host_);
+  note_activity();
+}
+
 void Pages::update() {
-  for (const auto& frame : changes_.notices()) broadcast(frame);
+  if (host_ == nullptr) return;
+  for (const auto& frame : changes_->notices()) broadcast(frame);
   if (clients_.empty()) return;
-  host_.update();
-  for (const auto& frame : changes_.changes()) broadcast(frame);
+  host_->update();
+  for (const auto& frame : changes_->changes()) broadcast(frame);
   send_state();
 }
 
@@ -67,7 +92,7 @@ void Pages::note_activity() {
 
 // Once per second at rest; otherwise each time, to the pages that keep up.
 void Pages::send_state() {
-  protocol::State state = host_.state();
+  protocol::State state = host_->state();
   for (auto& probe : state.probes) probe.page = movers_.at(static_cast<std::size_t>(probe.probe));
   const auto now = steady_clock::now();
   const bool moved = !std::equal(state.probes.begin(), state.probes.end(), sent_probes_.begin(),
@@ -88,7 +113,7 @@ void Pages::send_state() {
 // Removes the additional probes that this page moved; the first probe stays.
 void Pages::release_probes(const Client& client) {
   for (std::size_t probe = 1; probe < client.moved.size(); ++probe)
-    if (client.moved.test(probe)) host_.lift({static_cast<std::int64_t>(probe)});
+    if (client.moved.test(probe)) host_->lift({static_cast<std::int64_t>(probe)});
   for (auto& mover : movers_)
     if (mover == client.page) mover.reset();
 }
@@ -108,18 +133,18 @@ void Pages::broadcast(const SharedFrame& frame) {
 void Pages::handle(Client& client, const protocol::Pointer& pointer) {
   const auto probe = static_cast<std::size_t>(pointer.probe);
   client.moved.set(probe);
-  if (probe > 0 || host_.hello().pointer_moves) movers_.at(probe) = client.page;
-  host_.move(pointer);
+  if (probe > 0 || host_->hello().pointer_moves) movers_.at(probe) = client.page;
+  host_->move(pointer);
 }
 
 void Pages::handle(Client& client, const protocol::Lift& probe) {
   client.moved.reset(static_cast<std::size_t>(probe.probe));
   movers_.at(static_cast<std::size_t>(probe.probe)).reset();
-  host_.lift(probe);
+  host_->lift(probe);
 }
 
 void Pages::handle(Client& client, const protocol::Ask& ask) {
-  client.send(text_frame(protocol::Words{ask.serial, host_.answer(ask)}));
+  client.send(text_frame(protocol::Words{ask.serial, host_->answer(ask)}));
 }
 
 void Pages::handle(Client& client, const protocol::Visible& visible) {

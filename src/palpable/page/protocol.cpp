@@ -146,20 +146,20 @@ Json written(const T& value, const Limits&) {
   return object;
 }
 
-// Tries each message that a page may send in turn.
-template <std::size_t kIndex = 0>
-Result<FromPage> parse_as_type(const Json& object, const std::string& type) {
-  if constexpr (kIndex == std::variant_size_v<FromPage>) {
+// Tries each message of a variant in turn.
+template <class Messages, std::size_t kIndex = 0>
+Result<Messages> parse_as_type(const Json& object, const std::string& type) {
+  if constexpr (kIndex == std::variant_size_v<Messages>) {
     return invalid_input("there is no message of that type");
   } else {
-    using Message = std::variant_alternative_t<kIndex, FromPage>;
-    if (type != Message::kType) return parse_as_type<kIndex + 1>(object, type);
+    using Message = std::variant_alternative_t<kIndex, Messages>;
+    if (type != Message::kType) return parse_as_type<Messages, kIndex + 1>(object, type);
     Message message;
     FieldReader reader(object, 1);
     Message::each_field(message, reader);
     if (auto complaint = reader.complaint(); !complaint.empty())
       return invalid_input(std::string(Message::kType) + ": " + complaint);
-    return FromPage(std::move(message));
+    return Messages(std::move(message));
   }
 }
 
@@ -205,9 +205,8 @@ Raster<T> block_means(const Raster<T>& raster, int longest_side, Mean mean) {
   return out;
 }
 
-}  // namespace
-
-Result<FromPage> parse_from_page(std::string_view text) {
+template <class Messages>
+Result<Messages> parse(std::string_view text) {
   // Deep nesting would exhaust the parser's stack, so it is refused while parsing.
   bool too_deep = false;
   const auto shallow = [&](int depth, Json::parse_event_t event, Json&) {
@@ -220,8 +219,14 @@ Result<FromPage> parse_from_page(std::string_view text) {
   if (too_deep || !object.is_object()) return invalid_input("the message is not a JSON object, or too deep");
   const auto type = object.find("type");
   if (type == object.end() || !type->is_string()) return invalid_input("the message has no type");
-  return parse_as_type(object, type->get<std::string>());
+  return parse_as_type<Messages>(object, type->get<std::string>());
 }
+
+}  // namespace
+
+Result<FromPage> parse_from_page(std::string_view text) { return parse<FromPage>(text); }
+
+Result<FromShelf> parse_from_shelf(std::string_view text) { return parse<FromShelf>(text); }
 
 template <class Message>
 std::string write_message(const Message& message) {
@@ -237,6 +242,9 @@ template std::string write_message(const Materials&);
 template std::string write_message(const State&);
 template std::string write_message(const Notice&);
 template std::string write_message(const Words&);
+template std::string write_message(const Shelf&);
+template std::string write_message(const Job&);
+template std::string write_message(const Uploaded&);
 
 std::string write_heights(std::uint32_t scene, const Raster<float>& height_m) {
   return raster_frame(RasterKind::heights, scene, height_m);

@@ -17,6 +17,8 @@ namespace palpable::page::protocol {
 /// fields of the right type and within their limits, and no others; nested objects likewise. Errors: one
 /// sentence that names the field.
 Result<FromPage> parse_from_page(std::string_view text);
+/// The same for a message of the home page.
+Result<FromShelf> parse_from_shelf(std::string_view text);
 
 /// The text frame of a message. Numbers that are not finite become 0, others are clamped to their limits, and
 /// invalid UTF-8 becomes the replacement character, so that the page's strict parser accepts it.

@@ -8,6 +8,7 @@
 #include "palpable/page/pages.hpp"
 
 #include <exception>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -27,13 +28,21 @@ std::chrono::microseconds period_of(double per_s) {
   return std::chrono::microseconds(static_cast<std::int64_t>(1e6 / per_s));
 }
 
-// Calls Pages::update() at a steady rate: slowly at rest, and at once when a page sends something.
+/// What is served: the pages of one touch, or a home page and the touches that it leads to.
+struct Served {
+  std::shared_ptr<PageHost> touch;
+  ShelfHost* shelf = nullptr;
+};
+
+// Updates the shelf, then the pages, at a steady rate: slowly at rest, and at once when a page sends
+// something.
 class Updates {
  public:
-  Updates(asio::io_context& context, const ServeOptions& options)
+  Updates(asio::io_context& context, const ServeOptions& options, ShelfHost* shelf)
       : timer_(context),
         period_(period_of(options.states_per_s)),
-        rest_period_(period_of(options.rest_updates_per_s)) {}
+        rest_period_(period_of(options.rest_updates_per_s)),
+        shelf_(shelf) {}
 
   void start(Pages& pages) {
     pages_ = &pages;
@@ -54,6 +63,10 @@ class Updates {
     timer_.expires_after(resting_ ? rest_period_ : period_);
     timer_.async_wait([this](beast::error_code) {
       if (stopped_) return;
+      if (shelf_ != nullptr) {
+        shelf_->update();
+        pages_->show(shelf_->touch());
+      }
       pages_->update();
       wait();
     });
@@ -62,6 +75,7 @@ class Updates {
   asio::steady_timer timer_;
   std::chrono::microseconds period_;
   std::chrono::microseconds rest_period_;
+  ShelfHost* shelf_;
   Pages* pages_ = nullptr;
   bool resting_ = false;
   bool stopped_ = false;
@@ -89,7 +103,7 @@ Result<void> open(tcp::acceptor& acceptor, std::uint16_t port) {
   return Error{ErrorCode::failed, "cannot serve the page there (" + error.message() + ")", place};
 }
 
-Result<void> run(PageHost& host, const ServeOptions& options, const std::atomic<bool>& stop) {
+Result<void> run(const Served& served, const ServeOptions& options, const std::atomic<bool>& stop) {
   const auto token = random_secret();
   if (!token) return token.error();
   const auto secret = random_secret();
@@ -104,10 +118,11 @@ Result<void> run(PageHost& host, const ServeOptions& options, const std::atomic<
   tcp::acceptor acceptor(context);
   if (auto opened = open(acceptor, options.port); !opened) return opened;
   const std::uint16_t port = acceptor.local_endpoint().port();
-  Updates updates(context, options);
-  pages.emplace(host, options, [&updates] { updates.hasten(); });
-  shared.emplace(ServerContext{RequestHandler(SessionAccess(*token, *secret), port), *pages, options,
-                               RateLimit(options.upgrade_rate)});
+  Updates updates(context, options, served.shelf);
+  pages.emplace(options, [&updates] { updates.hasten(); });
+  pages->show(served.touch);
+  shared.emplace(ServerContext{RequestHandler(SessionAccess(*token, *secret), port, served.shelf), *pages,
+                               served.shelf, options, RateLimit(options.upgrade_rate)});
   accept_next(acceptor, connections, *shared);
   updates.start(*pages);
   if (options.on_ready) options.on_ready("http://127.0.0.1:" + std::to_string(port) + "/#" + *token);
@@ -121,14 +136,23 @@ Result<void> run(PageHost& host, const ServeOptions& options, const std::atomic<
   return {};
 }
 
-}  // namespace
-
-Result<void> serve(PageHost& host, const ServeOptions& options, const std::atomic<bool>& stop) {
+Result<void> run_guarded(const Served& served, const ServeOptions& options, const std::atomic<bool>& stop) {
   try {
-    return run(host, options, stop);
+    return run(served, options, stop);
   } catch (const std::exception& e) {
     return Error{ErrorCode::failed, std::string("the page's server stopped: ") + e.what(), {}};
   }
+}
+
+}  // namespace
+
+Result<void> serve(PageHost& host, const ServeOptions& options, const std::atomic<bool>& stop) {
+  // It belongs to the caller.
+  return run_guarded({std::shared_ptr<PageHost>(std::shared_ptr<void>(), &host)}, options, stop);
+}
+
+Result<void> serve_shelf(ShelfHost& shelf, const ServeOptions& options, const std::atomic<bool>& stop) {
+  return run_guarded({nullptr, &shelf}, options, stop);
 }
 
 }  // namespace palpable::page

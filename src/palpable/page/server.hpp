@@ -5,6 +5,7 @@
 #include "palpable/core/result.hpp"
 #include "palpable/page/host.hpp"
 #include "palpable/page/rate_limit.hpp"
+#include "palpable/page/shelf_host.hpp"
 
 #include <atomic>
 #include <cstddef>
@@ -40,5 +41,8 @@ struct ServeOptions {
 /// Serves the page on 127.0.0.1 until `stop` is set, and returns within 0.2 s after that. Runs on the calling
 /// thread alone, which also calls the host. Errors: the port is in use or not permitted.
 Result<void> serve(PageHost& host, const ServeOptions& options, const std::atomic<bool>& stop);
+
+/// The same with a home page at /, and at /touch the page of the touch that it leads to, if there is one.
+Result<void> serve_shelf(ShelfHost& shelf, const ServeOptions& options, const std::atomic<bool>& stop);
 
 }  // namespace palpable::page

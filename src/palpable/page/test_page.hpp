@@ -45,7 +45,7 @@ class FakeHost final : public PageHost {
     scene_ = scene;
   }
   protocol::Hello hello() const override {
-    return {protocol::kVersion, 0, "test", "pointer", true, 1, false};
+    return {protocol::kVersion, 0, "test", "pointer", true, 1, false, false};
   }
   protocol::Laws laws() const override { return {{{"proxy", "Surface", {}, true, true}}}; }
   std::shared_ptr<const PageScene> scene() override { return scene_; }
@@ -96,33 +96,43 @@ class FakeHost final : public PageHost {
   std::optional<protocol::Notice> notice_;
 };
 
+// Where a server of a test is reached.
+struct ServedAddress {
+  std::string own_origin() const { return "http://127.0.0.1:" + std::to_string(port); }
+
+  std::string address;
+  std::string token;
+  std::uint16_t port = 0;
+};
+
 // A server on its own thread for the duration of a test.
-class ServedPage {
+class Served : public ServedAddress {
  public:
-  explicit ServedPage(ServeOptions options = {}) {
+  Served(const Served&) = delete;
+  Served& operator=(const Served&) = delete;
+
+ protected:
+  Served() = default;
+  ~Served() { stop(); }
+  // `run` is serve() or serve_shelf() with everything but the options and the flag that ends it.
+  template <class Run>
+  void start(ServeOptions options, Run run) {
     std::promise<std::string> ready;
     options.on_ready = [&](const std::string& where) { ready.set_value(where); };
-    thread_ = std::thread([this, options] { result_ = serve(host, options, stop_); });
+    thread_ = std::thread([this, options, run] { result_ = run(options, stop_); });
     address = ready.get_future().get();
     const auto colon = address.rfind(':');
     const auto slash = address.find('/', colon);
     port = static_cast<std::uint16_t>(std::stoi(address.substr(colon + 1, slash - colon - 1)));
     token = address.substr(address.find('#') + 1);
   }
-  ~ServedPage() {
+  // Before the members that the server uses are destroyed.
+  void stop() {
+    if (!thread_.joinable()) return;
     stop_ = true;
     thread_.join();
     EXPECT_TRUE(result_);
   }
-  ServedPage(const ServedPage&) = delete;
-  ServedPage& operator=(const ServedPage&) = delete;
-
-  std::string own_origin() const { return "http://127.0.0.1:" + std::to_string(port); }
-
-  FakeHost host;
-  std::string address;
-  std::string token;
-  std::uint16_t port = 0;
 
  private:
   std::atomic<bool> stop_ = false;
@@ -130,11 +140,22 @@ class ServedPage {
   std::thread thread_;
 };
 
+class ServedPage : public Served {
+ public:
+  explicit ServedPage(const ServeOptions& options = {}) {
+    start(options,
+          [this](const ServeOptions& used, const std::atomic<bool>& end) { return serve(host, used, end); });
+  }
+  ~ServedPage() { stop(); }
+
+  FakeHost host;
+};
+
 using Response = http::response<http::string_body>;
 
 using Headers = std::vector<std::pair<http::field, std::string>>;
 
-inline Response ask(const ServedPage& page, http::verb method, const std::string& target,
+inline Response ask(const ServedAddress& page, http::verb method, const std::string& target,
                     const std::string& body = {}, const Headers& headers = {}) {
   boost::asio::io_context context;
   boost::beast::tcp_stream stream(context);
@@ -156,7 +177,7 @@ inline Response ask(const ServedPage& page, http::verb method, const std::string
 // One HTTP connection that is kept open.
 class HttpConnection {
  public:
-  explicit HttpConnection(const ServedPage& page) : host_("127.0.0.1:" + std::to_string(page.port)) {
+  explicit HttpConnection(const ServedAddress& page) : host_("127.0.0.1:" + std::to_string(page.port)) {
     stream_.connect(tcp::endpoint(boost::asio::ip::address_v4::loopback(), page.port));
   }
   // The status of the answer.
@@ -178,8 +199,8 @@ class HttpConnection {
 };
 
 // The status of the server's answer to a WebSocket request.
-inline unsigned upgrade_status(const ServedPage& page, const std::string& cookie, const std::string& origin,
-                               const std::string& host = {}) {
+inline unsigned upgrade_status(const ServedAddress& page, const std::string& cookie,
+                               const std::string& origin, const std::string& host = {}) {
   return ask(page, http::verb::get, "/socket", {},
              {{http::field::cookie, cookie},
               {http::field::origin, origin},
@@ -191,7 +212,7 @@ inline unsigned upgrade_status(const ServedPage& page, const std::string& cookie
       .result_int();
 }
 
-inline std::string cookie_of(const ServedPage& page) {
+inline std::string cookie_of(const ServedAddress& page) {
   const Response response = ask(page, http::verb::post, "/session", page.token);
   EXPECT_EQ(response.result_int(), 204U);
   const std::string header(response[http::field::set_cookie]);
@@ -201,8 +222,8 @@ inline std::string cookie_of(const ServedPage& page) {
 // A minimal client in place of a page.
 class TestPage {
  public:
-  explicit TestPage(const ServedPage& page) : TestPage(page, cookie_of(page)) {}
-  TestPage(const ServedPage& page, const std::string& cookie) {
+  explicit TestPage(const ServedAddress& page) : TestPage(page, cookie_of(page)) {}
+  TestPage(const ServedAddress& page, const std::string& cookie) {
     socket_.next_layer().connect(tcp::endpoint(boost::asio::ip::address_v4::loopback(), page.port));
     socket_.set_option(websocket::stream_base::decorator([&](websocket::request_type& request) {
       request.set(http::field::origin, page.own_origin());

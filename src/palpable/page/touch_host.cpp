@@ -52,6 +52,7 @@ protocol::Hello TouchHost::hello() const {
   hello.hands = static_cast<std::int64_t>(session_.hands());
   hello.probes = static_cast<std::int64_t>(session_.probes());
   hello.egocentric = options_.egocentric;
+  hello.home = options_.home;
   return hello;
 }
 

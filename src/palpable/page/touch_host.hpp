@@ -40,6 +40,8 @@ class TouchHost final : public PageHost {
     bool egocentric = false;
     /// The scene changes many times a second, so the page shows it twice a second, without a word.
     bool live = false;
+    /// The server has a home page.
+    bool home = false;
   };
   /// `session`, and what the options refer to, must outlive the host.
   TouchHost(session::TouchSession& session, Options options);

@@ -1,14 +1,9 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Authentication (the address's token is exchanged for a cookie, once) and the WebSocket.
+// The WebSocket to the program.
 import { readMessage, readRaster, writeMessage, type HeightsFrame, type PictureFrame } from '../codec';
+import { enter, type Loss } from '../enter';
 import type { FromPage, ToPage } from '../generated/protocol';
-
-export interface Loss {
-  sentence: string;
-  /** Whether there is no automatic retry. */
-  final: boolean;
-}
 
 export interface Receiver {
   opened(): void;
@@ -22,22 +17,6 @@ export interface Program {
   /** Connects, and passes what the program sends to its receiver. */
   run(): Promise<void>;
   send(message: FromPage): void;
-}
-
-/** Exchanges the token for a cookie; null, or the reason of a refusal. */
-async function enter(): Promise<Loss | null> {
-  const token = location.hash.slice(1);
-  try {
-    const reply = await (token === ''
-      ? fetch('/session')
-      : fetch('/session', { method: 'POST', body: token, headers: { 'Content-Type': 'text/plain' } }));
-    // The token is used up: remove it from the address and the history.
-    if (token !== '') history.replaceState(null, '', location.pathname);
-    // Refusals for too many pages are temporary; those without a cookie are final.
-    return reply.ok ? null : { sentence: await reply.text(), final: reply.status !== 503 };
-  } catch {
-    return { sentence: 'Palpable does not answer: it has probably ended. Trying again.', final: false };
-  }
 }
 
 const wait = (ms: number) => new Promise<void>((resolve) => setTimeout(resolve, ms));
@@ -96,5 +75,6 @@ export class Connection implements Program {
 
 function lossOf(reason: string): Loss {
   if (reason === 'the session has ended') return { sentence: 'The session has ended. Start palpable again to go on.', final: true };
+  if (reason === 'another scene was opened') return { sentence: 'Another scene was opened in another page. It will be shown here, too.', final: false };
   return { sentence: `The connection was lost${reason === '' ? '' : `: ${reason}`}. Trying again.`, final: false };
 }

@@ -19,7 +19,8 @@ import type { Surface } from '../surface';
 import { TracePanel } from '../trace/trace_panel';
 import { Stage } from '../view/stage';
 import { bindButtons, bindWindow } from './bindings';
-import type { Loss, Program, Receiver } from './connection';
+import type { Loss } from '../enter';
+import type { Program, Receiver } from './connection';
 import { FrameLoop } from './frame_loop';
 import { fillHelp, showHelp, showSteps } from './help';
 import { press, type KeyTarget, type Move } from './keys';
@@ -264,6 +265,9 @@ export class TouchPage implements KeyTarget {
     this.own.set(hello.probes, hello.pointer_moves, hello.hands);
     this.actions.changed();
     this.walking.allow(hello.egocentric);
+    const home = element<HTMLAnchorElement>('all-scenes');
+    home.hidden = !hello.home;
+    if (hello.home) home.href = '/';
     // Moves the device's middle to the place of this page's explorer.
     if (hello.pointer_moves) this.walking.show();
     else this.walking.sendPose();

@@ -4,6 +4,7 @@
 import type { PictureFrame } from '../codec';
 import { element } from '../dom';
 import { defaults, type Preferences } from '../settings/preferences';
+import { themeOf } from '../settings/theme';
 import type { Place, Surface } from '../surface';
 import { Camera, cameraTilt, shiftWords, turnWords } from './camera';
 import { bindGestures } from './gestures';
@@ -198,10 +199,4 @@ export class Stage {
     element('view-note-words').textContent = words ?? '';
     element('view-flat').hidden = !offer;
   }
-}
-
-function themeOf(theme: Preferences['theme']): string {
-  if (theme !== 'system') return theme;
-  if (matchMedia('(prefers-contrast: more)').matches) return 'contrast';
-  return matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
 }

@@ -15,13 +15,13 @@ struct SceneArguments {
   TitleArguments title;
 };
 
-/// Sets the included sample as the input: its stereo pair, its calibration and, unless others are given, its
-/// title, description and names of objects. It is searched beside the installed program, then where it was
-/// built. Errors: failed, if it is not found; invalid_input, if it is damaged.
-Result<SceneArguments> with_sample(SceneArguments arguments);
+/// The sample that `touch` begins with: a stereo pair.
+inline constexpr const char* kFirstSample = "sample:sculptures";
 
-/// Replaces kMapSample as the only input by the sample's file; its window, title and description are used
-/// unless others are given. Other inputs stay. Errors: failed, if the sample is not found.
-Result<void> resolve_sample(MakeArguments& make, TitleArguments& title);
+/// Replaces sample:NAME as the only input by the sample's files, with its calibration or window and, unless
+/// others are given, its title, description and names of objects. Other inputs stay. Samples are searched
+/// beside the installed program, then where it was built. Errors: usage for an unknown name; failed, if the
+/// sample is not found; invalid_input, if it is damaged.
+Result<void> resolve_sample(MakeArguments& make, TitleArguments& title, MaterialArguments& material);
 
 }  // namespace palpable::cli

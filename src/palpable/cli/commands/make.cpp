@@ -122,7 +122,7 @@ Result<Answer> make(MakeCommandArguments arguments, Console& console) {
     apply_published(**published, arguments.make);
     console.note(std::string((*published)->differs));
   }
-  if (const auto resolved = resolve_sample(arguments.make, arguments.title); !resolved)
+  if (const auto resolved = resolve_sample(arguments.make, arguments.title, arguments.material); !resolved)
     return resolved.error();
   const bool video = is_video(arguments.make.inputs, arguments.make.kind);
   if (video) arguments.video.poses = std::exchange(arguments.make.poses, {});

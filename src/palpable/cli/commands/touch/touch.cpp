@@ -43,13 +43,10 @@ Result<Answer> touch(TouchArguments arguments, Console& console) {
   if (!walk) return walk.error();
   plan.walk = *walk;
   if (const auto possible = check_touch_options(arguments, plan.walk); !possible) return possible.error();
-  if (const auto resolved = resolve_sample(arguments.scene.make, arguments.scene.title); !resolved)
+  auto& scene = arguments.scene;
+  if (scene.make.inputs.empty()) scene.make.inputs = {kFirstSample};
+  if (const auto resolved = resolve_sample(scene.make, scene.title, scene.material); !resolved)
     return resolved.error();
-  if (arguments.scene.make.inputs.empty()) {
-    auto with_input = with_sample(std::move(arguments.scene));
-    if (!with_input) return with_input.error();
-    arguments.scene = *std::move(with_input);
-  }
   if (const auto filled = fill_plan(arguments, *published, plan); !filled) return filled.error();
   if (const auto wrong = note_on_cache(arguments.scene.make)) console.note(*wrong);
   const auto live = open_live(

@@ -1,0 +1,196 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/page/shelf/shelf.hpp"
+
+#include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/files/read_file.hpp"
+#include "palpable/core/system/system_failure.hpp"
+#include "palpable/page/protocol.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <system_error>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+namespace palpable::page::shelf {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostRemembered = 16;
+constexpr std::string_view kSamplePrefix = "sample:";
+constexpr std::uintmax_t kLargestPicture = 8'000'000;
+
+Result<fs::path> private_folder() {
+  std::error_code none;
+  std::string name = (fs::temp_directory_path(none) / "palpable-home-XXXXXX").string();
+  // mkdtemp() makes it accessible for this user alone.
+  if (::mkdtemp(name.data()) == nullptr) return Error{ErrorCode::failed, system_failure(errno).message, name};
+  return fs::path(name);
+}
+
+Error unknown_scene() { return {ErrorCode::failed, "this scene is no longer on the shelf", {}}; }
+
+}  // namespace
+
+Result<std::unique_ptr<Shelf>> Shelf::open(ShelfOptions options) {
+  auto folder = private_folder();
+  if (!folder) return folder.error();
+  return std::unique_ptr<Shelf>(new Shelf(std::move(options), *std::move(folder)));
+}
+
+Shelf::Shelf(ShelfOptions options, fs::path folder)
+    : options_(std::move(options)),
+      folder_(std::move(folder)),
+      uploads_(folder_, options_.uploads),
+      recent_(options_.state_folder, folder_, options_.recent),
+      touch_(options_.begin_touch),
+      tools_{options_.program, options_.making, &recent_, &touch_} {}
+
+Shelf::~Shelf() {
+  for (const auto& job : jobs_) job->cancel();
+  jobs_.clear();
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+void Shelf::update() {
+  for (const auto& job : jobs_) {
+    if (job->is_under_way() && job->unfollowed() > options_.patience) job->cancel();
+    if (job->has_ended() && !job->plan().uploads.empty())
+      uploads_.release(job->plan().uploads, job->state().state == "touching");
+  }
+  const auto oldest =
+      std::find_if(jobs_.begin(), jobs_.end(), [](const auto& job) { return job->has_ended(); });
+  if (jobs_.size() > kMostRemembered && oldest != jobs_.end()) jobs_.erase(oldest);
+}
+
+Result<std::string> Shelf::answer(const protocol::FromShelf& message) {
+  return std::visit([this](const auto& one) { return handle(one); }, message);
+}
+
+Result<std::unique_ptr<Upload>> Shelf::begin_upload(std::string_view name, std::uint64_t bytes) {
+  return uploads_.begin(name, bytes);
+}
+
+std::optional<std::string> Shelf::picture(std::string_view name) {
+  const auto path = recent_.picture(name);
+  if (!path) return std::nullopt;
+  const auto file = read_file(*path, kLargestPicture);
+  if (!file) return std::nullopt;
+  return std::string(as_text(*file));
+}
+
+Result<std::string> Shelf::handle(const protocol::Look&) {
+  protocol::Shelf shelf;
+  shelf.version = protocol::kVersion;
+  for (const Sample& sample : options_.samples)
+    shelf.samples.push_back({std::string(kSamplePrefix) + sample.name, sample.card.title, sample.card.kind,
+                             sample.card.sentence, sample.picture});
+  for (RecentScene& scene : recent_.list()) {
+    std::optional<std::string> picture;
+    if (scene.has_picture) picture = "/picture/" + scene.id;
+    shelf.recent.push_back({std::move(scene.id), std::move(scene.card.title), std::move(scene.card.kind),
+                            std::move(scene.card.sentence), std::move(picture)});
+  }
+  if (std::string name = touch_.name(); !name.empty()) shelf.touching = std::move(name);
+  shelf.most_files = 8;
+  shelf.most_file_bytes = static_cast<std::int64_t>(options_.uploads.most_file_bytes);
+  return protocol::write_message(shelf);
+}
+
+Result<std::string> Shelf::handle(const protocol::Make& wanted) {
+  std::vector<fs::path> files;
+  for (const std::string& id : wanted.files) {
+    const auto file = uploads_.find(id);
+    if (!file) return Error{ErrorCode::failed, "a file is no longer there: choose it again", {}};
+    files.push_back(*file);
+  }
+  auto words = make_words(wanted, files);
+  if (!words) return words.error();
+  JobPlan plan;
+  plan.scene = folder_ / fmt::format("made-{}.palp", next_job_);
+  plan.make = *std::move(words);
+  plan.is_kept = true;
+  plan.uploads = wanted.files;
+  auto started = start(std::move(plan));
+  if (started) uploads_.hold(wanted.files);
+  return started;
+}
+
+Result<std::string> Shelf::handle(const protocol::Open& wanted) {
+  JobPlan plan;
+  if (const auto scene = recent_.scene(wanted.scene)) {
+    recent_.note_opened(wanted.scene);
+    plan.scene = *scene;
+    return start(std::move(plan));
+  }
+  for (const Sample& sample : options_.samples) {
+    if (wanted.scene != std::string(kSamplePrefix) + sample.name) continue;
+    plan.scene = folder_ / fmt::format("sample-{}.palp", sample.name);
+    plan.make = sample.make;
+    return start(std::move(plan));
+  }
+  return unknown_scene();
+}
+
+Result<std::string> Shelf::start(JobPlan plan) {
+  const auto under_way =
+      std::count_if(jobs_.begin(), jobs_.end(), [](const auto& job) { return job->is_under_way(); });
+  if (static_cast<std::size_t>(under_way) >= options_.most_jobs)
+    return Error{ErrorCode::failed,
+                 fmt::format("{} scenes are being made already, in other pages: wait for one, or cancel it",
+                             under_way),
+                 {}};
+  plan.number = next_job_++;
+  // The person names a file as it was chosen, not as it is stored.
+  for (const std::string& id : plan.uploads) plan.hidden_folders.push_back((folder_ / id).string() + "/");
+  jobs_.push_back(std::make_unique<Job>(std::move(plan), tools_));
+  cancel_refinements(*jobs_.back());
+  return protocol::write_message(jobs_.back()->follow());
+}
+
+// The touch whose finer scene they make is about to end.
+void Shelf::cancel_refinements(const Job& newest) {
+  for (const auto& job : jobs_)
+    if (job.get() != &newest && !job->is_under_way()) job->cancel();
+}
+
+Job* Shelf::find(std::int64_t number) {
+  for (const auto& job : jobs_)
+    if (job->plan().number == number) return job.get();
+  return nullptr;
+}
+
+Result<std::string> Shelf::handle(const protocol::Follow& wanted) {
+  Job* const job = find(wanted.job);
+  if (job == nullptr) return unknown_scene();
+  return protocol::write_message(job->follow());
+}
+
+Result<std::string> Shelf::handle(const protocol::Cancel& wanted) {
+  Job* const job = find(wanted.job);
+  if (job == nullptr) return unknown_scene();
+  job->cancel();
+  return protocol::write_message(job->follow());
+}
+
+Result<std::string> Shelf::handle(const protocol::Discard& wanted) {
+  uploads_.discard(wanted.file);
+  return handle(protocol::Look{});
+}
+
+Result<std::string> Shelf::handle(const protocol::Forget& wanted) {
+  if (wanted.scene) {
+    recent_.forget(*wanted.scene);
+  } else {
+    recent_.forget_all();
+  }
+  return handle(protocol::Look{});
+}
+
+}  // namespace palpable::page::shelf

@@ -1,0 +1,246 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// The home page's server from a browser's side, with programs that stand for `palpable make`.
+#include "palpable/page/shelf/shelf.hpp"
+
+#include "palpable/page/shelf/test_programs.hpp"
+#include "palpable/page/test_page.hpp"
+
+#include <boost/asio/read.hpp>
+#include <boost/asio/write.hpp>
+#include <gmock/gmock.h>
+
+namespace palpable::page::shelf {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ServedShelf : public Served {
+ public:
+  explicit ServedShelf(const std::string& commands, ShelfOptions options = {}) : folder(new_folder("shelf")) {
+    EXPECT_TRUE(formats::write_scene(folder / "scene.palp", test_scene()));
+    options.program = program_of(folder, "scene='" + (folder / "scene.palp").string() + "'\n" + commands);
+    options.state_folder = folder / "state";
+    options.samples = {
+        {"one", {"One", "a relief", "A sample."}, "/samples/one.png", {{"make", "sample:one"}, {}}}};
+    options.begin_touch = [this](const TouchRequest& request) -> Result<std::shared_ptr<PageHost>> {
+      EXPECT_EQ(touches, 0) << "the device is still in use";
+      ++touches;
+      ++begun;
+      name = request.name;
+      return std::shared_ptr<PageHost>(new FakeHost, [this](PageHost* host) {
+        delete host;
+        --touches;
+      });
+    };
+    shelf = Shelf::open(std::move(options)).value();
+    start({}, [this](const ServeOptions& used, const std::atomic<bool>& end) {
+      return serve_shelf(*shelf, used, end);
+    });
+    cookie = cookie_of(*this);
+  }
+  ~ServedShelf() {
+    stop();
+    shelf.reset();
+  }
+
+  Response post(const std::string& target, const std::string& body) const {
+    return ask(*this, http::verb::post, target, body,
+               {{http::field::cookie, cookie}, {http::field::origin, own_origin()}});
+  }
+  Response get(const std::string& target) const {
+    return ask(*this, http::verb::get, target, {}, {{http::field::cookie, cookie}});
+  }
+  Json tell(const Json& message) const {
+    return Json::parse(post("/shelf", message.dump()).body(), nullptr, false);
+  }
+  std::string upload(const std::string& bytes = "bytes") const {
+    return Json::parse(post("/upload/photo.png", bytes).body())["file"];
+  }
+  Json make(const std::string& file, const std::string& what = "decide") const {
+    return tell({{"type", "make"},
+                 {"files", {file}},
+                 {"what", what},
+                 {"title", nullptr},
+                 {"size_mm", nullptr},
+                 {"exaggerate", nullptr},
+                 {"ground", nullptr},
+                 {"background", nullptr},
+                 {"moved_mm", nullptr}});
+  }
+  Json end_of(Json job) const {
+    while (job["state"] == "making" || job["state"] == "opening") {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      job = tell({{"type", "follow"}, {"job", job["job"]}});
+    }
+    return job;
+  }
+
+  fs::path folder;
+  std::unique_ptr<Shelf> shelf;
+  std::string cookie;
+  std::string name;
+  std::atomic<int> touches = 0;
+  std::atomic<int> begun = 0;
+};
+
+constexpr const char* kCopies = "cp \"$scene\" \"$out\"";
+
+TEST(Shelf, MakesASceneOfAFileAndBeginsItsTouch) {
+  ServedShelf served(kCopies);
+  EXPECT_EQ(served.get("/touch").result_int(), 303U) << "nothing is touched yet";
+  const Json end = served.end_of(served.make(served.upload()));
+  EXPECT_EQ(end["state"], "touching") << end;
+  EXPECT_EQ(served.name, "A level");
+  EXPECT_EQ(served.get("/touch").result_int(), 200U);
+  TestPage page(served, served.cookie);
+  EXPECT_EQ(Json::parse(page.read())["type"], "hello");
+  const Json shelf = served.tell({{"type", "look"}});
+  EXPECT_EQ(shelf["touching"], "A level");
+  EXPECT_EQ(shelf["samples"][0]["scene"], "sample:one");
+  ASSERT_EQ(shelf["recent"].size(), 1U);
+  EXPECT_EQ(shelf["recent"][0]["title"], "A level");
+  const auto picture = served.get(shelf["recent"][0]["picture"]);
+  EXPECT_EQ(picture["Content-Type"], "image/png");
+  EXPECT_TRUE(picture.body().starts_with("\x89PNG"));
+}
+
+TEST(Shelf, OpensAnotherSceneAndTellsThePagesOfTheFirst) {
+  ServedShelf served(kCopies);
+  ASSERT_EQ(served.end_of(served.tell({{"type", "open"}, {"scene", "sample:one"}}))["state"], "touching");
+  TestPage page(served, served.cookie);
+  EXPECT_EQ(Json::parse(page.read())["type"], "hello");
+  ASSERT_EQ(served.end_of(served.make(served.upload()))["state"], "touching");
+  EXPECT_EQ(page.read_to_the_end().reason, "another scene was opened");
+  EXPECT_EQ(served.begun, 2);
+  EXPECT_EQ(served.touches, 1);
+  const std::string recent = served.tell({{"type", "look"}})["recent"][0]["scene"];
+  EXPECT_EQ(served.end_of(served.tell({{"type", "open"}, {"scene", recent}}))["state"], "touching");
+  const Json forgotten = served.tell({{"type", "forget"}, {"scene", nullptr}});
+  EXPECT_TRUE(forgotten["recent"].empty());
+  EXPECT_EQ(served.post("/shelf", Json{{"type", "open"}, {"scene", recent}}.dump()).body(),
+            "this scene is no longer on the shelf");
+}
+
+TEST(Shelf, SurvivesAFileThatEndsItsProcess) {
+  ServedShelf served("kill -SEGV $$");
+  const std::string file = served.upload();
+  const Json end = served.end_of(served.make(file));
+  EXPECT_EQ(end["state"], "failed");
+  EXPECT_NE(end["sentence"].get<std::string>().find("ended with a fault (signal 11)"), std::string::npos);
+  EXPECT_EQ(served.end_of(served.make(file, "drawing"))["state"], "failed") << "the file is still there";
+  EXPECT_EQ(served.tell({{"type", "look"}})["type"], "shelf");
+}
+
+TEST(Shelf, DoesNotOpenASceneThatIsNone) {
+  ServedShelf served("echo 'no scene' > \"$out\"");
+  const Json end = served.end_of(served.make(served.upload()));
+  EXPECT_EQ(end["state"], "failed");
+  EXPECT_EQ(served.begun, 0);
+}
+
+TEST(Shelf, CancelsAtAnyTimeAndGivesUpWhatNobodyWaitsFor) {
+  ShelfOptions options;
+  options.patience = std::chrono::milliseconds(500);
+  ServedShelf served("sleep 1000", std::move(options));
+  Json job = served.make(served.upload());
+  EXPECT_EQ(job["state"], "making");
+  job = served.end_of(served.tell({{"type", "cancel"}, {"job", job["job"]}}));
+  EXPECT_EQ(job["state"], "cancelled");
+  EXPECT_EQ(served.tell({{"type", "cancel"}, {"job", job["job"]}})["state"], "cancelled");
+  job = served.make(served.upload());
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  EXPECT_EQ(served.tell({{"type", "follow"}, {"job", job["job"]}})["state"], "cancelled");
+}
+
+TEST(Shelf, MakesScenesOfTwoPagesAtOnceAndRefusesAThird) {
+  ServedShelf served("sleep 1000");
+  const std::string file = served.upload();
+  const Json one = served.make(file), two = served.make(file);
+  EXPECT_NE(one["job"], two["job"]);
+  const auto third = served.post("/shelf", Json{{"type", "open"}, {"scene", "sample:one"}}.dump());
+  EXPECT_EQ(third.result_int(), 409U);
+  EXPECT_EQ(third.body(), "2 scenes are being made already, in other pages: wait for one, or cancel it");
+}
+
+TEST(Shelf, AdmitsOnlyItsOwnBrowserAndPage) {
+  ServedShelf served(kCopies);
+  const std::string look = R"({"type":"look"})";
+  const std::string own = served.own_origin();
+  const auto status = [&](const std::string& target, const std::string& cookie, const std::string& origin,
+                          const std::string& host = {}) {
+    return ask(served, http::verb::post, target, look,
+               {{http::field::cookie, cookie}, {http::field::origin, origin}, {http::field::host, host}})
+        .result_int();
+  };
+  for (const std::string target : {"/shelf", "/upload/a.png"}) {
+    EXPECT_EQ(status(target, served.cookie, own), 200U);
+    EXPECT_EQ(status(target, {}, own), 401U);
+    EXPECT_EQ(status(target, served.cookie + "0", own), 401U);
+    EXPECT_EQ(status(target, served.cookie, {}), 403U) << "a browser always says where it comes from";
+    EXPECT_EQ(status(target, served.cookie, "http://evil.example"), 403U);
+    EXPECT_EQ(status(target, served.cookie, own, "rebound.example"), 403U);
+    EXPECT_EQ(ask(served, http::verb::put, target, look,
+                  {{http::field::cookie, served.cookie}, {http::field::origin, own}})
+                  .result_int(),
+              405U);
+  }
+  EXPECT_EQ(ask(served, http::verb::get, "/picture/" + std::string(32, 'a')).result_int(), 401U);
+  EXPECT_EQ(served.get("/picture/" + std::string(32, 'a')).result_int(), 404U);
+  EXPECT_EQ(served.get("/picture/../../../etc/passwd").result_int(), 404U);
+  EXPECT_EQ(served.get("/socket").result_int(), 426U);
+  EXPECT_EQ(upgrade_status(served, served.cookie, own), 503U) << "nothing is touched";
+}
+
+TEST(Shelf, RefusesHostileMessages) {
+  ServedShelf served(kCopies);
+  for (const std::string& message :
+       {std::string("junk"), std::string(1000, '['), std::string(R"({"type":"pause","paused":true})"),
+        std::string(R"({"type":"make","files":["../../x"],"what":"decide"})"),
+        std::string(R"({"type":"follow","job":-1})"), std::string(R"({"type":"look","more":1})")})
+    EXPECT_EQ(served.post("/shelf", message).result_int(), 400U) << message;
+  EXPECT_EQ(served.post("/shelf", std::string(5000, ' ')).result_int(), 413U);
+  EXPECT_EQ(served.post("/shelf", R"({"type":"follow","job":99})").result_int(), 409U);
+  EXPECT_TRUE(served.make("../../../etc/passwd").is_discarded());
+}
+
+/// What the server answers to bytes that are sent as they are, after which nothing more comes.
+std::string answer_to(const ServedShelf& served, const std::string& bytes) {
+  boost::asio::io_context context;
+  tcp::socket socket(context);
+  socket.connect(tcp::endpoint(boost::asio::ip::address_v4::loopback(), served.port));
+  boost::beast::error_code error;
+  boost::asio::write(socket, boost::asio::buffer(bytes), error);
+  socket.shutdown(tcp::socket::shutdown_send, error);
+  std::string answer;
+  boost::asio::read(socket, boost::asio::dynamic_buffer(answer), error);
+  return answer;
+}
+
+TEST(Shelf, RefusesHostileUploads) {
+  ServedShelf served(kCopies);
+  const std::string head = "POST /upload/a.png HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(served.port) +
+                           "\r\nOrigin: " + served.own_origin() + "\r\nCookie: " + served.cookie + "\r\n";
+  EXPECT_THAT(answer_to(served, head + "Content-Length: 500000000\r\n\r\n"),
+              testing::HasSubstr("a.png: has 500 MB, and a page may open at most 300 MB"));
+  EXPECT_THAT(answer_to(served, head + "Transfer-Encoding: chunked\r\n\r\n5\r\nhello\r\n0\r\n\r\n"),
+              testing::HasSubstr("411"));
+  EXPECT_THAT(answer_to(served, head + "Content-Length: 99999999999999999999999\r\n\r\n"),
+              testing::Not(testing::HasSubstr("200")));
+  // Its rest never comes: nothing of it stays.
+  EXPECT_EQ(answer_to(served, head + "Content-Length: 100\r\n\r\nhalf"), "");
+  EXPECT_EQ(served.post("/upload/" + std::string(7000, 'a'), "bytes").result_int(), 200U);
+  EXPECT_EQ(served.post("/upload/empty.png", "").body(), "empty.png: is empty");
+  EXPECT_EQ(served.tell({{"type", "look"}})["type"], "shelf");
+}
+
+TEST(Shelf, AnswersNoFlood) {
+  ServedShelf served(kCopies);
+  unsigned refused = 0;
+  for (int k = 0; k < 200; ++k)
+    refused += served.post("/shelf", R"({"type":"look"})").result_int() == 429U ? 1 : 0;
+  EXPECT_GT(refused, 0U);
+}
+
+}  // namespace
+}  // namespace palpable::page::shelf

@@ -1,0 +1,49 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// The cards of scenes on the shelf.
+import type { ShelfScene } from '../generated/protocol';
+
+export interface CardTarget {
+  touch(scene: ShelfScene): void;
+  /** Not set: the scene stays on the shelf. */
+  forget?: (scene: ShelfScene) => void;
+}
+
+function made<Tag extends keyof HTMLElementTagNameMap>(tag: Tag, className = '', text = ''): HTMLElementTagNameMap[Tag] {
+  const element = document.createElement(tag);
+  if (className !== '') element.className = className;
+  // Names come from files: they are text, whatever they contain.
+  element.textContent = text;
+  return element;
+}
+
+function button(words: string, label: string, act: () => void): HTMLButtonElement {
+  const button = made('button', '', words);
+  button.type = 'button';
+  button.setAttribute('aria-label', label);
+  button.onclick = act;
+  return button;
+}
+
+export function showCards(list: HTMLElement, scenes: readonly ShelfScene[], target: CardTarget): void {
+  list.replaceChildren(
+    ...scenes.map((scene) => {
+      const card = made('li');
+      const frame = made('div', 'picture');
+      if (scene.picture !== null) {
+        const picture = made('img');
+        picture.src = scene.picture;
+        picture.alt = '';
+        frame.append(picture);
+      }
+      const words = made('div', 'words');
+      words.append(made('h3', '', scene.title), made('p', 'kind', scene.kind), made('p', '', scene.sentence));
+      const actions = made('div', 'actions');
+      actions.append(button('Touch', `Touch ${scene.title}`, () => target.touch(scene)));
+      const { forget } = target;
+      if (forget) actions.append(button('Remove', `Remove ${scene.title} from this list`, () => forget(scene)));
+      card.append(frame, words, actions);
+      return card;
+    }),
+  );
+}

@@ -1,0 +1,138 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// What the chosen files are, and the few options that matter. The files are sent while the person answers.
+import { element } from '../dom';
+import type { Make } from '../generated/protocol';
+import { kindsOf, sizeWords } from './kinds';
+import { Refusal, sendFile, tell, type Sending } from './program';
+
+export interface QuestionTarget {
+  make(wanted: Omit<Make, 'type'>): void;
+  closed(): void;
+  refused(sentence: string): void;
+}
+
+interface Chosen {
+  file: File;
+  sending: Sending;
+  line: HTMLLIElement;
+}
+
+export class Question {
+  private chosen: Chosen[] = [];
+
+  constructor(private readonly target: QuestionTarget) {
+    element<HTMLFormElement>('question').onsubmit = (event) => {
+      event.preventDefault();
+      void this.submit();
+    };
+    element('put-back').onclick = () => {
+      this.discard();
+      this.target.closed();
+    };
+    element('swap').onclick = () => {
+      this.chosen.reverse();
+      this.list();
+    };
+  }
+
+  /** Begins to send the files, and asks what they are. */
+  ask(files: readonly File[]): void {
+    this.discard();
+    this.chosen = files.map((file) => {
+      const line = document.createElement('li');
+      const name = document.createElement('span');
+      name.textContent = file.name;
+      const howFar = document.createElement('span');
+      howFar.className = 'how-far';
+      howFar.textContent = sizeWords(file.size);
+      line.append(name, howFar);
+      const sending = sendFile(file, (fraction) => (howFar.textContent = fraction < 1 ? `${Math.round(100 * fraction)} % of ${sizeWords(file.size)}` : sizeWords(file.size)));
+      // It is dealt with when the answer is submitted.
+      sending.done.catch(() => undefined);
+      return { file, sending, line };
+    });
+    this.list();
+    this.offerKinds(files);
+    element<HTMLFormElement>('question').reset();
+    element<HTMLDetailsElement>('more').open = false;
+    this.offerFields();
+  }
+
+  focus(): void {
+    element('kinds').querySelector<HTMLInputElement>('input:checked')?.focus();
+  }
+
+  private list(): void {
+    element('chosen').replaceChildren(...this.chosen.map(({ line }) => line));
+    element('swap').hidden = this.chosen.length !== 2;
+  }
+
+  private offerKinds(files: readonly File[]): void {
+    const fieldset = element('kinds');
+    element('kinds-title').textContent = files.length === 1 ? 'This file is' : 'These files are';
+    fieldset.querySelectorAll('.check').forEach((old) => old.remove());
+    kindsOf(files).forEach(({ what, words }, k) => {
+      const label = document.createElement('label');
+      label.className = 'check';
+      const input = document.createElement('input');
+      input.type = 'radio';
+      input.name = 'what';
+      input.value = what;
+      input.defaultChecked = k === 0;
+      input.onchange = () => this.offerFields();
+      label.append(input, ` ${words}`);
+      fieldset.append(label);
+    });
+  }
+
+  private get what(): string {
+    return element('kinds').querySelector<HTMLInputElement>('input:checked')?.value ?? 'decide';
+  }
+
+  private offerFields(): void {
+    for (const field of element('more').querySelectorAll<HTMLElement>('[data-for]'))
+      field.hidden = !field.dataset.for!.split(' ').includes(this.what);
+  }
+
+  /** What the person has set, where it is offered. */
+  private wanted(files: string[]): Omit<Make, 'type'> {
+    const text = (id: string) => {
+      const field = element<HTMLInputElement | HTMLSelectElement>(id);
+      return field.closest<HTMLElement>('.field')!.hidden || field.value.trim() === '' ? null : field.value.trim();
+    };
+    const number = (id: string) => (text(id) === null ? null : Number(text(id)));
+    return {
+      files,
+      what: this.what,
+      title: text('title'),
+      size_mm: number('size'),
+      exaggerate: number('exaggerate'),
+      ground: text('ground'),
+      background: text('background'),
+      moved_mm: number('moved'),
+    };
+  }
+
+  private async submit(): Promise<void> {
+    const make = element<HTMLButtonElement>('make');
+    make.disabled = true;
+    try {
+      const sent = await Promise.all(this.chosen.map(({ sending }) => sending.done));
+      this.target.make(this.wanted(sent.map(({ file }) => file)));
+    } catch (refusal) {
+      if (!(refusal instanceof Refusal)) throw refusal;
+      this.target.refused(refusal.message);
+    } finally {
+      make.disabled = false;
+    }
+  }
+
+  private discard(): void {
+    for (const { sending } of this.chosen) {
+      sending.stop();
+      sending.done.then(({ file }) => tell({ type: 'discard', file }, 'shelf')).catch(() => undefined);
+    }
+    this.chosen = [];
+  }
+}

@@ -1,0 +1,122 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// The home page as a whole: shelf, question, making; one of them has the person's attention.
+import { element } from '../dom';
+import { enter } from '../enter';
+import { protocolVersion, type Shelf, type ShelfScene } from '../generated/protocol';
+import { bindArrivals } from './arrivals';
+import { showCards } from './cards';
+import { obstacleTo } from './kinds';
+import { Making } from './making';
+import { Refusal, tell } from './program';
+import { Question } from './question';
+
+export class ShelfPage {
+  private shelf: Shelf | null = null;
+  private readonly question = new Question({
+    make: (wanted) => void this.follow(() => tell({ type: 'make', ...wanted }, 'job')),
+    closed: () => this.show('open'),
+    refused: (sentence) => this.alert(sentence),
+  });
+  private readonly making = new Making();
+  /** What is open besides the shelf. */
+  private now: 'open' | 'question' | 'making' = 'open';
+
+  async start(): Promise<void> {
+    bindArrivals({ files: (files) => this.open(files), refused: (sentence) => this.alert(sentence) });
+    element('forget-all').onclick = () => void this.forget(null);
+    // From the touch back to this page: it is as it was left, but the shelf may have changed.
+    window.addEventListener('pageshow', ({ persisted }) => {
+      if (!persisted) return;
+      this.show('open');
+      void this.look();
+    });
+    if (location.hash.length > 1) {
+      const refused = await enter();
+      if (refused !== null) return this.alert(refused.sentence);
+    }
+    await this.look();
+  }
+
+  private async look(): Promise<void> {
+    await this.attempt(async () => this.showShelf(await tell({ type: 'look' }, 'shelf')));
+  }
+
+  /** Does something that may be refused; the refusal is shown. */
+  private async attempt(act: () => Promise<void>): Promise<void> {
+    try {
+      await act();
+    } catch (refusal) {
+      if (!(refusal instanceof Refusal)) throw refusal;
+      this.alert(refusal.message);
+    }
+  }
+
+  private showShelf(shelf: Shelf): void {
+    this.shelf = shelf;
+    if (shelf.version !== protocolVersion) this.alert('This page and the program are of different versions: reload the page.');
+    const touch = (scene: ShelfScene) => void this.follow(() => tell({ type: 'open', scene: scene.scene }, 'job'));
+    showCards(element('samples'), shelf.samples, { touch });
+    showCards(element('recent'), shelf.recent, { touch, forget: (scene) => void this.forget(scene) });
+    element('lately').hidden = shelf.recent.length === 0;
+    element('touching').hidden = shelf.touching === null;
+    element('touching-name').textContent = shelf.touching;
+  }
+
+  private async forget(scene: ShelfScene | null): Promise<void> {
+    await this.attempt(async () => {
+      this.showShelf(await tell({ type: 'forget', scene: scene?.scene ?? null }, 'shelf'));
+      this.say(scene === null ? 'The list is empty.' : `${scene.title} is removed.`);
+      element(element('lately').hidden ? 'choose' : 'lately-title').focus();
+    });
+  }
+
+  private open(files: readonly File[]): void {
+    if (this.shelf === null || files.length === 0) return;
+    if (this.now === 'making') return this.alert('A scene is being made: cancel it first.');
+    const obstacle = obstacleTo(files, this.shelf.most_files, this.shelf.most_file_bytes);
+    if (obstacle !== null) return this.alert(obstacle);
+    this.alert('');
+    this.question.ask(files);
+    this.show('question');
+  }
+
+  private async follow(begin: () => Promise<{ job: number }>): Promise<void> {
+    if (this.now === 'making') return;
+    const before = this.now;
+    this.alert('');
+    this.show('making');
+    try {
+      const end = await this.making.follow(begin, (words) => this.say(words));
+      if (end.state === 'touching') return location.assign('/touch');
+      // What was chosen can be tried as something else.
+      this.show(before);
+      if (end.state === 'failed') this.alert(end.sentence);
+      else this.say('Cancelled.');
+    } catch (refusal) {
+      this.show(before);
+      if (!(refusal instanceof Refusal)) throw refusal;
+      this.alert(refusal.message);
+    }
+  }
+
+  private show(what: ShelfPage['now']): void {
+    this.now = what;
+    element('open').hidden = what !== 'open';
+    element('question').hidden = what !== 'question';
+    element('making').hidden = what !== 'making';
+    if (what === 'question') this.question.focus();
+    else element(what === 'making' ? 'making-title' : 'choose').focus();
+  }
+
+  private alert(sentence: string): void {
+    const banner = element('banner');
+    banner.hidden = sentence === '';
+    banner.textContent = sentence;
+    if (sentence !== '') banner.scrollIntoView({ block: 'nearest' });
+  }
+
+  private say(words: string): void {
+    element('said').textContent = words;
+  }
+}
