@@ -115,10 +115,11 @@ describe('the page of palpable touch', () => {
     }
     expect(await watchedOf(page, 'worklets')).toContain('palpable-instrument');
     expect(await watchedOf(page, 'pageProcessors')).toBe(0);
-    console.log(`from contact to sound, ms: ${waits.map((wait) => wait.toFixed(1)).join(' ')}`);
-    // The least of them: how busy the machine is decides about the others.
+    const output = await page.evaluate(() => Number(document.documentElement.dataset.outputLatency));
+    console.log(`from contact to sound, ms: ${waits.map((wait) => wait.toFixed(1)).join(' ')}, of which the output takes ${output.toFixed(1)}`);
+    // To the worklet's output; the least of them, since how busy the machine is decides about the others.
     expect(Math.min(...waits)).toBeGreaterThan(0);
-    expect(Math.min(...waits)).toBeLessThanOrEqual(40);
+    expect(Math.min(...waits) - output).toBeLessThanOrEqual(40);
   });
 
   it('asks the motor for a pulse at each contact', async () => {

@@ -20,8 +20,6 @@ export interface Direction {
   z: number;
 }
 
-export const ahead: Direction = { x: 0, y: 0, z: -1 };
-
 /** Angles to the sides and up at the scene's borders: never fully on one side, for people who hear with one ear. */
 const widest = Math.PI / 3;
 const uppermost = Math.PI / 6;

@@ -188,11 +188,12 @@ function place({ positionX, positionY, positionZ }: PannerNode, { x, y, z }: Dir
   positionZ.setTargetAtTime(z, at, 0.02);
 }
 
-/** For measurements: when the newest contact leaves the output, in ms of performance.now(); `onset`: s, the context's. */
+/** For measurements: when the newest contact leaves the output (ms of performance.now()), and what of that the output takes (ms); `onset`: s, the context's. */
 function showOnset(context: AudioContext, onset: number): void {
   const { contextTime = 0, performanceTime = 0 } = context.getOutputTimestamp();
   const leaves = performanceTime > 0 ? performanceTime + 1000 * (onset - contextTime) : performance.now() + 1000 * (onset - context.currentTime + context.outputLatency);
   document.documentElement.dataset.contactHeard = String(leaves);
+  document.documentElement.dataset.outputLatency = String(1000 * context.outputLatency);
 }
 
 /** Several loud sounds at once are bent, not cut: 1.5 x - 0.5 x^3. */
