@@ -9,10 +9,13 @@
 namespace palpable::haptics {
 namespace {
 
+/// What a spring stores that keeps whatever it is given.
+constexpr double kDeep_J = 1.0;
+
 ReturnLimit after_giving(double given_J) {
   ReturnLimit limit;
   limit.begin();
-  limit.account(-given_J, 0.001);
+  limit.account(-given_J, kDeep_J, 0.001);
   return limit;
 }
 
@@ -34,7 +37,7 @@ TEST(ReturnLimit, ReturnsNoMoreThanWasGivenAndIsNotOnTheWay) {
     for (const double power_W : {0.02, 0.1, 0.5})
       for (const double on_the_way_J : {0.0, 15e-6}) {
         const double share =
-            after_giving(given_J).share({power_W, kForce_N, on_the_way_J, kTick_s, kMass_kg});
+            after_giving(given_J).share({power_W, kForce_N, on_the_way_J, 0.0, kTick_s, kMass_kg});
         const double gained_Ns = share * kForce_N * kTick_s;
         const double returned_J = share * power_W * kTick_s + 0.5 * gained_Ns * gained_Ns / kMass_kg;
         EXPECT_LE(returned_J, std::max(0.0, given_J - on_the_way_J) + 1.0001e-7);
@@ -45,15 +48,29 @@ TEST(ReturnLimit, ReturnsNoMoreThanWasGivenAndIsNotOnTheWay) {
 TEST(ReturnLimit, IsForGrazesOnly) {
   ReturnLimit limit;
   limit.begin();
-  for (int n = 0; n < 9; ++n) limit.account(0.0, 0.001);
+  for (int n = 0; n < 9; ++n) limit.account(0.0, kDeep_J, 0.001);
   EXPECT_LT(limit.share({.power_W = 0.5, .force_N = 3.0, .mass_kg = 0.1}), 0.01);
-  for (int n = 0; n < 3; ++n) limit.account(0.0, 0.001);
+  for (int n = 0; n < 3; ++n) limit.account(0.0, kDeep_J, 0.001);
   EXPECT_EQ(limit.share({.power_W = 0.5, .force_N = 3.0, .mass_kg = 0.1}), 1.0);
+}
+
+TEST(ReturnLimit, ReturnsNoMoreThanTheSpringHasKept) {
+  ReturnLimit limit = after_giving(50e-6);
+  // The proxy slips off the bump; the hand presses into the next one.
+  limit.account(0.0, 5e-6, 0.001);
+  EXPECT_NEAR(limit.given_J(), 5e-6, 1e-18);
+  limit.account(-2e-6, kDeep_J, 0.001);
+  EXPECT_NEAR(limit.given_J(), 7e-6, 1e-18);
+  const ReturnLimit::Sending sending{.power_W = 0.006, .force_N = 0.1};
+  EXPECT_EQ(limit.share(sending), 1.0);
+  ReturnLimit::Sending unsure = sending;
+  unsure.unsure_J = 3e-6;
+  EXPECT_LT(limit.share(unsure), 0.7);
 }
 
 TEST(ReturnLimit, CountsWhatItReturnedAndBeginsAnew) {
   ReturnLimit limit = after_giving(50e-6);
-  limit.account(30e-6, 0.001);
+  limit.account(30e-6, kDeep_J, 0.001);
   EXPECT_NEAR(limit.given_J(), 20e-6, 1e-18);
   limit.raise_to(10e-6);
   EXPECT_NEAR(limit.given_J(), 20e-6, 1e-18);

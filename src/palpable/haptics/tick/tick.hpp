@@ -101,8 +101,8 @@ class TickPipeline {
     Vector<DeviceFrame> force_N;
     Vector<DeviceFrame> torque_Nm;
   };
-  /// A share 0 ... 1 to which an account of energy reduces the forces, raised so that they fall by no more
-  /// than the rise limit allows them to grow.
+  /// A share 0 ... 1 to which an account of energy reduces the forces, raised so that their step
+  /// is no longer than the rise limit allows, or than the law's own.
   double without_step(double share, const Forces& wanted, const Forces& before, double dt_s) const noexcept;
   double returned_share(const ReturnLimit& limit, const Forces& wanted, Forces (*sent_as)(const Sent&),
                         double dt_s) const noexcept;

@@ -181,8 +181,9 @@ void TickPipeline::count_shown_work() noexcept {
 }
 
 void TickPipeline::account_returns(double dt_s) noexcept {
-  returns_.account(received_.written_J, dt_s);
-  uncontrolled_returns_.account(received_.uncontrolled_J, dt_s);
+  const double stored_J = is_accounted() ? stored_J_ : std::numeric_limits<double>::infinity();
+  returns_.account(received_.written_J, stored_J, dt_s);
+  uncontrolled_returns_.account(received_.uncontrolled_J, stored_J, dt_s);
   // What a change of scene or of parameters brings is not the law's.
   if (fading()) {
     returns_.raise_to(stored_J_);
@@ -206,12 +207,17 @@ void TickPipeline::begin_returns() noexcept {
 
 double TickPipeline::without_step(double share, const Forces& wanted, const Forces& before,
                                   double dt_s) const noexcept {
-  const auto least = [](double wanted_size, double before_size, double most_step) {
-    return wanted_size > 0.0 ? std::clamp((before_size - most_step) / wanted_size, 0.0, 1.0) : 0.0;
+  const auto least = [](Vec3 of, Vec3 from, double most_step) {
+    const double square = squared_norm(of);
+    if (!(square > 0.0)) return 0.0;
+    // The least share of a force whose step from the one before is at most this, or as long as the law's own.
+    const double most = std::max(most_step * most_step, squared_norm(of - from));
+    const double along = dot(of, from);
+    const double root = std::sqrt(std::max(0.0, along * along - square * (squared_norm(from) - most)));
+    return std::clamp((along - root) / square, 0.0, 1.0);
   };
-  return std::max(
-      {share, least(norm(wanted.force_N), norm(before.force_N), options_.max_force_rate_N_per_s * dt_s),
-       least(norm(wanted.torque_Nm), norm(before.torque_Nm), options_.max_torque_rate_Nm_per_s * dt_s)});
+  return std::max({share, least(wanted.force_N.v, before.force_N.v, options_.max_force_rate_N_per_s * dt_s),
+                   least(wanted.torque_Nm.v, before.torque_Nm.v, options_.max_torque_rate_Nm_per_s * dt_s)});
 }
 
 double TickPipeline::returned_share(const ReturnLimit& limit, const Forces& wanted,
@@ -226,6 +232,8 @@ double TickPipeline::returned_share(const ReturnLimit& limit, const Forces& want
     const Forces sent = sent_as(sent_[(newest_ + sent_.size() - age) % sent_.size()]);
     sending.on_the_way_J += dt_s * std::max(0.0, dot(sent.force_N, v) + dot(sent.torque_Nm, w));
   }
+  const auto sum = [](Vec3 of) { return std::abs(of.x) + std::abs(of.y) + std::abs(of.z); };
+  sending.unsure_J = fine_.half_step_m() * std::max(sum(wanted.force_N.v), sum(sent_as(held()).force_N.v));
   sending.force_N = norm(wanted.force_N);
   sending.dt_s = dt_s;
   sending.mass_kg = device_.traits().mass_kg;
@@ -236,7 +244,6 @@ void TickPipeline::limit_returns(double dt_s) noexcept {
   if (!is_accounted() || fading()) return;
   const auto reduce = [&](const ReturnLimit& limit, RiseLimit& rise, Vector<DeviceFrame>& force_N,
                           Vector<DeviceFrame>& torque_Nm, Forces (*sent_as)(const Sent&)) {
-    if (rise.is_weaker()) return;
     const double share = returned_share(limit, {force_N, torque_Nm}, sent_as, dt_s);
     if (share >= 1.0) return;
     force_N = share * force_N;

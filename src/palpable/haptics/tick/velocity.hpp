@@ -98,6 +98,8 @@ class FinePosition {
     return place_ = {{within(expected.x, r.x), within(expected.y, r.y), within(expected.z, r.z)}};
   }
   Point<DeviceFrame> place() const noexcept { return place_; }
+  /// Half a step of the sensor, by which the position may be wrong on each axis.
+  double half_step_m() const noexcept { return half_m_; }
 
  private:
   double half_m_;
