@@ -77,8 +77,8 @@ TEST_F(RenderedHeads, StandOnATableThatIsFoundFromMatchedDisparity) {
   if (available_stereo_methods().empty()) GTEST_SKIP() << "no stereo method is built";
   const auto match = vision::match(pair_, StereoMethod::best, {}, Work{});
   ASSERT_TRUE(match);
-  // The bar is 98 %, which `best` met (98.25 %) before its plane search compared integers; it misses it by 0.03
-  // (docs/history/2026-11-26-stereo.md). This test guards the reached value.
+  // The bar is 98 %, which `best` met (98.25 %) before its plane search compared integers; it misses it by
+  // 0.03 (docs/history/2026-11-26-stereo.md). This test guards the reached value.
   expect_ground(match->disparity.disparity_px, "best", 0.979);
 }
 

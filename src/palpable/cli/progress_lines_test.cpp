@@ -41,5 +41,27 @@ TEST(ProgressLines, SaysThatNobodyReads) {
   EXPECT_TRUE(ProgressLines(-1).progress(0.5, "Matching")) << "nobody asked";
 }
 
+TEST(ProgressLines, DoNotWaitForAReaderThatDoesNotRead) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe(ends.data()), 0);
+  ProgressLines lines(ends[1]);
+  // A pipe takes 64 KiB; this would wait for ever.
+  for (int k = 0; k < 2000; ++k) lines.note(std::string(100, 'a'));
+  EXPECT_TRUE(lines.progress(0.5, "Matching")) << "a full pipe is read later";
+  close(ends[0]);
+  close(ends[1]);
+}
+
+TEST(ProgressLines, KnowADescriptorThatTakesNothing) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe(ends.data()), 0);
+  EXPECT_TRUE(ProgressLines::can_write_to(-1));
+  EXPECT_TRUE(ProgressLines::can_write_to(ends[1]));
+  EXPECT_FALSE(ProgressLines::can_write_to(ends[0]));
+  close(ends[0]);
+  close(ends[1]);
+  EXPECT_FALSE(ProgressLines::can_write_to(ends[1]));
+}
+
 }  // namespace
 }  // namespace palpable::cli

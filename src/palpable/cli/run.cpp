@@ -161,6 +161,9 @@ int parse_and_run(int argc, char** argv) {
   const CLI::App& command = chosen_command(program.app);
   if (auto writable = check_outputs(command, program.outputs, samples_of(command)); !writable)
     return report(writable.error());
+  if (!ProgressLines::can_write_to(program.common.progress_to))
+    return report(usage(fmt::format("--progress-to: nothing can be written to the descriptor {}",
+                                    program.common.progress_to)));
   if (!program.action) program.action = home_action();
   auto answer = [&program] {
     // Its destructor removes the progress line.

@@ -267,7 +267,7 @@ export class TouchPage implements KeyTarget {
     this.walking.allow(hello.egocentric);
     const home = element<HTMLAnchorElement>('all-scenes');
     home.hidden = !hello.home;
-    if (hello.home) home.href = '/';
+    if (hello.home) home.setAttribute('href', '/');
     // Moves the device's middle to the place of this page's explorer.
     if (hello.pointer_moves) this.walking.show();
     else this.walking.sendPose();
@@ -392,7 +392,7 @@ export class TouchPage implements KeyTarget {
       reset: () => this.settings.reset(),
       'region-here': () => this.settings.editRegion(this.probes.chosen?.label ?? 0),
       save: () => this.connection.send({ type: 'save' }),
-      ...exampleActions(this.feedback, () => this.own.chosen),
+      ...exampleActions(this.feedback, () => this.own.chosen, (words) => this.voice.say(words, Importance.answer)),
     };
     bindButtons(actions, () => this.wake());
     bindWindow({

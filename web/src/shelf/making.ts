@@ -8,9 +8,12 @@ import { tell } from './program';
 const period = 300;
 /** Between two sentences, so that a screen reader can finish. */
 const quietFor = 4000;
+/** Until the same sentence is said again. */
+const quietForSame = 30000;
 
 export class Making {
   private saidAt = 0;
+  private said = '';
 
   constructor(private readonly wait = (ms: number) => new Promise<void>((resolve) => setTimeout(resolve, ms))) {}
 
@@ -30,9 +33,11 @@ export class Making {
       if (state.state !== 'making' && state.state !== 'opening') return state;
       this.show(state);
       const now = Date.now();
-      if (now - this.saidAt > quietFor) {
+      const words = element('step').textContent ?? '';
+      if (now - this.saidAt > (words === this.said ? quietForSame : quietFor)) {
+        say(words === this.said ? `Still ${words}` : words);
         this.saidAt = now;
-        say(element('step').textContent ?? '');
+        this.said = words;
       }
       await this.wait(period);
     }

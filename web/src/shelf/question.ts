@@ -10,6 +10,7 @@ export interface QuestionTarget {
   make(wanted: Omit<Make, 'type'>): void;
   closed(): void;
   refused(sentence: string): void;
+  say(words: string): void;
 }
 
 interface Chosen {
@@ -33,6 +34,7 @@ export class Question {
     element('swap').onclick = () => {
       this.chosen.reverse();
       this.list();
+      this.target.say(this.words());
     };
   }
 
@@ -57,6 +59,14 @@ export class Question {
     element<HTMLFormElement>('question').reset();
     element<HTMLDetailsElement>('more').open = false;
     this.offerFields();
+    this.target.say(this.words());
+  }
+
+  /** Which files were chosen, and of a pair which is the left one. */
+  private words(): string {
+    const names = this.chosen.map(({ file }) => file.name);
+    if (names.length !== 2) return `Chosen: ${names.join(', ')}.`;
+    return `Chosen: ${names[0]} is the left one, ${names[1]} the right one.`;
   }
 
   focus(): void {

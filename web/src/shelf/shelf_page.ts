@@ -17,6 +17,7 @@ export class ShelfPage {
     make: (wanted) => void this.follow(() => tell({ type: 'make', ...wanted }, 'job')),
     closed: () => this.show('open'),
     refused: (sentence) => this.alert(sentence),
+    say: (words) => this.say(words),
   });
   private readonly making = new Making();
   /** What is open besides the shelf. */
@@ -24,7 +25,9 @@ export class ShelfPage {
 
   async start(): Promise<void> {
     bindArrivals({ files: (files) => this.open(files), refused: (sentence) => this.alert(sentence) });
-    element('forget-all').onclick = () => void this.forget(null);
+    element('forget-all').onclick = () => {
+      if (confirm('Remove all scenes of this list? They cannot be brought back.')) void this.forget(null);
+    };
     // From the touch back to this page: it is as it was left, but the shelf may have changed.
     window.addEventListener('pageshow', ({ persisted }) => {
       if (!persisted) return;
@@ -91,10 +94,11 @@ export class ShelfPage {
       if (end.state === 'touching') return location.assign('/touch');
       // What was chosen can be tried as something else.
       this.show(before);
+      this.say(end.state === 'failed' ? '' : 'Cancelled.');
       if (end.state === 'failed') this.alert(end.sentence);
-      else this.say('Cancelled.');
     } catch (refusal) {
       this.show(before);
+      this.say('');
       if (!(refusal instanceof Refusal)) throw refusal;
       this.alert(refusal.message);
     }

@@ -54,7 +54,11 @@ export async function playExample(kind: SoundKind, feedback: Feedback, probe: nu
   for (const { at, action, from } of exampleOf(kind, material)) sound.play(exampleVoice, { ...action, at: begin + at }, from);
 }
 
-/** By the id of its button: plays the example of each sound. */
-export function exampleActions(feedback: Feedback, probe: () => number): Record<string, () => void> {
-  return Object.fromEntries(soundKinds.map((kind) => [`try-${kind}`, () => void playExample(kind, feedback, probe())]));
+/** By the id of its button: plays the example of each sound, or says why it is silent. */
+export function exampleActions(feedback: Feedback, probe: () => number, say: (words: string) => void): Record<string, () => void> {
+  const tryOne = (kind: SoundKind) => {
+    if (!feedback.sound.isOn) say('Sound is off.');
+    void playExample(kind, feedback, probe());
+  };
+  return Object.fromEntries(soundKinds.map((kind) => [`try-${kind}`, () => tryOne(kind)]));
 }

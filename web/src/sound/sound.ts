@@ -48,6 +48,10 @@ export class Sound {
 
   constructor(private readonly tell: (sentence: string) => void) {}
 
+  /** Whether the person wants sounds. */
+  get isOn(): boolean {
+    return this.on;
+  }
   /** Whether sounds can be heard. */
   get runs(): boolean {
     return this.resting || this.context?.state === 'running';

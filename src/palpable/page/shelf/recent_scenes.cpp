@@ -32,17 +32,24 @@ bool is_id(std::string_view id) {
   return id.size() == kIdLength && id.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
-/// Errors are ignored: the folder is used if it is there, and is only this user's.
+/// Whether it is a regular file itself: what a link names is not the shelf's.
+bool is_own_file(const fs::path& path) {
+  std::error_code error;
+  return fs::symlink_status(path, error).type() == fs::file_type::regular;
+}
+
+/// Errors are ignored: the folder is used if it is there, no link, and only this user's.
 bool make_private(const fs::path& folder) {
   if (folder.empty()) return false;
   std::error_code error;
   fs::create_directories(folder, error);
-  return ::chmod(folder.c_str(), S_IRWXU) == 0 && fs::is_directory(folder, error);
+  return fs::symlink_status(folder, error).type() == fs::file_type::directory &&
+         ::chmod(folder.c_str(), S_IRWXU) == 0;
 }
 
 std::optional<SceneCard> read_card(const fs::path& path) {
   std::error_code error;
-  if (fs::file_size(path, error) > kLongestCard || error) return std::nullopt;
+  if (!is_own_file(path) || fs::file_size(path, error) > kLongestCard || error) return std::nullopt;
   const auto file = read_file(path);
   if (!file) return std::nullopt;
   const auto json = nlohmann::json::parse(as_text(*file), nullptr, false);
@@ -101,12 +108,12 @@ std::vector<RecentScene> RecentScenes::list() const {
   for (fs::directory_iterator entry(folder_, error), end; !error && entry != end; entry.increment(error)) {
     const fs::path& path = entry->path();
     const std::string id = path.stem().string();
-    if (path.extension() != kScene || !is_id(id)) continue;
+    if (path.extension() != kScene || !is_id(id) || !is_own_file(path)) continue;
     std::error_code none;
     const auto time = fs::last_write_time(path, none);
     const auto card = read_card(file(id, kCard));
     if (none || !card) continue;
-    found.emplace_back(time, RecentScene{id, *card, fs::exists(file(id, kPicture), none)});
+    found.emplace_back(time, RecentScene{id, *card, is_own_file(file(id, kPicture))});
   }
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
     return std::pair(b.first, b.second.id) < std::pair(a.first, a.second.id);
@@ -149,14 +156,12 @@ void RecentScenes::note_opened(std::string_view id) {
 }
 
 std::optional<fs::path> RecentScenes::scene(std::string_view id) const {
-  std::error_code error;
-  if (!is_id(id) || !fs::is_regular_file(file(id, kScene), error)) return std::nullopt;
+  if (!is_id(id) || !is_own_file(file(id, kScene))) return std::nullopt;
   return file(id, kScene);
 }
 
 std::optional<fs::path> RecentScenes::picture(std::string_view id) const {
-  std::error_code error;
-  if (!is_id(id) || !fs::is_regular_file(file(id, kPicture), error)) return std::nullopt;
+  if (!is_id(id) || !is_own_file(file(id, kPicture))) return std::nullopt;
   return file(id, kPicture);
 }
 

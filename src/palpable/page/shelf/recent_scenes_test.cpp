@@ -84,6 +84,27 @@ TEST(RecentScenes, LeaveOutWhatIsDamaged) {
   EXPECT_TRUE(recent.list().empty());
 }
 
+TEST(RecentScenes, LeaveOutLinksAndAFolderThatIsALink) {
+  const auto folder = new_folder("recent");
+  RecentScenes recent(folder / "scenes", folder);
+  const std::string id = added(recent, folder, "one");
+  std::ofstream(folder / "secret") << "secret";
+  const fs::path picture = folder / "scenes" / (id + ".png"), scene = folder / "scenes" / (id + ".palp");
+  fs::remove(picture);
+  fs::create_symlink(folder / "secret", picture);
+  EXPECT_FALSE(recent.picture(id));
+  fs::rename(scene, folder / "moved.palp");
+  fs::create_symlink(folder / "moved.palp", scene);
+  EXPECT_FALSE(recent.scene(id));
+  EXPECT_TRUE(recent.list().empty());
+
+  fs::create_directory(folder / "foreign");
+  fs::permissions(folder / "foreign", fs::perms::all);
+  fs::create_directory_symlink(folder / "foreign", folder / "link");
+  const RecentScenes linked(folder / "link", folder);
+  EXPECT_EQ(fs::status(folder / "foreign").permissions(), fs::perms::all);
+}
+
 TEST(RecentScenes, UseAnotherFolderWhereTheFirstCannotBeMade) {
   const auto folder = new_folder("recent");
   std::ofstream(folder / "file") << "no folder";

@@ -14,7 +14,11 @@
 #include <utility>
 #include <variant>
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace palpable::page::shelf {
 namespace {
@@ -33,19 +37,48 @@ Result<fs::path> private_folder() {
   return fs::path(name);
 }
 
+/// Locks the file by which a folder's shelf is known; none, if another process has it, or if it is not there
+/// and `flags` do not create it.
+Descriptor lock_of(const fs::path& folder, int flags) {
+  const auto file = folder / "owner";
+  Descriptor owner(
+      ::open(file.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | flags, S_IRUSR | S_IWUSR));
+  return owner.number() >= 0 && ::flock(owner.number(), LOCK_EX | LOCK_NB) == 0 ? std::move(owner)
+                                                                                : Descriptor();
+}
+
+/// Removes what shelves of this user left behind that were killed.
+void remove_abandoned() {
+  std::error_code error;
+  for (fs::directory_iterator entry(fs::temp_directory_path(error), error), end; !error && entry != end;
+       entry.increment(error)) {
+    const fs::path& folder = entry->path();
+    struct stat status {};
+    if (!folder.filename().string().starts_with("palpable-home-") || ::lstat(folder.c_str(), &status) != 0 ||
+        !S_ISDIR(status.st_mode) || status.st_uid != ::getuid() || lock_of(folder, 0).number() < 0)
+      continue;
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);
+  }
+}
+
 Error unknown_scene() { return {ErrorCode::failed, "this scene is no longer on the shelf", {}}; }
 
 }  // namespace
 
 Result<std::unique_ptr<Shelf>> Shelf::open(ShelfOptions options) {
+  remove_abandoned();
   auto folder = private_folder();
   if (!folder) return folder.error();
-  return std::unique_ptr<Shelf>(new Shelf(std::move(options), *std::move(folder)));
+  Descriptor owner = lock_of(*folder, O_CREAT);
+  if (owner.number() < 0) return Error{ErrorCode::failed, system_failure(errno).message, folder->string()};
+  return std::unique_ptr<Shelf>(new Shelf(std::move(options), *std::move(folder), std::move(owner)));
 }
 
-Shelf::Shelf(ShelfOptions options, fs::path folder)
+Shelf::Shelf(ShelfOptions options, fs::path folder, Descriptor owner)
     : options_(std::move(options)),
       folder_(std::move(folder)),
+      owner_(std::move(owner)),
       uploads_(folder_, options_.uploads),
       recent_(options_.state_folder, folder_, options_.recent),
       touch_(options_.begin_touch),

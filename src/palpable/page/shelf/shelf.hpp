@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/result.hpp"
+#include "palpable/core/system/child_process.hpp"
 #include "palpable/page/shelf/job.hpp"
 #include "palpable/page/shelf/make_words.hpp"
 #include "palpable/page/shelf/making.hpp"
@@ -64,7 +65,7 @@ class Shelf final : public ShelfHost {
   std::optional<std::string> picture(std::string_view name) override;
 
  private:
-  Shelf(ShelfOptions options, std::filesystem::path folder);
+  Shelf(ShelfOptions options, std::filesystem::path folder, Descriptor owner);
 
   Result<std::string> handle(const protocol::Look& look);
   Result<std::string> handle(const protocol::Make& wanted);
@@ -78,8 +79,10 @@ class Shelf final : public ShelfHost {
   void cancel_refinements(const Job& newest);
 
   ShelfOptions options_;
-  /// For this user alone; removed at the end.
+  /// For this user alone; removed at the end, or by the next shelf if this process is killed: it is known by
+  /// the lock of a file in it.
   std::filesystem::path folder_;
+  Descriptor owner_;
   Uploads uploads_;
   RecentScenes recent_;
   TouchSlot touch_;

@@ -242,5 +242,29 @@ TEST(Shelf, AnswersNoFlood) {
   EXPECT_GT(refused, 0U);
 }
 
+TEST(Shelf, RemovesWhatAKilledOneLeftAndNothingElse) {
+  const auto parent = fs::temp_directory_path();
+  const fs::path killed = parent / "palpable-home-killed", other = parent / "palpable-home-other",
+                 link = parent / "palpable-home-link";
+  for (const fs::path& folder : {killed, other}) {
+    fs::create_directory(folder);
+    std::ofstream(folder / "upload.png") << "a picture";
+  }
+  std::ofstream(killed / "owner") << "";
+  fs::create_directory_symlink(killed, link);
+  const auto first = Shelf::open({}).value();
+  EXPECT_FALSE(fs::exists(killed));
+  EXPECT_TRUE(fs::exists(other / "upload.png")) << "it may be that of a shelf that is just being opened";
+  EXPECT_TRUE(fs::is_symlink(link));
+  const auto homes = [&parent] {
+    return std::count_if(fs::directory_iterator(parent), fs::directory_iterator(), [](const auto& entry) {
+      return entry.path().filename().string().starts_with("palpable-home-");
+    });
+  };
+  const auto before = homes();
+  const auto second = Shelf::open({}).value();
+  EXPECT_EQ(homes(), before + 1) << "the first is in use";
+}
+
 }  // namespace
 }  // namespace palpable::page::shelf

@@ -12,8 +12,8 @@ namespace palpable::sculpt {
 namespace {
 
 /// Far beyond any solid, and far from where its scale overflows.
-constexpr double kLeastExtent_m = 1e-9;
-constexpr double kMostExtent_m = 1e9;
+constexpr double kLeastExtent_m = 1e-12;
+constexpr double kMostExtent_m = 1e15;
 
 bool along_one_axis(AxisDirection a, AxisDirection b) { return dot(unit_vector(a), unit_vector(b)) != 0.0; }
 
@@ -129,9 +129,7 @@ Result<Placement> placement_of(const Box& box, const PlacementOptions& options, 
     return invalid_input("is a solid without a finite extent");
   if (norm(extent) < kLeastExtent_m || norm(extent) > kMostExtent_m)
     return invalid_input(
-        "is a solid smaller than a nanometre or larger than a million kilometres, one of its units being a "
-        "metre: "
-        "save it in another unit");
+        "is a solid whose extent is below 1e-12 or above 1e15 of its units: save it in another unit");
   if (options.size_m)
     if (const auto valid = check_size_m(*options.size_m); !valid) return valid.error();
   if (const auto valid = check_ranges(options); !valid) return valid.error();

@@ -84,7 +84,7 @@ double level_share(const Mesh& mesh, AxisDirection up);
 /// scaled into the size, and centred above the origin with its lowest point at z = 0. Upright, its front
 /// faces the user: -y if z is up (as modellers' front views), +y if z is down, else +z (as glTF). Errors:
 /// usage for options out of range, invalid_input for a box without a finite extent, or with one below 1e-9 m
-/// or above 1e9 m.
+/// or above 1e15 m.
 Result<Placement> placement_of(const Box& box, const PlacementOptions& options, double level = 0.0);
 
 /// Which side of a solid faces the user when that direction is up.

@@ -130,6 +130,7 @@ TEST(TwoHands, NamesDevicesThatCannotBeTouchedTogether) {
   EXPECT_EQ(error_of("touch:Left", {"touch:Right"}).code, ErrorCode::usage);
   EXPECT_EQ(error_of("pointer:", {"sim:"}).code, ErrorCode::usage);
   EXPECT_EQ(error_of("sim:", {"falcn:"}).code, ErrorCode::usage);
+  EXPECT_EQ(error_of("sim:?motors=one", {"sim:?seed=2&motors=one"}).code, ErrorCode::usage);
   // The same port by another name is busy.
   device::VirtualTwoDiy board(device::kTwoDiyVariants[0]);
   const Error busy = error_of("2diy:" + board.path(), {"2diy:" + board.path() + "?variant=v3"});
