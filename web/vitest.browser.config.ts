@@ -10,6 +10,8 @@ export default defineConfig({
     environment: 'node',
     // Each file has its own program and browser. They wait more than they compute, so three run at a time.
     poolOptions: { forks: { minForks: 1, maxForks: 3 } },
+    // A busy machine delays a browser past the time that a key press or a pointer's movement counts.
+    retry: 1,
     testTimeout: 300_000,
     hookTimeout: 300_000,
   },

@@ -90,8 +90,8 @@ TEST_F(MapCommands, TakeTheParametersOfAMapAndOfItsRelief) {
   // The buildings are squares of about twenty pixels.
   EXPECT_EQ(after["buildings"].size(), 0U);
   EXPECT_NEAR(after["size_m"][2].get<double>(), 0.002, 1e-5);
-  // Half of all grey levels as tolerance: streets and land are one colour.
-  const auto lost = make({"--set", "map.colours.tolerance=128"});
+  // Half of all grey levels: streets and land are one colour.
+  const auto lost = make({"--set", "map.colours.least_apart=128"});
   EXPECT_EQ(lost.exit_code, 3);
   EXPECT_THAT(lost.err, HasSubstr("no streets were found"));
 }

@@ -152,7 +152,8 @@ describe('by keyboard, hearing only', () => {
     const lowest = 1000 * heights.heights.reduce((least, z) => Math.min(least, z), Infinity);
     expect(Number(heard)).toBeGreaterThan(highest - Math.max(0.5, 0.03 * (highest - lowest)));
     // The sentences agree with what the servo computes, not only with the state of the page.
-    expect(Math.abs((await settled(page, 'read-height')) - Number(heard))).toBeLessThan(0.3);
+    // Both are tenths of a millimetre: at most three of them apart.
+    expect(Math.abs((await settled(page, 'read-height')) - Number(heard))).toBeLessThan(0.35);
     await keepPicture(page, 'highest-point');
   });
 
