@@ -179,7 +179,8 @@ std::string step_words(const models::Scene& scene, double height_factor, Place p
   return name.empty() ? what : fmt::format("{}, {}", name, what);
 }
 
-std::string press_words(double press_m) {
+std::string press_words(const models::Scene& scene, Place place, double press_m) {
+  if (press_m > 0.0 && is_beside_solid(scene, place)) return "nothing here to press";
   return press_m >= 0.0 ? fmt::format("pressed {} deep", spoken_length(press_m))
                         : fmt::format("lifted by {}", spoken_length(-press_m));
 }

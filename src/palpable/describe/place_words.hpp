@@ -41,8 +41,8 @@ std::string name_at(const models::Scene& scene, Place place);
 std::string position_words(const models::Scene& scene, double height_factor, Place place);
 /// The place after a step, in short: name, height and slope; for contours, whether the probe is on a line.
 std::string step_words(const models::Scene& scene, double height_factor, Place place);
-/// "pressed 1.5 millimetres deep", "lifted by 2 millimetres".
-std::string press_words(double press_m);
+/// "pressed 1.5 millimetres deep", "lifted by 2 millimetres"; beside a solid there is nothing to press.
+std::string press_words(const models::Scene& scene, Place place, double press_m);
 /// What a probe feels at a place: region, offset from the middle, height, force in newtons, name.
 std::string felt_words(const models::Scene& scene, double height_factor, Place place, double force_N);
 

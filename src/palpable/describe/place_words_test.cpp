@@ -74,9 +74,37 @@ TEST(PlaceWords, OfContoursSayTheLine) {
   EXPECT_EQ(step_words(scene, 1.0, {0.045, 0.0}), "no line near here");
 }
 
+/// A ball with a radius of 5 mm.
+models::Scene ball() {
+  const models::Lattice lattice{{-0.008, -0.008, -0.008}, 0.001, {17, 17, 17}};
+  std::vector<float> distances_m;
+  for (int z = 0; z < 17; ++z)
+    for (int y = 0; y < 17; ++y)
+      for (int x = 0; x < 17; ++x)
+        distances_m.push_back(static_cast<float>(norm(lattice.place_m(x, y, z)) - 0.005));
+  models::Scene scene = two_hills();
+  scene.pose = models::SolidPose::flat;
+  scene.model = std::make_shared<const models::FieldOnLattice>(
+      *models::field_of(*models::DenseField::from(lattice, models::DenseContent::distance,
+                                                  std::move(distances_m), {0.0, 2e-5, 3e-5}),
+                        {-0.005, -0.005, -0.005}, {0.005, 0.005, 0.005}));
+  return scene;
+}
+
+TEST(PlaceWords, SayThatNothingIsBesideASolidAndThatItCannotBePressed) {
+  const auto scene = ball();
+  EXPECT_EQ(press_words(scene, {}, 0.0015), "pressed 1.5 millimetres deep");
+  EXPECT_NE(step_words(scene, 1.0, {}), "nothing here");
+  const Place beside{0.0049, 0.0049};
+  EXPECT_EQ(step_words(scene, 1.0, beside), "nothing here");
+  EXPECT_EQ(press_words(scene, beside, 0.0015), "nothing here to press");
+  EXPECT_EQ(press_words(scene, beside, -0.001), "lifted by 1 millimetre");
+}
+
 TEST(PlaceWords, SayHowDeepAPressIs) {
-  EXPECT_EQ(press_words(0.0015), "pressed 1.5 millimetres deep");
-  EXPECT_EQ(press_words(-0.001), "lifted by 1 millimetre");
+  const auto scene = named_hills();
+  EXPECT_EQ(press_words(scene, {}, 0.0015), "pressed 1.5 millimetres deep");
+  EXPECT_EQ(press_words(scene, {}, -0.001), "lifted by 1 millimetre");
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ std::string SpokenWords::answer(const protocol::Ask& ask, const models::Scene& s
   if (ask.what == "opening") return describe::opening_words(scene);
   if (ask.what == "scene")
     return describe::scene_part(scene, height_factor, place, static_cast<std::size_t>(ask.part));
-  if (ask.what == "press") return sentence(describe::press_words(ask.press_m));
+  if (ask.what == "press") return sentence(describe::press_words(scene, place, ask.press_m));
   if (ask.what == "position" || ask.what == "step") {
     commentaries_.at(probe).heard(scene, place, now_s());
     return ask.what == "position" ? describe::position_words(scene, height_factor, place)

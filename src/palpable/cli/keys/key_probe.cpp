@@ -107,7 +107,7 @@ std::string KeyProbe::move(double dx_m, double dy_m, const models::Scene& scene,
 
 std::string KeyProbe::press_by(double further_m, const models::Scene& scene) {
   press_m_ = std::clamp(press_m_ + further_m, kHighest_m, kDeepest_m);
-  return describe::capitalised(describe::press_words(press_scale_of(scene) * press_m_)) + ".";
+  return describe::capitalised(describe::press_words(scene, place_, press_scale_of(scene) * press_m_)) + ".";
 }
 
 Point<SceneFrame> KeyProbe::hand(const models::Scene& scene, const session::TouchSettings& settings) const {

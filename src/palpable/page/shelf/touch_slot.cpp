@@ -2,11 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/shelf/touch_slot.hpp"
 
-#include <chrono>
-#include <thread>
 #include <utility>
 
 namespace palpable::page::shelf {
+namespace {
+
+/// The same host; `ended` gets its value once the last user has released it and it is destroyed.
+std::shared_ptr<PageHost> told_at_its_end(std::shared_ptr<PageHost> host, std::promise<void> ended) {
+  PageHost* const same = host.get();
+  const auto promise = std::make_shared<std::promise<void>>(std::move(ended));
+  return {same, [owner = std::move(host), promise](PageHost*) mutable {
+            owner.reset();
+            promise->set_value();
+          }};
+}
+
+}  // namespace
 
 std::shared_ptr<PageHost> TouchSlot::current() const {
   const std::lock_guard lock(mutex_);
@@ -26,13 +37,17 @@ Result<void> TouchSlot::replace(const TouchRequest& request) {
     old = std::exchange(touch_, nullptr);
     name_.clear();
   }
-  // The server asks for the touch at least twenty times per second. A device can be open once only.
-  while (old.use_count() > 1) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  // Destroyed here, or by the server, which asks for the touch at least twenty times per second. A device can
+  // be open once only.
   old.reset();
+  if (ended_.valid()) ended_.get();
   auto begun = begin_(request);
   if (!begun) return begun.error();
+  std::promise<void> ended;
+  ended_ = ended.get_future();
+  auto touch = told_at_its_end(*std::move(begun), std::move(ended));
   const std::lock_guard lock(mutex_);
-  touch_ = *std::move(begun);
+  touch_ = std::move(touch);
   name_ = request.name;
   return {};
 }

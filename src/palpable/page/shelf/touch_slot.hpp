@@ -7,6 +7,7 @@
 #include "palpable/page/host.hpp"
 
 #include <functional>
+#include <future>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -43,6 +44,8 @@ class TouchSlot {
   BeginTouch begin_;
   /// Held while a touch ends and another one begins.
   std::mutex replacing_;
+  /// When the touch that was begun last has been destroyed; only with replacing_ held.
+  std::future<void> ended_;
   mutable std::mutex mutex_;
   std::shared_ptr<PageHost> touch_;
   std::string name_;
