@@ -6,6 +6,7 @@
 #include "palpable/cli/hints.hpp"
 #include "palpable/cli/input_files.hpp"
 #include "palpable/cli/program.hpp"
+#include "palpable/cli/reader_watch.hpp"
 #include "palpable/cli/suggest.hpp"
 #include "palpable/core/text/plain_text.hpp"
 
@@ -166,6 +167,7 @@ int parse_and_run(int argc, char** argv) {
                                     program.common.progress_to)));
   if (!program.action) program.action = home_action();
   auto answer = [&program] {
+    const ReaderWatch reader(program.common.progress_to);
     // Its destructor removes the progress line.
     Console console(program.common);
     return program.action(console);

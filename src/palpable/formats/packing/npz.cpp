@@ -6,7 +6,6 @@
 #include "palpable/core/files/byte_reader.hpp"
 #include "palpable/core/files/read_file.hpp"
 #include "palpable/core/picture/image.hpp"
-#include "palpable/formats/packing/zip.hpp"
 
 #include <algorithm>
 #include <array>
@@ -239,8 +238,8 @@ std::vector<std::byte> encode_npy(const NpyArray& array) {
   return file;
 }
 
-Result<Npz> decode_npz(std::span<const std::byte> file) {
-  const auto members = unzip(file);
+Result<Npz> decode_npz(std::span<const std::byte> file, std::uint64_t most_bytes) {
+  const auto members = unzip(file, most_bytes);
   if (!members) return members.error();
   Npz arrays;
   for (const auto& [name, bytes] : *members) {

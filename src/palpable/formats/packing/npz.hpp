@@ -4,6 +4,7 @@
 
 #include "palpable/core/picture/raster.hpp"
 #include "palpable/core/result.hpp"
+#include "palpable/formats/packing/zip.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -56,8 +57,8 @@ Result<NpyArray> decode_npy(std::span<const std::byte> file);
 std::vector<std::byte> encode_npy(const NpyArray& array);
 
 /// An .npz file, members stored or deflated; members that are not .npy are ignored. Errors as decode_npy(),
-/// and for more than 2 GiB of decompressed members.
-Result<Npz> decode_npz(std::span<const std::byte> file);
+/// and for more than `most_bytes` of decompressed members, which are refused before they are unpacked.
+Result<Npz> decode_npz(std::span<const std::byte> file, std::uint64_t most_bytes = kMaxUnpackedBytes);
 /// Deflated. Errors: failed.
 Result<std::vector<std::byte>> encode_npz(const Npz& arrays);
 

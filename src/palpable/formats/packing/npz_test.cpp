@@ -106,6 +106,14 @@ TEST(Zip, RefusesAnImpossibleSizeBeforeUnpacking) {
   EXPECT_NE(members.error().message.find("unpacks to more"), std::string::npos) << members.error().message;
 }
 
+TEST(Zip, RefusesMembersThatAreTogetherAboveTheLimit) {
+  const auto file = *zip({{"a.txt", Bytes(600, std::byte{7})}, {"b.txt", Bytes(500, std::byte{7})}});
+  EXPECT_TRUE(unzip(file, 1100));
+  EXPECT_FALSE(unzip(file, 1099));
+  EXPECT_TRUE(decode_npz(file, 1100)) << "neither is an array";
+  EXPECT_FALSE(decode_npz(file, 1099));
+}
+
 TEST(Zip, RefusesAMemberThatIsCompressedAgainToMuchLess) {
   auto file = *zip({{"a.txt", Bytes(1'000'000, std::byte{7})}});
   ASSERT_TRUE(unzip(file));

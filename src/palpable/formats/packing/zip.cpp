@@ -93,6 +93,27 @@ Result<Archive> open(std::span<const std::byte> file) {
   return archive;
 }
 
+/// The stated size of every member, if together they are at most `most_bytes`.
+Result<std::vector<zip_stat_t>> stated_sizes(zip_t* archive, std::uint64_t most_bytes) {
+  std::vector<zip_stat_t> members(static_cast<std::size_t>(zip_get_num_entries(archive, 0)));
+  std::uint64_t total = 0;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    zip_stat_t& stated = members[i];
+    constexpr zip_uint64_t kNeeded = ZIP_STAT_NAME | ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE;
+    if (zip_stat_index(archive, i, 0, &stated) != 0 || (stated.valid & kNeeded) != kNeeded)
+      return damaged("a member without name or size");
+    // Deflate compresses by at most 1032 : 1, so a larger stated size is false; and what is compressed
+    // already, hardly at all.
+    constexpr zip_uint64_t kMaxRatio = 1040, kMaxRatioAgain = 2, kSmall = 65536;
+    const zip_uint64_t ratio = is_compressed_already(stated.name) ? kMaxRatioAgain : kMaxRatio;
+    if (stated.size > most_bytes || total + stated.size > most_bytes ||
+        (stated.size > kSmall && stated.size / ratio > stated.comp_size))
+      return invalid_input("unpacks to more than a file of ours may");
+    total += stated.size;
+  }
+  return members;
+}
+
 }  // namespace
 
 Result<std::vector<std::string>> member_names(std::span<const std::byte> file) {
@@ -106,31 +127,18 @@ Result<std::vector<std::string>> member_names(std::span<const std::byte> file) {
   return names;
 }
 
-Result<ZipMembers> unzip(std::span<const std::byte> file) {
-  const auto opened = open(file);
-  if (!opened) return opened.error();
-  zip_t* archive = opened->get();
-  const zip_int64_t count = zip_get_num_entries(archive, 0);
-  std::uint64_t total = 0;
+Result<ZipMembers> unzip(std::span<const std::byte> file, std::uint64_t most_bytes) {
+  const auto archive = open(file);
+  if (!archive) return archive.error();
+  const auto stated = stated_sizes(archive->get(), most_bytes);
+  if (!stated) return stated.error();
   ZipMembers members;
-  for (zip_int64_t i = 0; i < count; ++i) {
-    const auto index = static_cast<zip_uint64_t>(i);
-    zip_stat_t stated;
-    constexpr zip_uint64_t kNeeded = ZIP_STAT_NAME | ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE;
-    if (zip_stat_index(archive, index, 0, &stated) != 0 || (stated.valid & kNeeded) != kNeeded)
-      return damaged("a member without name or size");
-    // Deflate compresses by at most 1032 : 1, so a larger stated size is false; and what is compressed
-    // already, hardly at all.
-    constexpr zip_uint64_t kMaxRatio = 1040, kMaxRatioAgain = 2, kSmall = 65536;
-    const zip_uint64_t ratio = is_compressed_already(stated.name) ? kMaxRatioAgain : kMaxRatio;
-    if (stated.size > kMaxUnpackedBytes || total + stated.size > kMaxUnpackedBytes ||
-        (stated.size > kSmall && stated.size / ratio > stated.comp_size))
-      return invalid_input("unpacks to more than a file of ours may");
-    total += stated.size;
-    auto bytes = unpack(archive, index, stated);
+  for (std::size_t i = 0; i < stated->size(); ++i) {
+    auto bytes = unpack(archive->get(), i, (*stated)[i]);
     if (!bytes) return std::move(bytes).error();
-    if (!members.emplace(stated.name, *std::move(bytes)).second)
-      return damaged(std::string("member ") + stated.name + " is there twice");
+    const char* name = (*stated)[i].name;
+    if (!members.emplace(name, *std::move(bytes)).second)
+      return damaged(std::string("member ") + name + " is there twice");
   }
   return members;
 }

@@ -22,9 +22,9 @@ using Bytes = std::vector<std::byte>;
 using ZipMembers = std::map<std::string, Bytes>;
 
 /// Unpacks a whole archive in memory. Every stated size is checked before memory is allocated, and a member
-/// of another size than stated is refused; this stops zip bombs. Errors: invalid_input for damage,
-/// encryption, duplicate names or sizes above the limits.
-Result<ZipMembers> unzip(std::span<const std::byte> file);
+/// of another size than stated is refused; this stops zip bombs. `most_bytes`: all members together.
+/// Errors: invalid_input for damage, encryption, duplicate names or sizes above the limits.
+Result<ZipMembers> unzip(std::span<const std::byte> file, std::uint64_t most_bytes = kMaxUnpackedBytes);
 
 /// The members' names, without unpacking them. Errors as unzip().
 Result<std::vector<std::string>> member_names(std::span<const std::byte> file);

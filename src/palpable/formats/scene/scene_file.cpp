@@ -265,10 +265,14 @@ Result<Bytes> encode_scene(const models::Scene& scene, const ZipMembers& others)
 
 Result<SceneFile> decode_scene(std::span<const std::byte> file) {
   if (has_magic(file, "PALPREC")) return invalid_input("is the recording of a touch, not a scene");
+  const auto names = member_names(file);
+  if (!names) return names.error();
+  // Asked before another kind of archive, such as an .npz, is unpacked.
+  if (std::find(names->begin(), names->end(), kDescription) == names->end())
+    return invalid_input("is a zip archive without scene.json, so not a scene");
   auto members = unzip(file);
   if (!members) return std::move(members).error();
   const auto text = members->extract(kDescription);
-  if (text.empty()) return invalid_input("is a zip archive without scene.json, so not a scene");
   if (text.mapped().size() > kMaxDescriptionBytes)
     return invalid_input("has a scene.json larger than 16 MiB");
   const json description = json::parse(as_text(text.mapped()), nullptr, false);

@@ -4,6 +4,7 @@
 
 #include "palpable/core/files/byte_reader.hpp"
 #include "palpable/core/files/file_bytes.hpp"
+#include "palpable/core/picture/image.hpp"
 #include "palpable/formats/packing/npz.hpp"
 #include "palpable/sources/picture/file_marks.hpp"
 #include "palpable/sources/picture/picture.hpp"
@@ -41,6 +42,9 @@ Result<Raster<float>> raster_in(const formats::Npz& arrays) {
                        " arrays, none of them named depth, depth_m, disparity or arr_0");
 }
 
+/// The largest map in the widest numbers, with room for small arrays beside it.
+constexpr std::uint64_t kMostArrayBytes = 8 * static_cast<std::uint64_t>(kMaxPixels) + (1U << 20U);
+
 bool is_known(float v) { return std::isfinite(v) && v > 0.0F; }
 
 Error bad_scale(const char* what, const std::filesystem::path& path) {
@@ -51,7 +55,7 @@ Error bad_scale(const char* what, const std::filesystem::path& path) {
 
 Result<Raster<float>> decode_raster(FileView file) {
   if (has_magic(file, "PK\x03\x04")) {
-    const auto arrays = formats::decode_npz(file);
+    const auto arrays = formats::decode_npz(file, kMostArrayBytes);
     return arrays ? raster_in(*arrays) : arrays.error();
   }
   if (has_magic(file, "\x93NUMPY")) {
