@@ -10,7 +10,8 @@ namespace palpable::cli {
 /// works for another program ends with it, also in steps of the work that report no progress.
 class ReaderWatch {
  public:
-  /// Watches a pipe's or a socket's descriptor until it is destroyed; -1, or another kind of file: does nothing.
+  /// Watches a pipe's or a socket's descriptor until it is destroyed; -1, or another kind of file: does
+  /// nothing.
   explicit ReaderWatch(int descriptor);
   ReaderWatch(const ReaderWatch&) = delete;
   ReaderWatch& operator=(const ReaderWatch&) = delete;

@@ -34,6 +34,12 @@ Request request_of(const Message& message, std::string_view body) {
           view(message[http::field::cookie]), body};
 }
 
+/// Why no page can be added now; empty if one can. A touch that has begun since the last frame counts.
+std::string obstacle_to_a_page(ServerContext& context) {
+  if (context.shelf != nullptr) context.pages.show(context.shelf->touch());
+  return context.pages.obstacle();
+}
+
 }  // namespace
 
 void Connection::read() {
@@ -142,7 +148,7 @@ void Connection::respond(const Client::Upgrade& message) {
   // Not for a browser that only comes in, at a home page.
   if (request.target == kSessionPath && reply.status == 204 &&
       (context_.shelf == nullptr || request.method == "GET"))
-    if (std::string obstacle = context_.pages.obstacle(); !obstacle.empty()) {
+    if (std::string obstacle = obstacle_to_a_page(context_); !obstacle.empty()) {
       reply.status = 503;
       reply.body = std::move(obstacle);
     }
@@ -154,7 +160,7 @@ void Connection::upgrade(const Client::Upgrade& message, const Request& request)
   if (reply.status != 101) return write(reply, false);
   if (context_.upgrades.check(seconds_now()) != Verdict::accept)
     return write({429, "text/plain", "The page is opened too often: wait a few seconds.", {}, {}}, false);
-  if (std::string obstacle = context_.pages.obstacle(); !obstacle.empty())
+  if (std::string obstacle = obstacle_to_a_page(context_); !obstacle.empty())
     return write({503, "text/plain", std::move(obstacle), {}, {}}, false);
   context_.pages.add_client(std::move(stream_), message);
 }

@@ -34,6 +34,9 @@ Job::Job(JobPlan plan, const JobTools& tools)
 Job::~Job() {
   cancel();
   thread_.join();
+  // A scene that the shelf keeps was moved there; one that it could not keep goes with its job.
+  std::error_code ignored;
+  if (plan_.is_kept) std::filesystem::remove(plan_.scene, ignored);
 }
 
 protocol::Job Job::state() const {

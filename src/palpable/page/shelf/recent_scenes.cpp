@@ -96,7 +96,7 @@ fs::path user_state_folder() {
 }
 
 RecentScenes::RecentScenes(const fs::path& folder, const fs::path& instead, RecentLimits limits)
-    : folder_(make_private(folder) ? folder : instead), limits_(limits) {}
+    : are_lasting_(make_private(folder)), folder_(are_lasting_ ? folder : instead), limits_(limits) {}
 
 fs::path RecentScenes::file(std::string_view id, const char* ending) const {
   return folder_ / (std::string(id) + ending);

@@ -48,6 +48,8 @@ class RecentScenes {
   RecentScenes(const std::filesystem::path& folder, const std::filesystem::path& instead,
                RecentLimits limits = {});
 
+  /// Whether `folder` is used, so that the scenes are there the next time.
+  bool are_lasting() const { return are_lasting_; }
   /// The newest first. Files that do not belong together are left out.
   std::vector<RecentScene> list() const;
   /// Moves the scene's file into the folder and returns the scene's id. Errors: failed.
@@ -67,6 +69,7 @@ class RecentScenes {
   std::filesystem::path file(std::string_view id, const char* ending) const;
   void keep_limits();
 
+  bool are_lasting_;
   std::filesystem::path folder_;
   RecentLimits limits_;
 };

@@ -50,6 +50,16 @@ TEST(RecentScenes, ArePrivateAndTheNewestIsFirst) {
   EXPECT_TRUE(fs::is_empty(folder / "state" / "scenes"));
 }
 
+TEST(RecentScenes, SayWhetherTheirFolderCanBeUsed) {
+  const auto folder = new_folder("recent");
+  EXPECT_TRUE(RecentScenes(folder / "scenes", folder).are_lasting());
+  std::ofstream(folder / "file") << "a file where the folder should be";
+  RecentScenes instead(folder / "file", folder);
+  EXPECT_FALSE(instead.are_lasting());
+  EXPECT_FALSE(RecentScenes({}, folder).are_lasting());
+  EXPECT_FALSE(added(instead, folder, "kept all the same").empty());
+}
+
 TEST(RecentScenes, AreBounded) {
   const auto folder = new_folder("recent");
   RecentScenes recent(folder / "scenes", folder, {.most_scenes = 3, .most_bytes = 1000});

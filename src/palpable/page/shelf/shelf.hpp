@@ -58,6 +58,10 @@ class Shelf final : public ShelfHost {
   static Result<std::unique_ptr<Shelf>> open(ShelfOptions options);
   ~Shelf() override;
 
+  /// Whether scenes opened now are on the next shelf, too: false if ShelfOptions::state_folder cannot be
+  /// used.
+  bool keeps_scenes() const { return recent_.are_lasting(); }
+
   void update() override;
   std::shared_ptr<PageHost> touch() override { return touch_.current(); }
   Result<std::string> answer(const protocol::FromShelf& message) override;

@@ -105,6 +105,16 @@ TEST(Shelf, MakesASceneOfAFileAndBeginsItsTouch) {
   EXPECT_TRUE(picture.body().starts_with("\x89PNG"));
 }
 
+TEST(Shelf, RemovesASceneThatItCannotKeepWithItsJob) {
+  ServedShelf served(kCopies);
+  EXPECT_TRUE(served.shelf->keeps_scenes());
+  fs::remove_all(served.folder / "state");
+  std::ofstream(served.folder / "state") << "a file where the folder was";
+  const Json end = served.end_of(served.make(served.upload()));
+  EXPECT_EQ(end["state"], "touching") << "it can be touched all the same";
+  EXPECT_TRUE(served.tell({{"type", "look"}})["recent"].empty());
+}
+
 TEST(Shelf, OpensAnotherSceneAndTellsThePagesOfTheFirst) {
   ServedShelf served(kCopies);
   ASSERT_EQ(served.end_of(served.tell({{"type", "open"}, {"scene", "sample:one"}}))["state"], "touching");

@@ -93,10 +93,15 @@ std::vector<page::shelf::Sample> samples() {
 Result<Answer> serve_home(const HomeArguments& arguments, Console& console) {
   page::shelf::ShelfOptions options;
   options.samples = samples();
-  options.state_folder = page::shelf::user_state_folder();
+  const std::filesystem::path state_folder = page::shelf::user_state_folder();
+  options.state_folder = state_folder;
   options.begin_touch = begin_touch(arguments, console.options());
   auto shelf = page::shelf::Shelf::open(std::move(options));
   if (!shelf) return shelf.error();
+  if (!(*shelf)->keeps_scenes())
+    console.say(
+        fmt::format("Scenes that you open are kept only until this ends: the folder {} cannot be used.",
+                    state_folder.empty() ? "~/.local/state" : state_folder.string()));
   std::optional<OpenedBrowser> browser;
   page::ServeOptions serving;
   serving.port = static_cast<std::uint16_t>(arguments.port);

@@ -127,10 +127,10 @@ void median_at_steps(const ColourPlanes& colour, const StepMedianOptions& option
   const int reach = options.reach_px;
   for (int round = 0; round < options.rounds; ++round) {
     const Raster<float> before = disparity_px;
-    const auto [least, greatest] = std::minmax_element(before.values().begin(), before.values().end());
+    const auto range = std::minmax_element(before.values().begin(), before.values().end());
     const Raster<std::uint8_t> near = widened(steps_of(before, options.least_step_px), reach);
     parallel_for(work, before.height(), 8, [&](int begin, int end) {
-      DisparityHistogram votes(*least, *greatest);
+      DisparityHistogram votes(*range.first, *range.second);
       for (int y = begin; y < end && !work.cancelled(); ++y)
         for (int x = 0; x < before.width(); ++x) {
           if (near(x, y) == 0) continue;
