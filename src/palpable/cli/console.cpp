@@ -31,9 +31,9 @@ std::atomic<bool> interrupt_flag{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 constexpr int kServoPatience_ms = 200;
-// The time that interrupted work has to end. With the time of the servo's end, the program ends within a
-// second.
-constexpr int kWorkPatience_ms = 700;
+// The time that interrupted work has to end. With the time of the servo's end, and 0.3 s of a busy machine,
+// the program ends within a second.
+constexpr int kWorkPatience_ms = 500;
 
 /// Called if work did not end in time: it waits for a pipe, or a library cannot be interrupted. A file that
 /// is being written has no name or a temporary one, so the old file is unchanged.
