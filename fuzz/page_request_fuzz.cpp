@@ -27,7 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
   }
   const Request request{parts[0], parts[1], parts[2], parts[3], parts[4], parts[5]};
-  RequestHandler front(SessionAccess("the token of this session", std::string(kSecret)), 4711);
+  RequestHandler front(palpable::SessionAccess("the token of this session", std::string(kSecret)), 4711);
   if (front.check_upgrade(request).status == 101)
     PALPABLE_CHECK(request.cookies.find(kSecret) != std::string_view::npos);
   const Reply reply = front.answer(request);
