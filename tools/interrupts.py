@@ -2,7 +2,7 @@
 # Copyright 2026 The Palpable authors
 # SPDX-License-Identifier: Apache-2.0
 """Presses Ctrl-C (SIGINT) at random instants of every command: tools/interrupts.py PROGRAM --data FOLDER [--count N] [--seed S]
-[--only NAME,...].
+[--from NAME].
 
 Each command line of the table below runs once to its end, or for LONGEST_S; then N times with a SIGINT at an instant that is uniformly
 distributed over that time. The command must end within a second, with exit code 130, or 0 if all that it writes was complete before;
@@ -45,7 +45,8 @@ def prepare(program, data, folder):
 def commands(data, made, out):
     """Name, words, and what the command writes, if anything."""
     cones = [data / "stereo/mid2_cones/imL.png", data / "stereo/mid2_cones/imR.png"]
-    film = data / "video/rendered_A_two_buildings"
+    scene = data / "video/rendered_A_two_buildings"
+    film = [scene / "video.mp4", "--calibration", scene / "intrinsics.json"]
     boards = sorted((data / "stereo/calib_chessboard").glob("left*.jpg"))
     headless = ["--headless", "--seconds", "10"]
     return [
@@ -59,7 +60,7 @@ def commands(data, made, out):
         ("make, contours", ["make", data / "contour/letters/coins.png", "--as", "contours", "-o", out / "contours.palp"], "contours.palp"),
         ("make, map picture", ["make", data / "map-raster/osmcarto/monaco_z16.png", "--as", "map", "-o", out / "map.palp"], "map.palp"),
         ("make, map extract", ["make", data / "map-vector/extracts/monaco.osm.pbf", "-o", out / "extract.palp"], "extract.palp"),
-        ("make, video", ["make", film, "-o", out / "video.palp"], "video.palp"),
+        ("make, video", ["make", *film, "-o", out / "video.palp"], "video.palp"),
         ("correct", ["correct", made / "field.palp", made / "field.ply", "-o", out / "corrected.palp"], "corrected.palp"),
         ("depth, best", ["depth", *cones, "-o", out / "best.pfm"], "best.pfm"),
         ("depth, fast", ["depth", *cones, "-o", out / "fast.png", "--method", "fast"], "fast.png"),
@@ -165,7 +166,7 @@ def main():
     arguments.add_argument("--data", type=pathlib.Path, required=True)
     arguments.add_argument("--count", type=int, default=20)
     arguments.add_argument("--seed", type=int, default=1)
-    arguments.add_argument("--only", default="")
+    arguments.add_argument("--from", dest="first", default="", help="begin at this command of the table")
     given = arguments.parse_args()
     rng = random.Random(given.seed)
     signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -176,9 +177,9 @@ def main():
         out.mkdir()
         prepare(given.program, given.data.resolve(), made)
         print(f"{'command':22}{'whole s':>9}{'signals':>9}{'median s':>10}{'most s':>8}{'violations':>12}")
-        for title, words, output in commands(given.data.resolve(), made, out):
-            if given.only and title not in given.only.split(","):
-                continue
+        table = commands(given.data.resolve(), made, out)
+        begin = next((k for k, row in enumerate(table) if row[0] == given.first), 0)
+        for title, words, output in table[begin:]:
             command = Command(given.program, out, title, words, output)
             took = []
             wrong = 0
