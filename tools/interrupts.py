@@ -47,6 +47,8 @@ def commands(data, made, out):
     cones = [data / "stereo/mid2_cones/imL.png", data / "stereo/mid2_cones/imR.png"]
     scene = data / "video/rendered_A_two_buildings"
     film = [scene / "video.mp4", "--calibration", scene / "intrinsics.json"]
+    samples = pathlib.Path(__file__).resolve().parent.parent / "samples"
+    sculptures = [samples / "sculpture_left.png", samples / "sculpture_right.png", "--calibration", samples / "sculpture_calib.txt"]
     boards = sorted((data / "stereo/calib_chessboard").glob("left*.jpg"))
     headless = ["--headless", "--seconds", "10"]
     return [
@@ -66,7 +68,7 @@ def commands(data, made, out):
         ("depth, fast", ["depth", *cones, "-o", out / "fast.png", "--method", "fast"], "fast.png"),
         ("compare", ["compare", *cones, "-o", out / "compare.png"], "compare.png"),
         ("fit", ["fit", *cones, "-o", out / "fit.png"], "fit.png"),
-        ("fit-shapes", ["fit-shapes", made / "field.ply", "-o", out / "shapes.json"], "shapes.json"),
+        ("fit-shapes", ["fit-shapes", *sculptures, "-o", out / "shapes.json"], "shapes.json"),
         ("calibrate", ["calibrate", *boards, "-o", out / "camera.yml", "--board", "9x6", "--square", "25"], "camera.yml"),
         ("rectify", ["rectify", data / "map-raster/osmcarto/monaco_z17.png", "-o", out / "flat.png", "--corners", "120,80 900,60 980,900 60,820"], "flat.png"),
         ("marker", ["marker", "-o", out / "marker.pdf"], "marker.pdf"),
