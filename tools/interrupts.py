@@ -49,7 +49,6 @@ def commands(data, made, out):
     film = [scene / "video.mp4", "--calibration", scene / "intrinsics.json"]
     samples = pathlib.Path(__file__).resolve().parent.parent / "samples"
     sculptures = [samples / "sculpture_left.png", samples / "sculpture_right.png", "--calibration", samples / "sculpture_calib.txt"]
-    boards = sorted((data / "stereo/calib_chessboard").glob("left*.jpg"))
     headless = ["--headless", "--seconds", "10"]
     return [
         ("home", ["home", "--no-browser"], None),
@@ -69,7 +68,7 @@ def commands(data, made, out):
         ("compare", ["compare", *cones, "-o", out / "compare.png"], "compare.png"),
         ("fit", ["fit", *cones, "-o", out / "fit.png"], "fit.png"),
         ("fit-shapes", ["fit-shapes", *sculptures, "-o", out / "shapes.json"], "shapes.json"),
-        ("calibrate", ["calibrate", *boards, "-o", out / "camera.yml", "--board", "9x6", "--square", "25"], "camera.yml"),
+        ("calibrate", ["calibrate", data / "stereo/calib_chessboard", "-o", out / "camera.yml", "--board", "9x6", "--square", "25"], "camera.yml"),
         ("rectify", ["rectify", data / "map-raster/osmcarto/monaco_z17.png", "-o", out / "flat.png", "--corners", "120,80 900,60 980,900 60,820"], "flat.png"),
         ("marker", ["marker", "-o", out / "marker.pdf"], "marker.pdf"),
         ("probe", ["probe", made / "relief.palp", "--path", made / "path.csv", "-o", out / "forces.csv"], "forces.csv"),
