@@ -17,6 +17,10 @@ namespace {
 struct BenchArguments {
   std::string scene, path;
   int passes = 1;
+  bool rehearsed = false;
+  haptics::Rehearsal rehearsal() const {
+    return rehearsed ? haptics::Rehearsal::yes : haptics::Rehearsal::no;
+  }
   LawArguments law;
 };
 
@@ -46,26 +50,28 @@ std::string size_text(const models::Scene& scene) {
 }
 
 Result<Benchmark> time_one(const models::Scene& scene, const haptics::LawParameters& parameters,
-                           std::span<const haptics::PathSample> path, int passes = 1) {
+                           std::span<const haptics::PathSample> path, haptics::Rehearsal rehearsal,
+                           int passes = 1) {
   const auto touchable = haptics::make_touchable(scene, parameters);
   if (!touchable) return touchable.error();
   Benchmark benchmark;
   benchmark.name =
       fmt::format("{}/{}/{}", models::kind_of(scene.model), bench_name(parameters, scene), size_text(scene));
   benchmark.ticks = path.size();
-  benchmark.times = haptics::time_path(**touchable, path, passes);
+  benchmark.times = haptics::time_path(**touchable, path, passes, rehearsal);
   benchmark.memory_bytes = std::visit([](const auto& model) { return model->memory_bytes(); }, scene.model);
   return benchmark;
 }
 
 /// Times laws with their defaults, one after the other.
 Result<void> time_laws(const models::Scene& scene, const std::vector<haptics::Law>& laws,
-                       const std::vector<haptics::PathSample>& path, std::vector<Benchmark>& benchmarks) {
+                       const std::vector<haptics::PathSample>& path, haptics::Rehearsal rehearsal,
+                       std::vector<Benchmark>& benchmarks) {
   for (const haptics::Law law : laws) {
     haptics::LawParameters parameters;
     parameters.law = law;
     if (interrupted()) return Work::interrupted();
-    auto benchmark = time_one(scene, parameters, path);
+    auto benchmark = time_one(scene, parameters, path, rehearsal);
     if (!benchmark) return benchmark.error();
     benchmarks.push_back(std::move(*benchmark));
   }
@@ -110,32 +116,33 @@ std::vector<haptics::PathSample> own_path(const models::Scene& scene) {
 }
 
 /// The field alone, then every law on it that moves in space.
-Result<void> add_field_set(std::vector<Benchmark>& benchmarks, const Work& work) {
+Result<void> add_field_set(haptics::Rehearsal rehearsal, std::vector<Benchmark>& benchmarks,
+                           const Work& work) {
   const auto scene = own_field_scene(work);
   if (!scene) return scene.error();
   const auto& field = *std::get<std::shared_ptr<const models::Field>>(scene->model);
   const auto path = own_field_path(field.distance);
   benchmarks.push_back({fmt::format("field/value-gradient/{}", size_text(*scene)), path.size(),
                         time_samples(field.distance, path), field.distance.memory_bytes()});
-  return time_laws(*scene, {haptics::Law::proxy, haptics::Law::penalty}, path, benchmarks);
+  return time_laws(*scene, {haptics::Law::proxy, haptics::Law::penalty}, path, rehearsal, benchmarks);
 }
 
-Result<std::vector<Benchmark>> own_set(const Work& work) {
+Result<std::vector<Benchmark>> own_set(haptics::Rehearsal rehearsal, const Work& work) {
   const auto scene = own_scene();
   if (!scene) return scene.error();
   const auto path = own_path(*scene);
   std::vector<Benchmark> benchmarks;
-  if (auto timed = time_laws(*scene, haptics::laws_for(*scene), path, benchmarks); !timed)
+  if (auto timed = time_laws(*scene, haptics::laws_for(*scene), path, rehearsal, benchmarks); !timed)
     return timed.error();
   // The settings of a fingertip on the page: a ball of 1 mm, friction and a texture.
   models::Scene textured = *scene;
   textured.materials.front().texture.kind = models::TouchTexture::Kind::grain;
   haptics::LawParameters fingertip;
   fingertip.radius_m = 0.001;
-  auto benchmark = time_one(textured, fingertip, path);
+  auto benchmark = time_one(textured, fingertip, path, rehearsal);
   if (!benchmark) return benchmark.error();
   benchmarks.push_back(std::move(*benchmark));
-  if (const auto added = add_field_set(benchmarks, work); !added) return added.error();
+  if (const auto added = add_field_set(rehearsal, benchmarks, work); !added) return added.error();
   return benchmarks;
 }
 
@@ -148,7 +155,7 @@ Result<std::vector<Benchmark>> given_set(const BenchArguments& arguments, Consol
   const auto parameters = law_parameters(arguments.law, scene);
   if (!parameters) return parameters.error();
   if (const auto unused = note_on_unused(arguments.law, parameters->law)) console.note(*unused);
-  auto benchmark = time_one(scene, *parameters, *path, arguments.passes);
+  auto benchmark = time_one(scene, *parameters, *path, arguments.rehearsal(), arguments.passes);
   if (!benchmark) return benchmark.error();
   return std::vector{std::move(*benchmark)};
 }
@@ -181,7 +188,8 @@ Result<Answer> bench(const BenchArguments& arguments, Console& console) {
     return Error{ErrorCode::usage, "--passes needs --scene and --path", {}};
   if (arguments.scene.empty() && !arguments.law.law.empty())
     return Error{ErrorCode::usage, "--law needs --scene and --path; without them every law is timed", {}};
-  const auto benchmarks = arguments.scene.empty() ? own_set(console.work()) : given_set(arguments, console);
+  const auto benchmarks = arguments.scene.empty() ? own_set(arguments.rehearsal(), console.work())
+                                                  : given_set(arguments, console);
   if (!benchmarks) return benchmarks.error();
   return answer_of(*benchmarks);
 }
@@ -200,6 +208,8 @@ void add_bench(Program& program) {
   options.text("--path", arguments->path, "CSV with the columns t_s,x_m,y_m,z_m (scene frame, metres)");
   options.integer("--passes", arguments->passes, {1, 1000},
                   "Time each tick in this many passes over the path, and take its least time");
+  options.flag("--rehearsed", arguments->rehearsed,
+               "Before each timed tick, evaluate the one that is expected, as a touch does while it waits");
   add_law_options(options, arguments->law);
 }
 

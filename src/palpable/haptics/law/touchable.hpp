@@ -68,7 +68,7 @@ class Touchable {
   virtual ~Touchable() = default;
 
   /// Computes the law's output for one tick. Tick path: no allocation, lock, exception or output. `hand` is
-  /// finite.
+  /// finite. Changes nothing but `state`: a loop also calls it for ticks that may not come (rehearsal.hpp).
   virtual LawOutput evaluate(const Hand& hand, TouchState& state) const noexcept = 0;
   /// Touchables of the same family can continue with each other's TouchState (same law on the same surface,
   /// other parameters); others use hand_over() and take_over().

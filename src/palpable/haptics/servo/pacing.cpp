@@ -11,6 +11,8 @@ namespace palpable::haptics {
 namespace {
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
+/// With less time than this before a deadline, only the clock is polled.
+constexpr std::int64_t kSpare_ns = 50'000;
 
 std::int64_t clock_ns(clockid_t clock) noexcept {
   timespec time{};
@@ -50,26 +52,38 @@ Pacer::Wake Pacer::rest(double seconds) noexcept {
   return wake;
 }
 
-Pacer::Wake Pacer::wait() noexcept {
+bool Pacer::sleep() noexcept {
   using Cause = MissedDeadline::Cause;
   const std::int64_t deadline = deadline_ns(last_ + 1);
   const std::int64_t too_late = deadline_ns(last_ + 2);
   const std::int64_t arrived = monotonic_ns();
-  Wake wake;
-  wake.now_ns = arrived;
-  if (arrived >= too_late) {
+  slept_ = true;
+  polls_ = arrived < too_late;
+  coming_ = {};
+  coming_.now_ns = arrived;
+  if (!polls_) {
     const std::int64_t worked = clock_ns(CLOCK_THREAD_CPUTIME_ID) - woke_cpu_ns_;
-    wake.cause = 2 * worked > arrived - woke_ns_ ? Cause::slow_tick : Cause::held_up_in_tick;
+    coming_.cause = 2 * worked > arrived - woke_ns_ ? Cause::slow_tick : Cause::held_up_in_tick;
     // The next deadline in the future; those before it were missed.
     const auto k =
         static_cast<std::int64_t>(std::floor(static_cast<double>(arrived - begin_ns_) / period_ns_)) + 1;
-    wake.late_us = 1e-3 * static_cast<double>(arrived - deadline);
+    coming_.late_us = 1e-3 * static_cast<double>(arrived - deadline);
     sleep_until(deadline_ns(k));
-    wake.now_ns = std::max(monotonic_ns(), deadline_ns(k));
-  } else {
-    if (arrived < deadline - watch_ns_) sleep_until(deadline - watch_ns_);
-    wake.now_ns = monotonic_ns();
-    wake.cause = wake.now_ns >= too_late ? Cause::late_wake : Cause::held_up_waiting;
+    coming_.now_ns = std::max(monotonic_ns(), deadline_ns(k));
+    return false;
+  }
+  if (arrived < deadline - watch_ns_) sleep_until(deadline - watch_ns_);
+  coming_.now_ns = monotonic_ns();
+  coming_.cause = coming_.now_ns >= too_late ? Cause::late_wake : Cause::held_up_waiting;
+  return coming_.now_ns < deadline - kSpare_ns;
+}
+
+Pacer::Wake Pacer::wait() noexcept {
+  if (!slept_) sleep();
+  slept_ = false;
+  Wake wake = coming_;
+  if (polls_) {
+    const std::int64_t deadline = deadline_ns(last_ + 1);
     while (wake.now_ns < deadline) wake.now_ns = monotonic_ns();
     wake.late_us = 1e-3 * static_cast<double>(wake.now_ns - deadline);
   }

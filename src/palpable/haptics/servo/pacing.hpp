@@ -33,6 +33,9 @@ class Pacer {
 
   /// Starts counting; the first deadline is one period from now.
   void begin() noexcept;
+  /// Sleeps until polling begins. True if then there is time for work of a few microseconds before the
+  /// deadline, which is not counted as late. Followed by wait().
+  bool sleep() noexcept;
   /// Waits for the next deadline.
   Wake wait() noexcept;
   /// Sleeps for `seconds` instead and restarts the deadlines at the wake: none counts as missed.
@@ -45,6 +48,10 @@ class Pacer {
   std::int64_t watch_ns_;
   std::int64_t begin_ns_ = 0;
   std::int64_t last_ = 0;
+  /// What sleep() found, until wait() returns it.
+  Wake coming_;
+  bool slept_ = false;
+  bool polls_ = false;
   std::int64_t woke_ns_ = 0;
   std::int64_t woke_cpu_ns_ = 0;
 };

@@ -27,6 +27,29 @@ TEST(Pacer, NeverWakesBeforeItsDeadlineAndCountsEveryPeriodOnce) {
   EXPECT_GE(k, 100);
 }
 
+TEST(Pacer, SleepsUntilPollingBeginsAndWaitsForTheSameDeadline) {
+  Pacer pacer(1000.0, 300e-6);
+  pacer.begin();
+  std::int64_t k = 0;
+  int spare = 0;
+  for (int i = 0; i < 100; ++i) {
+    const bool has_time = pacer.sleep();
+    const std::int64_t slept_ns = monotonic_ns();
+    const auto wake = pacer.wait();
+    if (has_time && wake.periods == 1) {
+      ++spare;
+      EXPECT_GE(slept_ns, pacer.deadline_ns(k + 1) - 300'000);
+    }
+    k += wake.periods;
+    EXPECT_GE(wake.now_ns, pacer.deadline_ns(k));
+    EXPECT_LT(wake.now_ns, pacer.deadline_ns(k + 1));
+  }
+  EXPECT_GT(spare, 0);
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_FALSE(pacer.sleep());
+  EXPECT_EQ(pacer.wait().cause, MissedDeadline::Cause::held_up_in_tick);
+}
+
 TEST(Pacer, SkipsMissedDeadlinesWithoutCatchingUpInABurst) {
   Pacer pacer(1000.0, 100e-6);
   pacer.begin();

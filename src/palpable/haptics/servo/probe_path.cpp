@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/servo/probe_path.hpp"
 
+#include "palpable/haptics/law/rehearsal.hpp"
 #include "palpable/haptics/servo/real_time.hpp"
 
 #include <algorithm>
@@ -44,17 +45,21 @@ void probe_path(const Touchable& touchable, std::span<const PathSample> path,
   for (std::size_t i = 0; i < path.size(); ++i) each(path[i], touchable.evaluate(hand_at(path, i), state));
 }
 
-TickTimes time_path(const Touchable& touchable, std::span<const PathSample> path, int passes) {
+TickTimes time_path(const Touchable& touchable, std::span<const PathSample> path, int passes,
+                    Rehearsal rehearsal) {
   flush_denormals();
   const TickClock clock = TickClock::calibrate();
   std::vector<double> least_ns(path.size(), std::numeric_limits<double>::infinity());
   std::size_t contacts = 0;
   for (int pass = 0; pass <= passes; ++pass) {
     TouchState state;
+    Hand last;
     for (std::size_t i = 0; i < path.size(); ++i) {
       Hand hand = hand_at(path, i);
       // As in a loop, whose motors hold the force for a tick.
       hand.acts_after_s = 0.5 * hand.dt_s;
+      if (i > 0 && rehearsal == Rehearsal::yes) rehearse(touchable, last, state);
+      last = hand;
       const std::uint64_t start = TickClock::now();
       const LawOutput output = touchable.evaluate(hand, state);
       const std::uint64_t stop = TickClock::now();

@@ -35,10 +35,14 @@ struct TickTimes {
   double contact_fraction = 0.0;
 };
 
+/// Whether the expected tick is rehearsed before each timed one, as in a loop, which does so while it waits.
+enum class Rehearsal : bool { no, yes };
+
 /// Times every tick of the path, after one warm-up pass over the whole path. Each pass starts a new touch, so
 /// its ticks are the same. With `passes` > 1 a tick's time is the least of its times: what it takes on a
 /// machine that other programs keep busy. Denormals are flushed on the calling thread during the call, as on
 /// the servo's thread.
-TickTimes time_path(const Touchable& touchable, std::span<const PathSample> path, int passes = 1);
+TickTimes time_path(const Touchable& touchable, std::span<const PathSample> path, int passes = 1,
+                    Rehearsal rehearsal = Rehearsal::no);
 
 }  // namespace palpable::haptics

@@ -89,6 +89,8 @@ struct ServoLoop::Impl {
   Result<void> start_guardian();
   void serve();
   void tick_once(const Pacer::Wake& wake, double dt_s);
+  /// TickPipeline::rehearse() of every probe.
+  void rehearse(double dt_s) const;
   void tick_further(double dt_s);
   void note_missed(const Pacer::Wake& wake);
   bool may_rest() const;
@@ -173,6 +175,7 @@ void ServoLoop::Impl::serve() {
   // From here to the end of the loop nothing may allocate; allocations are counted per tick and reported.
   while (!ending.load(std::memory_order_relaxed) && !self.must_end()) {
     const bool resting = may_rest();
+    if (!resting && pacer.sleep()) rehearse(nominal_s);
     const Pacer::Wake wake = resting ? pacer.rest(options.rest_period_s) : pacer.wait();
     const AllocationScope allocations;
     const std::int64_t period_ns = wake.now_ns - before_ns;
@@ -211,6 +214,11 @@ void ServoLoop::Impl::tick_once(const Pacer::Wake& wake, double dt_s) {
   tick_further(std::max(dt_s, shortest_s));
   // Not earlier: the further probes may still use the scene until here.
   if (const HapticScene* old = tick.take_retired()) retired.put(old);
+}
+
+void ServoLoop::Impl::rehearse(double dt_s) const {
+  tick.rehearse(dt_s);
+  for (const auto& probe : further) probe->tick.rehearse(dt_s);
 }
 
 void ServoLoop::Impl::tick_further(double dt_s) {

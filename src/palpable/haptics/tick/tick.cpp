@@ -155,7 +155,7 @@ void TickPipeline::drop_force() noexcept {
   scene_changes_ = false;
 }
 
-bool TickPipeline::evaluate_law(Side& side, double dt_s) noexcept {
+Hand TickPipeline::hand_in(const Side& side, double dt_s) const noexcept {
   const auto& scene_from_device = side.scene->scene_from_device;
   Hand hand{scene_from_device * position_, scene_from_device * motion_.velocity_m_per_s(), dt_s};
   hand.acts_after_s = motion_.acts_after_s(dt_s);
@@ -164,7 +164,11 @@ bool TickPipeline::evaluate_law(Side& side, double dt_s) noexcept {
     hand.rotation = rotation_in_scene(scene_from_device, rotation_.rotation());
     hand.angular_velocity_rad_per_s = rotate_force(scene_from_device, rotation_.velocity_rad_per_s());
   }
-  const LawOutput output = side.scene->touchable->evaluate(hand, side.state);
+  return hand;
+}
+
+bool TickPipeline::evaluate_law(Side& side, double dt_s) noexcept {
+  const LawOutput output = side.scene->touchable->evaluate(hand_in(side, dt_s), side.state);
   if (!is_usable(output)) return false;
   side.output = output;
   return true;

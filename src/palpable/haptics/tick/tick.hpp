@@ -41,6 +41,10 @@ class TickPipeline {
   /// a recording bring their own times.
   const TouchSample& step(double t_s, double dt_s) noexcept;
 
+  /// Computes the law's part of the step() that is to be expected next and discards the result: for the time
+  /// in which a loop waits, after which step() is faster (rehearsal.hpp). Changes nothing. Tick path.
+  void rehearse(double dt_s) const noexcept;
+
   bool fading() const noexcept { return coming_.scene != nullptr; }
   /// Starts a cross-fade to `scene`; only while not fading(). It takes fade_s, whatever the device's status
   /// is.
@@ -72,6 +76,8 @@ class TickPipeline {
   ReadingUse accept(const device::Reading& reading, double dt_s) noexcept;
   void take(const device::Reading& reading, const JudgedReading& judged) noexcept;
   void drop_force() noexcept;
+  /// The hand in a side's scene.
+  Hand hand_in(const Side& side, double dt_s) const noexcept;
   bool evaluate_law(Side& side, double dt_s) noexcept;
   Vector<DeviceFrame> device_force_N(const Side& side, Vector<SceneFrame> force_N) const noexcept;
   Vector<DeviceFrame> device_torque_Nm(const Side& side, Vector<SceneFrame> torque_Nm) const noexcept;

@@ -1,6 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// What a tick writes to the device: its force, and the surface for a device that computes forces itself.
+// What is done before a tick, and what it writes to the device: its force, and the surface for a device that
+// computes forces itself.
+#include "palpable/haptics/law/rehearsal.hpp"
 #include "palpable/haptics/tick/tick.hpp"
 
 namespace palpable::haptics {
@@ -59,6 +61,12 @@ device::LocalSurface TickPipeline::local_surface() const noexcept {
   }
   surface.hand = position_;
   return is_valid(surface) ? surface : LocalSurface{};
+}
+
+void TickPipeline::rehearse(double dt_s) const noexcept {
+  if (counts_.ticks == 0) return;
+  haptics::rehearse(*now_.scene->touchable, hand_in(now_, dt_s), now_.state);
+  if (fading()) haptics::rehearse(*coming_.scene->touchable, hand_in(coming_, dt_s), coming_.state);
 }
 
 void TickPipeline::write_device(bool wanted, bool is_glitch) noexcept {

@@ -56,6 +56,42 @@ std::shared_ptr<const Touchable> plane(double stiffness = 500.0, std::uint64_t f
   return std::make_shared<SpringSurface>(flat, stiffness, 0.0, family);
 }
 
+/// Its force counts the evaluations of its touch.
+class Counting final : public Touchable {
+ public:
+  LawOutput evaluate(const Hand& hand, TouchState& state) const noexcept override {
+    seen = hand;
+    ++evaluations;
+    LawOutput output;
+    output.force_N.v.z = 0.001 * ++state_as<int>(state);
+    return output;
+  }
+  std::uint64_t state_family() const noexcept override { return 10; }
+  double damping_Ns_per_m() const noexcept override { return 0.0; }
+  void touch_pages() const noexcept override {}
+  mutable Hand seen;
+  mutable int evaluations = 0;
+};
+
+TEST(Tick, ARehearsalEvaluatesTheExpectedHandAndChangesNothing) {
+  const auto law = std::make_shared<Counting>();
+  Loop rehearsed(law), other(std::make_shared<Counting>());
+  for (int i = 0; i < 600; ++i) {
+    for (Loop* loop : {&rehearsed, &other}) {
+      loop->device.reading.position.v = {1e-4 * i, 0.0, 0.0};
+      loop->run(1);
+      EXPECT_DOUBLE_EQ(loop->sample->raw_force_N.v.z, 0.001 * (i + 1));
+    }
+    EXPECT_EQ(rehearsed.written(), other.written());
+    const AllocationScope allocations;
+    rehearsed.tick->rehearse(kT_s);
+    EXPECT_EQ(allocations.count(), 0U);
+  }
+  EXPECT_EQ(law->evaluations, 1200);
+  EXPECT_NEAR(law->seen.position.v.x, 1e-4 * 600, 1e-6);
+  EXPECT_EQ(rehearsed.tick->counts().ticks, 600U);
+}
+
 TEST(Tick, RampsTheForceUpAtTheStart) {
   Loop loop(plane());
   loop.device.reading.position.v = {0.0, 0.0, -0.002};

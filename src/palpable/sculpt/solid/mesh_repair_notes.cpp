@@ -36,6 +36,9 @@ std::string note_on_two_sided(const MeshRepair& repair) {
   return note;
 }
 
+/// Cosine between a direction and the axis that it is named after. One between two axes has no simple name.
+constexpr double kMostly = 0.8;
+
 std::string facing_of(Vec3 direction) {
   const std::array<double, 3> along{direction.x, direction.y, direction.z};
   constexpr std::array kNames{std::array{"left", "right"}, std::array{"down", "up"},
@@ -44,8 +47,6 @@ std::string facing_of(Vec3 direction) {
       std::max_element(along.begin(), along.end(),
                        [](double a, double b) { return std::abs(a) < std::abs(b); }) -
       along.begin());
-  // A direction between two axes has no simple name.
-  constexpr double kMostly = 0.8;
   return std::abs(along[axis]) < kMostly ? "" : std::string(", faces ") + kNames[axis][along[axis] > 0.0];
 }
 
@@ -59,11 +60,16 @@ std::string note_on_holes(const MeshRepair& repair) {
   const std::size_t listed = repair.largest_holes.size();
   std::string note = repair.closed_holes == 1
                          ? "One hole in the mesh was closed, and the space behind it is solid"
-                         : std::to_string(repair.closed_holes) + " holes in the mesh were closed";
+                         : std::to_string(repair.closed_holes) +
+                               " holes in the mesh were closed, and the spaces behind them are solid";
   if (listed > 0)
     note += repair.closed_holes == 1 ? ": " : listed < repair.closed_holes ? ". The largest: " : ": ";
   for (std::size_t i = 0; i < listed; ++i) note += (i > 0 ? "; " : "") + described(repair.largest_holes[i]);
-  return note + ".";
+  const bool may_hold = std::any_of(repair.largest_holes.begin(), repair.largest_holes.end(),
+                                    [](const ClosedHole& hole) { return hole.facing.y > kMostly; });
+  return note + (may_hold ? ". So a vessel or a court that is open above is filled to its rim, unless its "
+                            "walls and its floor also have their inner sides."
+                          : ".");
 }
 
 }  // namespace

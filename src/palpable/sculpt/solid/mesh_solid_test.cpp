@@ -78,7 +78,9 @@ TEST(MeshSolid, SaysWhereAClosedHoleIsAndHowLarge) {
   EXPECT_EQ(
       solid->repair.notes(),
       std::vector<std::string>{"One hole in the mesh was closed, and the space behind it is solid: 40 x 0 x "
-                               "30 mm, its middle at (0, 20, 5) mm, faces up."});
+                               "30 mm, its middle at (0, 20, 5) mm, faces up. So a vessel or a court "
+                               "that is open above is filled to its rim, unless its walls and its floor also "
+                               "have their inner sides."});
 }
 
 TEST(MeshSolid, ListsTheLargestOfManyClosedHoles) {
@@ -89,10 +91,10 @@ TEST(MeshSolid, ListsTheLargestOfManyClosedHoles) {
   EXPECT_EQ(repair.closed_holes, 5U);
   ASSERT_EQ(repair.largest_holes.size(), 3U);
   EXPECT_DOUBLE_EQ(repair.largest_holes[0].area_m2, 5e-5);
-  EXPECT_EQ(repair.notes().front().substr(0, 108),
-            "5 holes in the mesh were closed. The largest: 10 x 10 x 0 mm, its middle at (5, 5, 0) mm, faces "
-            "to the "
-            "front");
+  const std::string expected =
+      "5 holes in the mesh were closed, and the spaces behind them are solid. The largest: 10 x 10 x 0 mm, "
+      "its middle at (5, 5, 0) mm, faces to the front";
+  EXPECT_EQ(repair.notes().front().substr(0, expected.size()), expected);
 }
 
 TEST(MeshSolid, ClosesHousesWithoutFloorsThatShareAWall) {
