@@ -82,6 +82,7 @@ set(PALPABLE_ROOMS_device transport simulated pointer recording two_diy falcon f
 set(PALPABLE_MAY_USE_device/two_diy transport)
 set(PALPABLE_MAY_USE_device/falcon transport)
 set(PALPABLE_MAY_USE_device/force_dimension transport)
+set(PALPABLE_MAY_USE_device/evdev transport)
 set(PALPABLE_MAY_USE_device/open_haptics transport)
 set(PALPABLE_MAY_USE_device/inverse3 transport)
 set(PALPABLE_MAY_USE_device/remote transport recording)

@@ -72,6 +72,21 @@ TEST(OpenDevice, ListsWhatItCanOpen) {
   }
 }
 
+TEST(SimulatedHand, PressesAButtonAtItsTimes) {
+  const auto device =
+      open_device("sim:?script=hold&button=3&button-at=0.1&button-for=0.05&button-every=0.2", {});
+  ASSERT_TRUE(device);
+  for (int tick = 0; tick < 700; ++tick) {
+    const bool is_pressed = tick >= 100 && (tick - 100) % 200 < 50;
+    // The sum of the periods may be a rounding before or after a tick.
+    const bool is_edge = tick >= 100 && ((tick - 100) % 200 == 0 || (tick - 100) % 200 == 50);
+    const std::uint32_t buttons = (*device)->read().buttons;
+    EXPECT_TRUE(is_edge || buttons == (is_pressed ? 4U : 0U)) << tick;
+    (*device)->write({});
+  }
+  EXPECT_EQ(error_of("sim:?button=33").code, ErrorCode::usage);
+}
+
 TEST(SimulatedHand, ReadsInStepsOfItsSensor) {
   HandOptions options;
   options.resolution_m = 50e-6;

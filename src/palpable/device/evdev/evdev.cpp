@@ -3,6 +3,7 @@
 #include "palpable/device/evdev/evdev.hpp"
 
 #include "palpable/device/open_options.hpp"
+#include "palpable/device/transport/fresh_reading.hpp"
 #include "palpable/device/url.hpp"
 
 #include <algorithm>
@@ -70,7 +71,9 @@ Reading EvdevDevice::read() noexcept {
   std::array<input_event, 32> events{};
   const std::size_t count = port_->read(events);
   for (std::size_t k = 0; k < count; ++k) take(events[k]);
-  reading_.status = port_->lost() ? Status::fault : Status::ok;
+  reading_.status = port_->lost() || refused_s_ > FreshReading::kSilent_s ? Status::fault
+                    : refused_s_ > FreshReading::kStale_s                 ? Status::stale
+                                                                          : Status::ok;
   return reading_;
 }
 
@@ -96,7 +99,12 @@ void EvdevDevice::write(Vector<DeviceFrame> force_N) noexcept {
   const Vec3 force = reading_.status == Status::ok ? force_N.v : Vec3{};
   const bool releases = pushes_ && force.x == 0.0 && force.y == 0.0;
   if (!stopped && !releases && since_effect_s_ < kEffect_s) return;
-  if (send(force)) since_effect_s_ = 0.0;
+  if (!send(force)) {
+    refused_s_ += 1.0 / options_.rate_hz;
+    return;
+  }
+  since_effect_s_ = 0.0;
+  refused_s_ = 0.0;
 }
 
 void EvdevDevice::stop() noexcept {
@@ -104,7 +112,9 @@ void EvdevDevice::stop() noexcept {
   if (effect_.id >= 0) port_->play(effect_.id, false);
 }
 
-std::string EvdevDevice::fault() const { return "the " + traits_.name + " was unplugged"; }
+std::string EvdevDevice::fault() const {
+  return "the " + traits_.name + (port_->lost() ? " was unplugged" : " takes no forces any more");
+}
 
 std::vector<std::string> evdev_ports() {
   std::vector<std::string> ports;

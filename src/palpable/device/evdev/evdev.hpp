@@ -32,7 +32,7 @@ struct EvdevOptions {
 class EvdevDevice final : public Device {
  public:
   static constexpr double kEffect_s = 0.004;
-  static constexpr int kEffectLasts_ms = 20;
+  static constexpr int kEffectLasts_ms = 10;
 
   EvdevDevice(std::unique_ptr<EventPort> port, const EvdevOptions& options);
   ~EvdevDevice() override;
@@ -54,6 +54,8 @@ class EvdevDevice final : public Device {
   Reading reading_;
   double since_effect_s_ = kEffect_s;
   bool pushes_ = false;
+  /// For how long it has refused effects.
+  double refused_s_ = 0.0;
   std::atomic<bool> stopped_{false};
 };
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -17,11 +18,23 @@ Vec3 falcon_place(std::mt19937& random) {
   return falcon::kCentre_m + Vec3{x, y, z};
 }
 
-TEST(FalconKinematics, FindsThePlaceOfTheAnglesOfAPlace) {
+/// A grid over the whole workspace with its borders and corners, and random places between.
+std::vector<Vec3> falcon_places(int steps, int more) {
+  std::vector<Vec3> places;
+  const auto part = [&](int k) { return static_cast<double>(k) / steps - 0.5; };
+  const Vec3 size = falcon::kWorkspace_m;
+  for (int i = 0; i <= steps; ++i)
+    for (int j = 0; j <= steps; ++j)
+      for (int k = 0; k <= steps; ++k)
+        places.push_back(falcon::kCentre_m + Vec3{size.x * part(i), size.y * part(j), size.z * part(k)});
   std::mt19937 random(19);
+  for (int k = 0; k < more; ++k) places.push_back(falcon_place(random));
+  return places;
+}
+
+TEST(FalconKinematics, FindsThePlaceOfTheAnglesOfAPlace) {
   double worst_m = 0.0;
-  for (int k = 0; k < 2000; ++k) {
-    const Vec3 place = falcon_place(random);
+  for (const Vec3 place : falcon_places(12, 2000)) {
     const auto angles = falcon::angles_at(place);
     ASSERT_TRUE(angles);
     const auto found = falcon::place_of(*angles);
@@ -32,11 +45,9 @@ TEST(FalconKinematics, FindsThePlaceOfTheAnglesOfAPlace) {
 }
 
 TEST(FalconKinematics, MovesAsItsJacobianSays) {
-  std::mt19937 random(20);
   constexpr double kStep_rad = 1e-4;
   double worst = 0.0;
-  for (int k = 0; k < 500; ++k) {
-    const Vec3 place = falcon_place(random);
+  for (const Vec3 place : falcon_places(6, 500)) {
     const auto angles = falcon::angles_at(place);
     const auto moved = falcon::jacobian(*angles, place);
     ASSERT_TRUE(moved);

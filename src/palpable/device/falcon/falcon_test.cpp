@@ -8,6 +8,7 @@
 #include "palpable/device/virtual/falcon_bench.hpp"
 
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <random>
 
@@ -149,6 +150,27 @@ TEST_F(FalconFirmware, ThatIsMissingOrWrongIsNamedInOneSentence) {
   holds(error_of(needs_, file_), "may be damaged");
   write({});
   holds(error_of(needs_, file_), "is no firmware");
+}
+
+TEST_F(FalconFirmware, IsNeverStartedAfterAWrongEchoOfAnyBlock) {
+  // As many as PALPABLE_FAULTS says.
+  const char* wanted = std::getenv("PALPABLE_FAULTS");
+  const int times = wanted != nullptr ? std::atoi(wanted) : 6;
+  std::mt19937 random(29);
+  int loaded = 0;
+  for (int time = 0; time < times; ++time) {
+    auto options = needs_;
+    options.good_echoes = static_cast<int>(random() % 17);
+    // Up to more than it is tried again.
+    options.wrong_echoes = 1 + static_cast<int>(random() % 12);
+    const std::string error = error_of(options, file_);
+    ASSERT_TRUE(error.empty() || error.find("came back changed") != std::string::npos) << error;
+    ASSERT_TRUE(!error.empty() || falcon_->loaded() == needs_.firmware) << time;
+    ASSERT_TRUE(falcon_->is_free());
+    loaded += error.empty() ? 1 : 0;
+  }
+  EXPECT_GT(loaded, 0);
+  EXPECT_LT(loaded, times);
 }
 
 TEST(OpenFalcon, NamesWhatIsWrong) {

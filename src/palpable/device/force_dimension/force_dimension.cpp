@@ -103,7 +103,7 @@ Reading ForceDimension::read() noexcept {
     std::uint32_t buttons = 0;
     for (int k = 0; k < kButtons; ++k)
       if (dhd_.dhdGetButton(k, number_) == 1) buttons |= 1U << static_cast<unsigned>(k);
-    fresh_.renew({theirs.y, theirs.z, theirs.x}, buttons, Status::ok);
+    fresh_.renew_plausible({theirs.y, theirs.z, theirs.x}, buttons, Status::ok);
   }
   return fresh_.now(false);
 }

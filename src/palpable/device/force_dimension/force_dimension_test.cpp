@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <random>
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -113,27 +112,6 @@ TEST_F(ForceDimensionDevice, FreesItsMotorsWhenItIsStoppedAndWhenItIsClosed) {
   device->reset();
   EXPECT_EQ(motors(), Vec3{});
   EXPECT_EQ(bench_.is_open(), 0);
-}
-
-TEST_F(ForceDimensionDevice, IsFreeWithinTenTicksOfAFaultAndComesBack) {
-  std::mt19937 random(5);
-  constexpr int kTimes = 1000;
-  for (const auto fault :
-       {LibraryFault::unreadable, LibraryFault::not_finite, LibraryFault::far_away, LibraryFault::unplugged})
-    for (int time = 0; time < kTimes; ++time) {
-      bench_.reset();
-      const auto device = open();
-      ASSERT_TRUE(device);
-      dhd_ticks(**device, 20 + static_cast<int>(random() % 30), {0.3, -0.2, 0.1});
-      ASSERT_NE(motors(), Vec3{});
-      inject(fault);
-      const Reading during = dhd_ticks(**device, 10, {0.3, -0.2, 0.1});
-      ASSERT_EQ(during.status, Status::stale);
-      ASSERT_EQ(motors(), Vec3{});
-      ASSERT_TRUE(is_finite(during.position));
-      inject(LibraryFault::none);
-      ASSERT_EQ(dhd_ticks(**device, 2).status, Status::ok);
-    }
 }
 
 TEST_F(ForceDimensionDevice, HasFailedAfterHalfASecondAndSaysSo) {

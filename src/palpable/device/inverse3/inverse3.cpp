@@ -167,6 +167,8 @@ class Inverse3::Link {
   std::string command_;
   ForceHandOff::Taken in_flight_;
   InverseClock::time_point last_take_ = InverseClock::now();
+  /// When the last position came. An older one makes no force.
+  InverseClock::time_point placed_;
 };
 
 Inverse3::Link::~Link() {
@@ -273,6 +275,7 @@ void Inverse3::Link::follow(const Inverse3State& state) {
   if (!position_m_) heard_ = state.position_m ? Heard::far_away : Heard::device;
   if (!state.position_m || norm(*state.position_m) > kFarthestInverse_m) return;
   position_m_ = *state.position_m;
+  placed_ = InverseClock::now();
   since_position_.store(0, std::memory_order_relaxed);
   states.put({*state.position_m, calibrated_ && ready_});
 }
@@ -281,7 +284,8 @@ void Inverse3::Link::send() {
   const auto now = InverseClock::now();
   in_flight_ = forces.take(seconds_between(last_take_, now));
   last_take_ = now;
-  in_flight_.valid = in_flight_.valid && calibrated_ && ready_;
+  in_flight_.valid =
+      in_flight_.valid && calibrated_ && ready_ && seconds_between(placed_, now) < ForceHandOff::kUnwritten_s;
   const Vec3 force = in_flight_.valid ? in_flight_.command : Vec3{};
   command_ = inverse3_command(device_id_, force, options_.form, std::exchange(first_, false));
   writing_ = true;
@@ -315,8 +319,11 @@ void Inverse3::Link::watch() {
     // A service that does not answer is sent zero all the same, once the force is no longer valid.
     const auto now = InverseClock::now();
     if (!writing_ && !device_id_.empty() && !lost &&
-        seconds_between(last_take_, now) >= ForceHandOff::kUnwritten_s)
+        seconds_between(last_take_, now) >= ForceHandOff::kUnwritten_s) {
+      // Answers that were lost never come: the next one is that to this command.
+      awaited_ = 0;
       send();
+    }
     watch();
   });
 }
@@ -347,7 +354,7 @@ Reading Inverse3::read() noexcept {
   fresh_.pass();
   if (Link::State state; link_->states.take(state)) {
     const Vec3 moved = state.position_m - centre_m_;
-    fresh_.renew({moved.x, moved.z, -moved.y}, 0, state.ready ? Status::ok : Status::not_ready);
+    fresh_.renew_plausible({moved.x, moved.z, -moved.y}, 0, state.ready ? Status::ok : Status::not_ready);
   }
   return fresh_.now(link_->lost.load(std::memory_order_relaxed));
 }

@@ -150,7 +150,7 @@ Reading OpenHaptics::read() noexcept {
   if (states_.take(state_)) {
     const Vec3 position = kMetres * (state_.position_mm - centre_mm_);
     if (is_finite(position) && norm(position) < kFarthestTouch_m)
-      fresh_.renew(position, state_.buttons, state_.calibrated ? Status::ok : Status::not_ready);
+      fresh_.renew_plausible(position, state_.buttons, state_.calibrated ? Status::ok : Status::not_ready);
   }
   return fresh_.now(false);
 }

@@ -76,7 +76,16 @@ Reading SimulatedHand::read() noexcept {
   reading.position.v = {rounded(position_m_.x, step), rounded(position_m_.y, step),
                         rounded(position_m_.z, step)};
   reading.rotation = rotation_;
+  reading.buttons = pressed();
   return reading;
+}
+
+std::uint32_t SimulatedHand::pressed() const noexcept {
+  if (options_.button == 0 || passed_s_ < options_.press_at_s) return 0;
+  const double since_s = passed_s_ - options_.press_at_s;
+  const double every_s = options_.press_every_s;
+  const double in_round_s = every_s > 0.0 ? std::fmod(since_s, every_s) : since_s;
+  return in_round_s < options_.press_for_s ? 1U << static_cast<unsigned>(options_.button - 1) : 0;
 }
 
 void SimulatedHand::write(Vector<DeviceFrame> force_N) noexcept {
@@ -90,6 +99,7 @@ void SimulatedHand::write(Vector<DeviceFrame> force_N) noexcept {
   if (motors_) motors_->write(motor_N);
 
   const double period_s = 1.0 / options_.rate_hz;
+  passed_s_ += period_s;
   const Vec3 goal_before = goal_m_;
   goal_m_ = script_.step(position_m_, motor_N, period_s);
   const Vec3 goal_velocity = (goal_m_ - goal_before) / period_s;
@@ -159,6 +169,10 @@ Result<std::unique_ptr<Device>> open_simulated_hand(DeviceUrl& url, const OpenOp
   hand.has_torque = url.take_number("torque", 0.0, 0.0, 1.0) > 0.0;
   hand.max_torque_Nm = url.take_number("max-torque", hand.max_torque_Nm, 0.001, 5.0);
   hand.tilt_rad = url.take_number("tilt", hand.tilt_rad, 0.0, 1.0);
+  hand.button = url.take_count("button", 0, 0, 32);
+  hand.press_at_s = url.take_number("button-at", hand.press_at_s, 0.0, 1e6);
+  hand.press_for_s = url.take_number("button-for", hand.press_for_s, 0.0, 1e6);
+  hand.press_every_s = url.take_number("button-every", hand.press_every_s, 0.0, 1e6);
   hand.rate_hz = options.rate_hz;
   HandScriptOptions& motion = hand.script;
   motion.speed_m_per_s = 1e-3 * url.take_number("speed-mm", 1e3 * motion.speed_m_per_s, 1.0, 500.0);

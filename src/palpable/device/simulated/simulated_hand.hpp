@@ -42,6 +42,12 @@ struct HandOptions {
   /// Amplitude and frequency of the tilt.
   double tilt_rad = 0.3;
   double tilt_hz = 0.4;
+  /// The hand presses this button, counted from 1; 0 = none. In simulated time: from `press_at_s` on for
+  /// `press_for_s`, and again every `press_every_s` if that is above 0.
+  int button = 0;
+  double press_at_s = 1.0;
+  double press_for_s = 1.0;
+  double press_every_s = 0.0;
   HandScriptOptions script;
 };
 
@@ -72,6 +78,7 @@ class SimulatedHand final : public Device, public Guardable {
   void place(Vec3 position_m) noexcept;
 
  private:
+  std::uint32_t pressed() const noexcept;
   void turn(Vec3 motor_Nm, double dt_s) noexcept;
   void move(Vec3 motor_N, Vec3 goal_m, Vec3 goal_velocity_m_per_s, double dt_s) noexcept;
 
@@ -90,6 +97,7 @@ class SimulatedHand final : public Device, public Guardable {
   Rotation rotation_ = kIdentityRotation;
   Vec3 angular_velocity_rad_per_s_;
   double turning_s_ = 0.0;
+  double passed_s_ = 0.0;
   std::size_t delayed_ = 0;
   /// The motors were cut: delayed forces are dropped.
   std::atomic<bool> cut_{false};

@@ -14,7 +14,7 @@ namespace palpable::device {
 /// allocation but in silence_of().
 class FreshReading {
  public:
-  static constexpr double kStale_s = 0.008;
+  static constexpr double kStale_s = 0.007;
   static constexpr double kSilent_s = 0.5;
 
   /// `period_s`: of the servo's ticks; `stale_s`, `silent_s`: as above, for a slower connection. Not ready
@@ -25,13 +25,32 @@ class FreshReading {
   }
 
   /// The next tick begins.
-  void pass() noexcept { age_s_ += period_s_; }
+  void pass() noexcept {
+    age_s_ += period_s_;
+    candidate_age_s_ += period_s_;
+  }
+  /// A position came. It is believed if a hand can have moved there since the last one; after one that was
+  /// not believed, or a time without any, only as the third in a row of which this is true. False: not
+  /// believed.
+  bool renew_plausible(Vec3 position_m, std::uint32_t buttons, Status status) noexcept {
+    const bool agrees = is_reachable(candidate_m_, position_m, candidate_age_s_);
+    agreeing_ = agrees ? agreeing_ + 1 : 1;
+    candidate_m_ = position_m;
+    candidate_age_s_ = 0.0;
+    const bool follows =
+        !begun_ || (!doubted_ && age_s_ <= stale_s_ && is_reachable(reading_.position.v, position_m, age_s_));
+    doubted_ = !follows && agreeing_ < kAgreeing;
+    if (doubted_) return false;
+    renew(position_m, buttons, status);
+    return true;
+  }
   /// A plausible position came, and with it this status.
   void renew(Vec3 position_m, std::uint32_t buttons, Status status) noexcept {
     reading_.position.v = position_m;
     reading_.buttons = buttons;
     last_ = status;
     age_s_ = 0.0;
+    begun_ = true;
   }
   /// Since the last position, or the beginning.
   double age_s() const noexcept { return age_s_; }
@@ -53,12 +72,26 @@ class FreshReading {
   }
 
  private:
+  static constexpr int kAgreeing = 3;
+  static bool is_reachable(Vec3 from_m, Vec3 to_m, double within_s) noexcept {
+    constexpr double kFastest_m_per_s = 3.0;
+    constexpr double kLeast_m = 0.002;
+    return norm(to_m - from_m) <= kLeast_m + kFastest_m_per_s * within_s;
+  }
+
   double period_s_;
   double stale_s_;
   double silent_s_;
   double age_s_ = 0.0;
   Reading reading_;
   Status last_ = Status::not_ready;
+  bool begun_ = false;
+  /// The newest position was not believed.
+  bool doubted_ = false;
+  /// The newest position, believed or not, its age, and how many in a row a hand can have gone through.
+  Vec3 candidate_m_;
+  double candidate_age_s_ = 0.0;
+  int agreeing_ = 0;
 };
 
 }  // namespace palpable::device

@@ -4,7 +4,7 @@
 // virtual_dhd_ functions are for the test. All calls come from one thread.
 #include "palpable/device/virtual/moved_handle.hpp"
 
-#include <limits>
+#include <optional>
 
 namespace {
 
@@ -13,6 +13,7 @@ using palpable::device::LibraryFault;
 
 struct VirtualDhd {
   palpable::device::MovedHandle handle;
+  palpable::device::LibrarySensor sensor;
   // In the vendor's frame: x towards the user, y to the right, z up.
   Vec3 force_N;
   bool enabled = false;
@@ -63,14 +64,12 @@ int dhdEnableForce(unsigned char on, char /*number*/) {
 }
 
 int dhdGetPosition(double* x, double* y, double* z, char /*number*/) {
-  const VirtualDhd& device = the_device();
-  if (is_gone() || device.fault == LibraryFault::unreadable) return -1;
-  Vec3 place = device.handle.measured_m();
-  if (device.fault == LibraryFault::not_finite) place.y = std::numeric_limits<double>::quiet_NaN();
-  if (device.fault == LibraryFault::far_away) place.x += 3.0;
-  *x = place.x;
-  *y = place.y;
-  *z = place.z;
+  VirtualDhd& device = the_device();
+  const auto place = is_gone() ? std::nullopt : device.sensor.measure(device.handle, device.fault);
+  if (!place) return -1;
+  *x = place->x;
+  *y = place->y;
+  *z = place->z;
   return 0;
 }
 

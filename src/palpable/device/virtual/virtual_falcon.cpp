@@ -112,9 +112,11 @@ void VirtualFalcon::boot_with(std::span<const std::byte> sent) {
   } else if (state_ == State::loading) {
     image_.insert(image_.end(), sent.begin(), sent.end());
     std::vector<std::byte> echo(sent.begin(), sent.end());
-    if (options_.wrong_echoes > 0) {
+    if (options_.good_echoes > 0) {
+      --options_.good_echoes;
+    } else if (options_.wrong_echoes > 0) {
       --options_.wrong_echoes;
-      echo.back() ^= std::byte{1};
+      echo[random_() % echo.size()] ^= static_cast<std::byte>(1U << (random_() % 8));
     }
     queue(echo);
   }

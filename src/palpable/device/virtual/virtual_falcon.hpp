@@ -44,8 +44,9 @@ class VirtualFalcon {
   struct Options {
     bool firmware_runs = true;
     bool homed = true;
-    /// Echoes of the boot program that come back changed.
+    /// Echoes of the boot program that come back changed, after so many good ones.
     int wrong_echoes = 0;
+    int good_echoes = 0;
     /// Whether a boot program answers.
     bool boots = true;
     std::vector<std::byte> firmware{};

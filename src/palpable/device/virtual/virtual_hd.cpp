@@ -9,7 +9,6 @@
 #include <atomic>
 #include <chrono>
 #include <cstring>
-#include <limits>
 #include <mutex>
 #include <thread>
 
@@ -51,6 +50,7 @@ constexpr Vec3 kMiddle_mm{0.0, 20.0, -10.0};
 struct VirtualHd {
   std::recursive_mutex mutex;
   palpable::device::MovedHandle handle;
+  palpable::device::LibrarySensor sensor;
   Vec3 force_N;
   unsigned error = 0;
   unsigned (*task)(void*) = nullptr;
@@ -95,7 +95,8 @@ extern "C" {
 
 unsigned hdInitDevice(const char* name) {
   const std::scoped_lock lock(the_device().mutex);
-  if (the_device().fault == LibraryFault::absent || (name != nullptr && std::strcmp(name, "Left") != 0)) {
+  if (is_gone() || the_device().fault == LibraryFault::absent ||
+      (name != nullptr && std::strcmp(name, "Left") != 0)) {
     fail(kDeviceFault);
     return hd::kNoHandle;
   }
@@ -126,18 +127,16 @@ void hdDisable(unsigned what) {
 
 void hdGetDoublev(unsigned what, double* values) {
   const std::scoped_lock lock(the_device().mutex);
-  const VirtualHd& device = the_device();
+  VirtualHd& device = the_device();
   if (what == hd::kUsableWorkspace) {
     constexpr std::array kCorners{-80.0, -40.0, -45.0, 80.0, 80.0, 25.0};
     std::memcpy(values, kCorners.data(), sizeof kCorners);
   } else if (what == hd::kNominalMaxForce) {
     *values = 3.3;
-  } else if (what == hd::kPosition && device.fault == LibraryFault::unreadable) {
-    fail(kDeviceFault);
   } else if (what == hd::kPosition) {
-    Vec3 place = 1000.0 * device.handle.measured_m() + kMiddle_mm;
-    if (device.fault == LibraryFault::not_finite) place.z = std::numeric_limits<double>::infinity();
-    if (device.fault == LibraryFault::far_away) place.y += 5000.0;
+    const auto measured_m = device.sensor.measure(device.handle, device.fault);
+    if (!measured_m) return fail(kDeviceFault);
+    const Vec3 place = 1000.0 * *measured_m + kMiddle_mm;
     values[0] = place.x;
     values[1] = place.y;
     values[2] = place.z;
@@ -210,6 +209,7 @@ void virtual_hd_reset() {
   VirtualHd& device = the_device();
   const std::scoped_lock lock(device.mutex);
   device.handle = {};
+  device.sensor = {};
   device.force_N = {};
   device.error = 0;
   device.task = nullptr;

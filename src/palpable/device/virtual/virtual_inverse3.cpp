@@ -4,8 +4,10 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -22,6 +24,7 @@ using nlohmann::json;
 namespace beast = boost::beast;
 
 constexpr double kStep_s = 0.00025;
+constexpr auto kLook = std::chrono::microseconds(100);
 constexpr Vec3 kRest_m{0.01, -0.12, 0.18};
 
 json as_json(Vec3 v) { return {{"x", v.x}, {"y", v.y}, {"z", v.z}}; }
@@ -55,6 +58,8 @@ class VirtualInverse3::Server {
   bool calibrated_ = true;
   Fault fault_ = Fault::none;
   std::uint64_t messages_ = 0;
+  std::uint64_t strange_ = 0;
+  Vec3 stuck_at_m_ = kRest_m;
   std::string first_message_;
 
  private:
@@ -81,6 +86,7 @@ class VirtualInverse3::Server {
     if (!first.empty()) link.write(boost::asio::buffer(first), error);
     beast::flat_buffer buffer;
     while (!ends_ && !error) {
+      while (!ends_ && fault_now() == Fault::stalled) std::this_thread::sleep_for(kLook);
       link.read(buffer, error);
       if (error) return;
       take(beast::buffers_to_string(buffer.data()));
@@ -92,16 +98,27 @@ class VirtualInverse3::Server {
     }
   }
 
+  Fault fault_now() const {
+    const std::scoped_lock lock(mutex_);
+    return fault_;
+  }
+
   void take(const std::string& text) {
     const json message = json::parse(text, nullptr, false);
     const std::scoped_lock lock(mutex_);
+    if (!message.is_object()) {
+      ++strange_;
+      return;
+    }
     if (messages_++ == 0) first_message_ = text;
     const char* wanted = options_.takes_values ? "values" : "vector";
     const json none;
     const json& command = message.value("/inverse3/0/commands/set_cursor_force"_json_pointer, json::object());
     if (message.value("/inverse3/0/device_id"_json_pointer, "") == "0417" && command.contains(wanted)) {
       const json& v = command[wanted];
-      force_N_ = {v["x"].get<double>(), v["y"].get<double>(), v["z"].get<double>()};
+      const auto number = [&](const char* axis) { return v[axis].is_number() ? v[axis].get<double>() : NAN; };
+      force_N_ = {number("x"), number("y"), number("z")};
+      if (!is_finite(force_N_)) ++strange_;
       if (options_.on_force) options_.on_force(force_N_);
     }
     handle_.move(force_N_, kStep_s);
@@ -114,7 +131,7 @@ class VirtualInverse3::Server {
     if (with_config)
       device["config"] = {{"gravity_compensation", {{"enabled", true}, {"scaling", 1.0}}},
                           {"torque_scaling", {{"enabled", false}}}};
-    Vec3 place = handle_.measured_m();
+    Vec3 place = fault_ == Fault::stuck ? stuck_at_m_ : handle_.measured_m();
     if (fault_ == Fault::far_away) place.x += 4.0;
     device["state"] = {{"cursor_position", as_json(place)}, {"current_cursor_force", as_json(force_N_)}};
     device["status"] = {{"calibrated", calibrated_}, {"ready", true}};
@@ -125,15 +142,20 @@ class VirtualInverse3::Server {
     return message;
   }
 
-  std::string answer_now() const {
-    Fault fault{};
-    {
-      const std::scoped_lock lock(mutex_);
-      fault = fault_;
-    }
-    switch (fault) {
+  std::string answer_now() {
+    switch (fault_now()) {
       case Fault::silent:
         return "";
+      case Fault::short_packets: {
+        const std::string whole = state(false).dump();
+        return whole.substr(0, whole.size() / 2);
+      }
+      case Fault::dropped:
+        if (messages_ % 2 == 0) return "";
+        break;
+      case Fault::reordered:
+        if (messages_ % 2 == 0) return older_state_;
+        return std::exchange(older_state_, state(false).dump());
       case Fault::garbage:
         return "\x01{]not json";
       case Fault::not_finite:
@@ -147,12 +169,15 @@ class VirtualInverse3::Server {
       case Fault::none:
       case Fault::far_away:
       case Fault::no_device:
+      case Fault::stuck:
+      case Fault::stalled:
         break;
     }
     return state(false).dump();
   }
 
   Options options_;
+  std::string older_state_;
   boost::asio::io_context context_;
   tcp::acceptor acceptor_;
   std::atomic<bool> ends_{false};
@@ -175,9 +200,16 @@ void VirtualInverse3::pull_to(Vec3 goal_m) {
   server_->handle_.goal_m = kRest_m + goal_m;
 }
 
+void VirtualInverse3::hold_at_rest() {
+  const std::scoped_lock lock(server_->mutex_);
+  server_->handle_.position_m = server_->handle_.goal_m = kRest_m;
+  server_->handle_.velocity_m_per_s = {};
+}
+
 void VirtualInverse3::inject(Fault fault) {
   const std::scoped_lock lock(server_->mutex_);
   server_->fault_ = fault;
+  server_->stuck_at_m_ = server_->handle_.measured_m();
 }
 
 void VirtualInverse3::calibrate() {
@@ -188,6 +220,11 @@ void VirtualInverse3::calibrate() {
 std::uint64_t VirtualInverse3::messages() const {
   const std::scoped_lock lock(server_->mutex_);
   return server_->messages_;
+}
+
+std::uint64_t VirtualInverse3::strange() const {
+  const std::scoped_lock lock(server_->mutex_);
+  return server_->strange_;
 }
 
 std::string VirtualInverse3::first_message() const {

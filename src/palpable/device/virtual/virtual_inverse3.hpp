@@ -21,6 +21,8 @@ class VirtualInverse3 {
     silent,
     /// Answers with text that is no JSON.
     garbage,
+    /// Answers with the first half of a state.
+    short_packets,
     /// Answers with numbers that JSON does not have.
     not_finite,
     /// Answers with 100 000 brackets.
@@ -31,6 +33,14 @@ class VirtualInverse3 {
     far_away,
     /// Answers without the device.
     no_device,
+    /// Answers with the place of before the fault.
+    stuck,
+    /// Answers every second message only.
+    dropped,
+    /// Answers each second message by the state of before.
+    reordered,
+    /// Neither reads nor answers.
+    stalled,
     /// Hangs up.
     closed
   };
@@ -55,9 +65,13 @@ class VirtualInverse3 {
   /// The force that the motors hold, in the service's frame.
   Vec3 force_N() const;
   void pull_to(Vec3 goal_m);
+  /// Puts the handle, at rest, where it was at first.
+  void hold_at_rest();
   void inject(Fault fault);
   void calibrate();
   std::uint64_t messages() const;
+  /// Messages that were no command.
+  std::uint64_t strange() const;
   std::string first_message() const;
 
  private:

@@ -76,7 +76,7 @@ class VirtualJoystick final : public EventPort {
   }
   int uploads() const { return uploads_; }
   void unplug() { lost_ = true; }
-  void refuse() { refuses_ = true; }
+  void refuse(bool refuses = true) { refuses_ = refuses; }
 
  private:
   EventAbilities can_;

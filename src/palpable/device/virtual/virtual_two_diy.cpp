@@ -4,12 +4,14 @@
 
 #include "palpable/core/check.hpp"
 
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -97,6 +99,11 @@ std::uint64_t VirtualTwoDiy::messages() const {
   return messages_;
 }
 
+std::uint64_t VirtualTwoDiy::strange() const {
+  const std::lock_guard lock(mutex_);
+  return strange_;
+}
+
 void VirtualTwoDiy::wait_for(std::uint64_t messages) const {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] { return messages_ >= messages; });
@@ -129,6 +136,9 @@ void VirtualTwoDiy::run() {
       whole = take_setup();
     } else if (head[0] == 2) {
       whole = take_torques(head[1]);
+    } else {
+      const std::lock_guard lock(mutex_);
+      ++strange_;
     }
     if (!whole) return;
   }
@@ -138,18 +148,28 @@ void VirtualTwoDiy::run() {
 bool VirtualTwoDiy::read_into(std::uint8_t* bytes, std::size_t count) {
   std::size_t got = 0;
   while (got < count) {
+    bool is_stalled = false;
     {
       const std::lock_guard lock(mutex_);
       if (ended_) return false;
+      is_stalled = fault_ == Fault::stalled;
       if (fault_ == Fault::unplugged) {
         port_.close();
         terminal_.close();
         return false;
       }
     }
+    if (is_stalled) {
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+      continue;
+    }
     pollfd waited{terminal_.number(), POLLIN, 0};
     constexpr int kLookAgain_ms = 20;
     if (::poll(&waited, 1, kLookAgain_ms) <= 0) continue;
+    {
+      const std::lock_guard lock(mutex_);
+      if (fault_ == Fault::stalled) continue;
+    }
     const ssize_t read = ::read(terminal_.number(), bytes + got, count - got);
     if (read > 0) got += static_cast<std::size_t>(read);
   }
@@ -182,8 +202,10 @@ bool VirtualTwoDiy::take_torques(std::uint8_t id) {
   if (!read_into(bytes, 8)) return false;
   const std::lock_guard lock(mutex_);
   std::memcpy(torques_.data(), bytes, 8);
+  if (!std::isfinite(torques_[0]) || !std::isfinite(torques_[1])) ++strange_;
   if (const auto angles = variant_.linkage.angles_at(place_); angles && on_force)
     on_force(force_of(variant_.linkage, *angles, torques_by_motor()));
+  if (on_torques) on_torques(torques_by_motor());
   move();
   answer(id);
   ++messages_;
@@ -208,11 +230,18 @@ void VirtualTwoDiy::answer(std::uint8_t id) {
       last_answer_[is_swapped() ? 1 - k : k] = static_cast<float>(kDegrees * (*angles)[k]);
   }
   std::array<float, 2> sent = last_answer_;
+  if (fault_ == Fault::reordered && messages_ % 2 == 0)
+    sent = older_answer_;
+  else
+    older_answer_ = std::exchange(newest_answer_, sent);
+  if (fault_ == Fault::wrong_calibration)
+    for (float& angle : sent) angle += 60.0F;
   if (fault_ == Fault::not_finite) sent.fill(std::numeric_limits<float>::quiet_NaN());
   std::memcpy(bytes + 1, sent.data(), 8);
   std::size_t count = sizeof bytes;
   if (fault_ == Fault::silent || fault_ == Fault::unplugged) count = 0;
   if (fault_ == Fault::cut_answers) count = 4;
+  if (fault_ == Fault::dropped && messages_ % 2 == 0) count = 0;
   if (fault_ == Fault::garbage) {
     static thread_local std::mt19937 random(7);
     for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random() & 0xFFU);

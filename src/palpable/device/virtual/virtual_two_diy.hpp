@@ -32,6 +32,14 @@ class VirtualTwoDiy {
     not_finite,
     /// The angles of the last answer again and again.
     stuck,
+    /// Angles as after a setup at another place: both links turned by 60 degrees.
+    wrong_calibration,
+    /// Answers every second message only.
+    dropped,
+    /// Answers each second message by an angle of before.
+    reordered,
+    /// Neither reads nor answers.
+    stalled,
     /// The port hangs up.
     unplugged
   };
@@ -55,12 +63,16 @@ class VirtualTwoDiy {
   /// Waits until the motors are free.
   void wait_until_free() const;
   std::uint64_t messages() const;
+  /// Bytes that began no message, and torques that were no numbers.
+  std::uint64_t strange() const;
   /// Where the hand wants to be, in the pantograph's plane.
   void pull_to(InPlane goal);
   void inject(Fault fault);
   /// Called with the force of each message's torques, where the handle is then; set it before the port is
   /// opened.
   std::function<void(InPlane)> on_force;
+  /// The same with the torques of the first and second motor, N m.
+  std::function<void(std::array<double, 2>)> on_torques;
 
  private:
   void run();
@@ -87,7 +99,11 @@ class VirtualTwoDiy {
   InPlane velocity_;
   InPlane goal_;
   std::array<float, 2> last_answer_{};
+  /// What was answered last, and before.
+  std::array<float, 2> newest_answer_{};
+  std::array<float, 2> older_answer_{};
   std::uint64_t messages_ = 0;
+  std::uint64_t strange_ = 0;
   Fault fault_ = Fault::none;
   bool ended_ = false;
   std::thread thread_;

@@ -45,6 +45,10 @@ Spring spring_at(double pressed_m, double stiffness_N_per_m, double fade_m, doub
   return {force_N, k * fade_m * fade_m / 6.0 + linear_J + force_N * std::max(0.0, pressed_m - linear_end_m)};
 }
 
+/// The air beyond the scene that the border brings into reach, as a part of half the workspace's width: as
+/// much as fit_workspace() leaves above a scene.
+constexpr double kAirBeyond = 0.25;
+
 /// A slack from which it falls to where the hand is.
 constexpr Vec3 kFarBeyond_m{10.0, 10.0, 10.0};
 
@@ -55,17 +59,21 @@ double& axis_of(Vec3& v, std::size_t axis) { return axis == 0 ? v.x : axis == 1 
 Result<void> check(const WorkspaceOptions& options) {
   if (!(options.magnification >= 1.0 && options.magnification <= 10.0))
     return Error{ErrorCode::usage, "a scene is magnified 1 to 10 times", {}};
-  if (options.clutch_button && (*options.clutch_button < 0 || *options.clutch_button > 31))
-    return Error{ErrorCode::usage, "a device's buttons have the numbers 1 to 32", {}};
+  for (const auto& button : {options.clutch_button, options.stop_button})
+    if (button && (*button < 0 || *button > 31))
+      return Error{ErrorCode::usage, "a device's buttons have the numbers 1 to 32", {}};
+  if (options.clutch_button && options.clutch_button == options.stop_button)
+    return Error{ErrorCode::usage, "the same button cannot be the clutch and end the force", {}};
   return {};
 }
 
 MovedWorkspace::MovedWorkspace(std::unique_ptr<device::Device> device, const WorkspaceOptions& options,
-                               double rate_hz)
+                               double rate_hz, std::shared_ptr<WorkspaceState> state)
     : device_(std::move(device)),
       options_(options),
       period_s_(1.0 / rate_hz),
-      max_rise_N_(TickOptions{}.max_force_rate_N_per_s / rate_hz) {
+      max_rise_N_(TickOptions{}.max_force_rate_N_per_s / rate_hz),
+      state_(state != nullptr ? std::move(state) : std::make_shared<WorkspaceState>()) {
   const device::Traits& traits = device_->traits();
   Vec3 size = traits.workspace_m;
   double narrowest_m = size.x * kZone;
@@ -98,14 +106,24 @@ void MovedWorkspace::forget() noexcept {
   cushion_N_ = {};
 }
 
+bool MovedWorkspace::is_stopped(std::uint32_t buttons) noexcept {
+  if (!options_.stop_button) return false;
+  const bool is_pressed = (buttons >> *options_.stop_button & 1U) != 0;
+  if (is_pressed && !was_stop_pressed_) state_->stopped.store(!state_->stopped.load());
+  was_stop_pressed_ = is_pressed;
+  return state_->stopped.load();
+}
+
 device::Reading MovedWorkspace::read() noexcept {
   device::Reading reading = device_->read();
+  const bool stopped = is_stopped(reading.buttons);
   const Vec3 position_m = reading.position.v;
   const bool is_good = reading.status == device::Status::ok && is_finite(reading.position);
   const Vec3 moved_m = is_good && position_m_ ? position_m - *position_m_ : Vec3{};
   if (!is_good || norm(moved_m) > kFastest_m_per_s * period_s_ * 4.0) {
     forget();
     reading.position.v = position_m + offset_m_;
+    reading.clutched = stopped;
     return reading;
   }
   const Sent& held = sent_[(newest_ + sent_.size() - delay_) % sent_.size()];
@@ -114,8 +132,9 @@ device::Reading MovedWorkspace::read() noexcept {
     slack_m_ = kFarBeyond_m;
     observer_.begin(0.0, PassivityObserver::Beginning::from_no_force);
   }
-  reading.clutched = options_.clutch_button && (reading.buttons >> *options_.clutch_button & 1U) != 0;
-  if (reading.clutched)
+  const bool is_clutched = options_.clutch_button && (reading.buttons >> *options_.clutch_button & 1U) != 0;
+  reading.clutched = is_clutched || stopped;
+  if (is_clutched)
     move_with_hand(moved_m);
   else
     drive(position_m);
@@ -134,12 +153,20 @@ void MovedWorkspace::move_with_hand(Vec3 moved_m) noexcept {
   }
 }
 
+double MovedWorkspace::driven_reach_m(std::size_t axis) const noexcept {
+  const auto [half_m, zone_m, reach_m] = axes_[axis];
+  const double scene_m = state_->scene_m[axis].load(std::memory_order_relaxed);
+  return std::clamp(scene_m - half_m + zone_m + kAirBeyond * half_m, 0.0, reach_m);
+}
+
 void MovedWorkspace::drive(Vec3 position_m) noexcept {
   if (options_.magnification <= 1.0) return;
   const double energy = std::clamp(reserve_J_ / (0.5 * kReserve_J), 0.0, 1.0);
   for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
-    const auto [half_m, zone_m, reach_m] = axes_[axis];
+    const double half_m = axes_[axis].half_m;
+    const double zone_m = axes_[axis].zone_m;
     if (zone_m <= 0.0) continue;
+    const double reach_m = driven_reach_m(axis);
     const double at_m = axis_of(position_m, axis);
     double& offset_m = axis_of(offset_m_, axis);
     const double depth = std::clamp((std::abs(at_m) - half_m + zone_m) / zone_m, 0.0, 1.0);
@@ -151,7 +178,9 @@ void MovedWorkspace::drive(Vec3 position_m) noexcept {
         std::copysign(options_.drive_speed_m_per_s * depth * left * yields * energy * ramp_, at_m);
     double& speed = axis_of(speed_m_per_s_, axis);
     speed += (wanted - speed) * std::min(1.0, period_s_ / kSpeedFollows_s);
-    offset_m = std::clamp(offset_m + speed * period_s_, -reach_m, reach_m);
+    // A clutch, or a larger scene before, may have brought it farther: it never jumps back.
+    const double end_m = std::max(reach_m, std::abs(offset_m));
+    offset_m = std::clamp(offset_m + speed * period_s_, -end_m, end_m);
   }
 }
 

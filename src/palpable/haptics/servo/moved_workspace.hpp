@@ -8,7 +8,10 @@
 #include "palpable/haptics/tick/tick_options.hpp"
 
 #include <array>
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,8 +27,22 @@ struct WorkspaceOptions {
   double magnification = 1.0;
   /// While this button is pressed the scene moves with the hand, without force; nullopt = none.
   std::optional<int> clutch_button;
+  /// Pressing this button ends the force as a pause does, until it is pressed again; nullopt = none.
+  std::optional<int> stop_button;
   /// Greatest speed of the scene beneath a hand at the border, metres per second at the device.
   double drive_speed_m_per_s = 0.03;
+};
+
+/// What a hand's workspace keeps when its device is opened again. Any thread.
+struct WorkspaceState {
+  /// The stop button has ended the force.
+  std::atomic<bool> stopped{false};
+  /// How far the scene reaches from the middle of the device's workspace on each axis, m, at the device. The
+  /// border moves it no farther than so that its end, and some air beyond, can be reached.
+  std::array<std::atomic<double>, 3> scene_m{kUnknown_m, kUnknown_m, kUnknown_m};
+
+ private:
+  static constexpr double kUnknown_m = std::numeric_limits<double>::infinity();
 };
 
 /// Errors (usage): a magnification or button out of range.
@@ -51,8 +68,10 @@ class MovedWorkspace final : public device::Device, public device::Guardable {
   /// the scene moves there, else outside of it: then nothing inside changes.
   static constexpr double kZone = 0.1;
 
-  /// `device` must not be null and have motors; `rate_hz` > 0 is the servo's rate.
-  MovedWorkspace(std::unique_ptr<device::Device> device, const WorkspaceOptions& options, double rate_hz);
+  /// `device` must not be null and have motors; `rate_hz` > 0 is the servo's rate. `state` may be null, if no
+  /// device is opened after this one.
+  MovedWorkspace(std::unique_ptr<device::Device> device, const WorkspaceOptions& options, double rate_hz,
+                 std::shared_ptr<WorkspaceState> state = nullptr);
 
   const device::Traits& traits() const noexcept override { return device_->traits(); }
   device::Reading read() noexcept override;
@@ -89,7 +108,11 @@ class MovedWorkspace final : public device::Device, public device::Guardable {
   };
   void forget() noexcept;
   void drive(Vec3 position_m) noexcept;
+  /// How far the border moves the scene on this axis.
+  double driven_reach_m(std::size_t axis) const noexcept;
   void move_with_hand(Vec3 moved_m) noexcept;
+  /// Follows the stop button; whether the force is off by it.
+  bool is_stopped(std::uint32_t buttons) noexcept;
   Cushion cushion_at(Vec3 position_m, Vec3 velocity_m_per_s) noexcept;
   void cushion(Vec3 position_m, Vec3 moved_m) noexcept;
 
@@ -106,6 +129,8 @@ class MovedWorkspace final : public device::Device, public device::Guardable {
   /// Of the scene beneath the hand.
   Vec3 speed_m_per_s_;
   std::optional<Vec3> position_m_;
+  std::shared_ptr<WorkspaceState> state_;
+  bool was_stop_pressed_ = false;
   /// How far beyond the edge the spring begins.
   Vec3 slack_m_;
   double ramp_ = 0.0;

@@ -25,10 +25,10 @@ const double kRise_N = TickOptions{}.max_force_rate_N_per_s * kT_s;
 
 /// A scripted device with a workspace of 100 x 100 x 50 mm in a MovedWorkspace.
 struct Scripted {
-  explicit Scripted(const WorkspaceOptions& options) {
+  explicit Scripted(const WorkspaceOptions& options, std::shared_ptr<WorkspaceState> state = nullptr) {
     auto owned = std::make_unique<ScriptedDevice>();
     device = owned.get();
-    moved = std::make_unique<MovedWorkspace>(std::move(owned), options, kRate_Hz);
+    moved = std::make_unique<MovedWorkspace>(std::move(owned), options, kRate_Hz, std::move(state));
   }
   Vec3 at(Vec3 position_m, std::uint32_t buttons = 0, Vec3 force_N = {}) {
     device->reading.position.v = position_m;
@@ -74,6 +74,50 @@ TEST(MovedWorkspace, HoldsThePlaceWhileItIsClutchedAndGoesOnFromThere) {
     before = now;
   }
   EXPECT_NEAR(test.moved->offset_m().x, -0.01, 1e-12);
+}
+
+TEST(MovedWorkspace, WantsNoForceFromAPressOfTheStopButtonToTheNext) {
+  WorkspaceOptions options;
+  options.stop_button = 1;
+  const auto state = std::make_shared<WorkspaceState>();
+  Scripted test(options, state);
+  for (int tick = 0; tick < 400; ++tick) {
+    const bool pressed = tick % 200 >= 50 && tick % 200 < 100;
+    // Other buttons do nothing, and a place is never moved.
+    const Vec3 place{1e-4 * tick, 0.0, 0.0};
+    EXPECT_EQ(test.at(place, pressed ? 2 : 1), place);
+    EXPECT_EQ(test.clutched, tick >= 50 && tick < 250) << tick;
+    EXPECT_EQ(state->stopped.load(), test.clutched);
+  }
+  // A device that is opened again begins as the one before ended.
+  state->stopped = true;
+  Scripted again(options, state);
+  again.at({});
+  EXPECT_TRUE(again.clutched);
+  options.clutch_button = 1;
+  EXPECT_FALSE(check(options));
+}
+
+TEST(MovedWorkspace, MovesTheSceneNoFartherThanItReaches) {
+  WorkspaceOptions options = magnified(10.0);
+  options.cushion = false;
+  const auto state = std::make_shared<WorkspaceState>();
+  // A scene that is wide and flat, seen from the middle of a workspace of 100 x 100 x 50 mm.
+  state->scene_m[0] = 0.4;
+  state->scene_m[1] = 0.4;
+  state->scene_m[2] = 0.02;
+  Scripted test(options, state);
+  for (int tick = 0; tick < 20'000; ++tick) test.at({0.05, 0.0, 0.025});
+  // Its end, the outer tenth and an eighth of the width as air: 400 - 50 + 10 + 12.5, and 20 - 25 + 5 + 6.25.
+  EXPECT_NEAR(test.moved->offset_m().x, 0.3725, 1e-5);
+  EXPECT_NEAR(test.moved->offset_m().z, 0.00625, 1e-5);
+  // A smaller scene does not make the place jump, and lets it back.
+  state->scene_m[0] = 0.1;
+  const double before_m = test.moved->offset_m().x;
+  test.at({0.05, 0.0, 0.0});
+  EXPECT_NEAR(test.moved->offset_m().x, before_m, 1e-4);
+  for (int tick = 0; tick < 3000; ++tick) test.at({-0.05, 0.0, 0.0});
+  EXPECT_LT(test.moved->offset_m().x, before_m - 0.05);
 }
 
 TEST(MovedWorkspace, MovesTheSceneBeneathAHandAtTheBorderContinuouslyToItsEnd) {

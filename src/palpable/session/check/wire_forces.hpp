@@ -28,15 +28,22 @@ class WireForces {
   }
   void wrote(Vec3 force_N) { written_.push_back(force_N); }
 
-  /// Matches what was received so far. Call it often, and `at_end` once. The newest forces are left, since
-  /// what the servo wrote is known a little later than to the device.
+  /// What was received until now is compared next. Call it before the servo's newest forces are taken: while
+  /// this thread waits for the processor, more may come that no written force is known for.
+  void mark() {
+    const std::lock_guard lock(mutex_);
+    marked_ = received_.size();
+  }
+  /// Matches what was received before the last mark(), or everything at the end. The newest forces are left,
+  /// since what the servo wrote is known a little later than to the device.
   void compare(bool at_end) {
     std::vector<Vec3> got;
     {
       const std::lock_guard lock(mutex_);
-      const std::size_t left = at_end ? 0 : std::min(kLeft, received_.size());
-      got.assign(received_.begin(), received_.end() - static_cast<std::ptrdiff_t>(left));
-      received_.erase(received_.begin(), received_.begin() + static_cast<std::ptrdiff_t>(got.size()));
+      const std::size_t known = at_end ? received_.size() : marked_ - std::min(kLeft, marked_);
+      got.assign(received_.begin(), received_.begin() + static_cast<std::ptrdiff_t>(known));
+      received_.erase(received_.begin(), received_.begin() + static_cast<std::ptrdiff_t>(known));
+      marked_ -= std::min(marked_, known);
     }
     for (const Vec3 force : got) match(force);
   }
@@ -79,6 +86,7 @@ class WireForces {
 
   double step_N_;
   std::mutex mutex_;
+  std::size_t marked_ = 0;
   std::deque<Vec3> received_;
   std::deque<Vec3> written_;
   std::uint64_t matched_ = 0;

@@ -64,6 +64,8 @@ class RemoteBench {
     up_.cut(is_cut);
     down_.cut(is_cut);
   }
+  /// As the host does when a connection ends, for whatever reason, and comes back.
+  void set_connected(bool is_connected) { shared_->connected = is_connected; }
   const haptics::TickCounts& counts() const { return near_->counts(); }
   const haptics::TouchSample& far_sample() const { return far_sample_; }
   const haptics::HapticScene& far_scene() const { return far_scene_; }

@@ -4,10 +4,12 @@
 #include "palpable/session/share/remote_bench.hpp"
 #include "palpable/session/touch/test_session.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -165,6 +167,47 @@ TEST_F(RemoteFault, ALostLinkHasNoForceTenMillisecondsAfterItsSurfaceIsTooOld) {
   EXPECT_LE(ticks_to_zero(40), 10 + 10);
   // And it stays so.
   for (int k = 0; k < 200; ++k) EXPECT_EQ(step(1), 0.0);
+}
+
+TEST_F(RemoteFault, AtAnyInstantALostConnectionMeansNoForceWithinTenMillisecondsAndARampAfterwards) {
+  // As many as PALPABLE_FAULTS says.
+  const char* wanted = std::getenv("PALPABLE_FAULTS");
+  const int times = wanted != nullptr ? std::atoi(wanted) : 20;
+  std::mt19937 random(23);
+  const int too_old = static_cast<int>(std::lround(1e3 * device::SharedDevice::kSilent_s));
+  int slowest_lost = 0, slowest_silent = 0;
+  for (int time = 0; time < 2 * times; ++time) {
+    SCOPED_TRACE(time);
+    // Out of the wall, into which the hand sank, and against it again.
+    hand_->set_goal({0.0, 0.0, 0.02});
+    step(600);
+    hand_->set_goal({0.0, 0.0, -0.03});
+    step(700 + static_cast<int>(random() % 500));
+    ASSERT_GT(step(1), 0.1);
+    // The connection ends, which the host knows at once; or nothing comes any more.
+    const bool is_silent = time % 2 == 1;
+    if (is_silent)
+      bench_->cut_link(true);
+    else
+      bench_->set_connected(false);
+    int& slowest = is_silent ? slowest_silent : slowest_lost;
+    slowest = std::max(slowest, ticks_to_zero(300));
+    for (int k = 0; k < 50; ++k) ASSERT_EQ(step(1), 0.0);
+    bench_->cut_link(false);
+    bench_->set_connected(true);
+    double before_N = 0.0;
+    constexpr double kMostRise_N = 0.3;
+    for (int k = 0; k < 100; ++k) {
+      const double force_N = step(1);
+      ASSERT_LE(force_N, 3.3 + 1e-6);
+      ASSERT_LE(force_N - before_N, kMostRise_N + 1e-6) << k;
+      before_N = force_N;
+    }
+  }
+  EXPECT_LE(slowest_lost, 10);
+  EXPECT_LE(slowest_silent, too_old + 20);
+  std::cout << times << " lost connections: no force after " << slowest_lost << " ms; " << times
+            << " silent ones: after " << slowest_silent << " ms\n";
 }
 
 TEST_F(RemoteFault, ALinkThatComesBackRampsTheForceUp) {

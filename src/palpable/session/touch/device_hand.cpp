@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/touch/device_hand.hpp"
 
+#include "palpable/core/check.hpp"
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/device/local_surface.hpp"
 #include "palpable/device/url.hpp"
@@ -11,6 +12,8 @@
 #include "palpable/session/touch/recording_header.hpp"
 #include "palpable/session/touch/surface_strokes.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace palpable::session {
@@ -37,20 +40,22 @@ bool can_be_moved(const device::Device& device, const std::string& url) {
 }
 
 std::unique_ptr<device::Device> moved(std::unique_ptr<device::Device> device, const SessionOptions& options,
-                                      const std::string& url) {
+                                      const std::string& url,
+                                      const std::shared_ptr<haptics::WorkspaceState>& state) {
   if (!can_be_moved(*device, url)) return device;
   return std::make_unique<haptics::MovedWorkspace>(std::move(device), options.workspace,
-                                                   options.servo.rate_hz);
+                                                   options.servo.rate_hz, state);
 }
 
 /// Empty if the device is not opened again.
-haptics::ReopeningLoop::Open reopener_of(const std::string& url, const SessionOptions& options) {
+haptics::ReopeningLoop::Open reopener_of(const std::string& url, const SessionOptions& options,
+                                         const std::shared_ptr<haptics::WorkspaceState>& state) {
   const auto again = device::reopener(url, options.servo.rate_hz);
   if (!again) return {};
-  return [again, options, url]() -> Opened {
+  return [again, options, url, state]() -> Opened {
     auto device = again();
     if (!device) return device;
-    return moved(*std::move(device), options, url);
+    return moved(*std::move(device), options, url, state);
   };
 }
 
@@ -61,7 +66,24 @@ Transform<SceneFrame, DeviceFrame> placed(const models::Scene& scene, const devi
   return place;
 }
 
-Opened opened_device(const DeviceHand::Begin& begin, const SessionOptions& options) {
+/// How far a scene reaches from the middle of the device's workspace, m, at the device.
+Vec3 reach_of(const models::Scene& scene, const Transform<SceneFrame, DeviceFrame>& scene_from_device) {
+  const auto device_from_scene = scene_from_device.inverse();
+  const Vec3 centre = models::centre_m(scene);
+  const Vec3 half = 0.5 * models::size_m(scene);
+  Vec3 reach;
+  for (const double x : {-half.x, half.x})
+    for (const double y : {-half.y, half.y})
+      for (const double z : {-half.z, half.z}) {
+        const Vec3 corner = (device_from_scene * Point<SceneFrame>{centre + Vec3{x, y, z}}).v;
+        reach = {std::max(reach.x, std::abs(corner.x)), std::max(reach.y, std::abs(corner.y)),
+                 std::max(reach.z, std::abs(corner.z))};
+      }
+  return reach;
+}
+
+Opened opened_device(const DeviceHand::Begin& begin, const SessionOptions& options,
+                     const std::shared_ptr<haptics::WorkspaceState>& state) {
   device::OpenOptions open;
   open.seed = options.seed;
   open.rate_hz = options.servo.rate_hz;
@@ -81,11 +103,13 @@ Opened opened_device(const DeviceHand::Begin& begin, const SessionOptions& optio
                  "the limits may be off on simulated devices and on those of at most 4 N only",
                  device::public_url(begin.url)};
   const auto& workspace = options.workspace;
-  if ((workspace.magnification > 1.0 || workspace.clutch_button) && !can_be_moved(**device, begin.url))
+  const bool is_moved = workspace.magnification > 1.0 || workspace.clutch_button || workspace.stop_button;
+  if (is_moved && !can_be_moved(**device, begin.url))
     return Error{ErrorCode::usage,
-                 "only a device with motors at this computer can magnify a scene or have a clutch",
+                 "only a device with motors at this computer can magnify a scene, have a clutch or a button "
+                 "that ends the force",
                  device::public_url(begin.url)};
-  return moved(*std::move(device), options, begin.url);
+  return moved(*std::move(device), options, begin.url, state);
 }
 
 }  // namespace
@@ -106,29 +130,33 @@ Result<std::unique_ptr<DeviceHand>> DeviceHand::open(const Begin& begin, SceneCa
       begin.options.recording.empty() ? haptics::Recording::off : haptics::Recording::on;
   hand->url_ = device::public_url(begin.url);
   for (auto& sample : hand->latest_) sample.status = device::Status::not_ready;
-  auto device = opened_device(begin, hand->options_);
+  auto device = opened_device(begin, hand->options_, hand->workspace_);
   if (!device) return std::move(device).error();
   const auto place = placed(*begin.scene, (*device)->traits(), hand->options_);
   auto prepared = hand->prepared_for((*device)->traits(), begin.scene, begin.settings, place, caches);
   if (!prepared) return std::move(prepared).error();
-  hand->take_over(prepared->scene, place);
+  hand->take_over(*prepared);
+  hand->waiting_ = Waiting{*std::move(device), std::move(prepared->scene.scene)};
   hand->described_now_ = std::move(prepared->description);
-  const double rate_hz = hand->options_.servo.rate_hz;
+  return hand;
+}
+
+Result<void> DeviceHand::start(const Begin& begin) {
+  PALPABLE_CHECK(waiting_.has_value());
+  auto [device, scene] = *std::exchange(waiting_, std::nullopt);
+  const double rate_hz = options_.servo.rate_hz;
   const auto further = [pointers = begin.pointers, rate_hz] {
     std::vector<std::unique_ptr<device::Device>> devices;
     for (std::size_t probe = 1; probe < pointers.size(); ++probe)
       devices.push_back(std::make_unique<device::PointerDevice>(pointers[probe], rate_hz));
     return devices;
   };
-  auto loop =
-      haptics::ReopeningLoop::start(*std::move(device), std::move(prepared->scene.scene),
-                                    hand->options_.servo, reopener_of(begin.url, hand->options_), further);
+  auto loop = haptics::ReopeningLoop::start(std::move(device), std::move(scene), options_.servo,
+                                            reopener_of(begin.url, options_, workspace_), further);
   if (!loop) return std::move(loop).error();
-  hand->servo_begin_ns_ = haptics::monotonic_ns();
-  hand->loop_ = *std::move(loop);
-  if (!hand->options_.recording.empty())
-    if (auto recording = hand->record(); !recording) return std::move(recording).error();
-  return hand;
+  servo_begin_ns_ = haptics::monotonic_ns();
+  loop_ = *std::move(loop);
+  return options_.recording.empty() ? Result<void>{} : record();
 }
 
 DeviceHand::~DeviceHand() {
@@ -157,7 +185,7 @@ Result<DeviceHand::Prepared> DeviceHand::prepared_for(const device::Traits& trai
   if (!scene) return std::move(scene).error();
   scene->scene.id = last_scene_id_ + 1;
   auto description = described(*scene, to, settings, caches);
-  return Prepared{*std::move(scene), std::move(description), place};
+  return Prepared{*std::move(scene), std::move(description), place, reach_of(*to, place)};
 }
 
 Result<DeviceHand::Prepared> DeviceHand::prepare(const std::shared_ptr<const models::Scene>& scene,
@@ -167,12 +195,15 @@ Result<DeviceHand::Prepared> DeviceHand::prepare(const std::shared_ptr<const mod
   return prepared_for(loop_->device_traits(), scene, settings, place, caches);
 }
 
-void DeviceHand::take_over(const PreparedScene& prepared, const Transform<SceneFrame, DeviceFrame>& place) {
-  last_scene_id_ = prepared.scene.id;
-  law_in_use_ = prepared.law.law;
-  radius_in_use_m_ = prepared.law.radius_m.value_or(0.0);
-  scene_from_device_ = place;
-  notices_ = prepared.notices;
+void DeviceHand::take_over(const Prepared& prepared) {
+  last_scene_id_ = prepared.scene.scene.id;
+  law_in_use_ = prepared.scene.law.law;
+  radius_in_use_m_ = prepared.scene.law.radius_m.value_or(0.0);
+  scene_from_device_ = prepared.place;
+  notices_ = prepared.scene.notices;
+  workspace_->scene_m[0] = prepared.reach_m.x;
+  workspace_->scene_m[1] = prepared.reach_m.y;
+  workspace_->scene_m[2] = prepared.reach_m.z;
 }
 
 void DeviceHand::apply(Prepared prepared) {
@@ -185,7 +216,7 @@ void DeviceHand::apply(Prepared prepared) {
   loop_->change(std::move(prepared.scene.scene));
   const std::lock_guard lock(state_);
   described_now_ = std::move(prepared.description);
-  take_over(prepared.scene, prepared.place);
+  take_over(prepared);
 }
 
 Transform<SceneFrame, DeviceFrame> DeviceHand::place() const {

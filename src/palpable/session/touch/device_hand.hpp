@@ -46,8 +46,12 @@ class DeviceHand {
     /// The position of `pointer:`, then those of the further probes of this hand's loop.
     std::vector<std::shared_ptr<device::PointerFeed>> pointers;
   };
-  /// Errors: as TouchSession::open().
+  /// Opens the device and prepares the scene, without a force. Errors: as TouchSession::open().
   static Result<std::unique_ptr<DeviceHand>> open(const Begin& begin, SceneCaches& caches);
+  /// Begins the touch, and its recording, with what open() was called with; once, and before all other
+  /// methods. So the hands of a touch begin together, however long each device takes to open. Errors: as
+  /// TouchSession::open().
+  Result<void> start(const Begin& begin);
   ~DeviceHand();
   DeviceHand(const DeviceHand&) = delete;
   DeviceHand& operator=(const DeviceHand&) = delete;
@@ -57,6 +61,8 @@ class DeviceHand {
     PreparedScene scene;
     device::RecordedScene description;
     Transform<SceneFrame, DeviceFrame> place;
+    /// How far the scene reaches from the middle of the workspace, m, at the device.
+    Vec3 reach_m;
   };
   /// Errors: as prepare_scene(). prepare() and apply() are called by one thread at a time.
   Result<Prepared> prepare(const std::shared_ptr<const models::Scene>& scene, const TouchSettings& settings,
@@ -82,6 +88,9 @@ class DeviceHand {
   /// The newest tick of a probe of this hand's loop; the hand's own is 0.
   haptics::TouchSample latest(std::size_t probe) const;
 
+  /// Its stop button has ended the force.
+  bool is_stopped() const { return workspace_->stopped.load(); }
+
   /// See TouchSession.
   std::optional<Error> take_recording_fault();
   Result<void> stop_recording();
@@ -97,12 +106,19 @@ class DeviceHand {
   Result<Prepared> prepared_for(const device::Traits& traits, const std::shared_ptr<const models::Scene>& to,
                                 const TouchSettings& settings,
                                 const Transform<SceneFrame, DeviceFrame>& place, SceneCaches& caches);
-  void take_over(const PreparedScene& prepared, const Transform<SceneFrame, DeviceFrame>& place);
+  void take_over(const Prepared& prepared);
   Result<void> record();
 
+  /// What open() keeps for start().
+  struct Waiting {
+    std::unique_ptr<device::Device> device;
+    haptics::HapticScene scene;
+  };
+  std::optional<Waiting> waiting_;
   SessionOptions options_;
   std::string url_;
   std::int64_t servo_begin_ns_ = 0;
+  std::shared_ptr<haptics::WorkspaceState> workspace_ = std::make_shared<haptics::WorkspaceState>();
   std::unique_ptr<haptics::ReopeningLoop> loop_;
   std::uint32_t last_scene_id_ = 0;
 

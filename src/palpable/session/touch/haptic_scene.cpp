@@ -242,6 +242,12 @@ std::string other_law_words(haptics::Law asked, haptics::Law used, const models:
                      haptics::name_of(used));
 }
 
+/// What a device in the plane feels of a solid; empty for other scenes.
+std::string seen_from_above(const models::Scene& scene) {
+  if (!models::is_field(scene.model) && models::kind_of(scene.model) != "grid") return {};
+  return " Of a solid it feels the slopes as they are seen from above: neither its height nor what is below.";
+}
+
 /// The scene's law that is passive and needs only two axes.
 haptics::Law passive_planar_law(const std::vector<haptics::Law>& laws) {
   const auto found = std::find_if(laws.begin(), laws.end(), [](haptics::Law law) {
@@ -290,9 +296,9 @@ Result<PreparedScene> prepare_scene(const models::Scene& scene, const TouchSetti
   }
   if (device.degrees_of_freedom < std::min(3, haptics::description_of(prepared.law.law).degrees_of_freedom)) {
     const haptics::Law planar = passive_planar_law(laws);
-    prepared.notices.push_back("The device moves in the plane only, so the law is " +
-                               std::string(haptics::name_of(planar)) + " instead of " +
-                               std::string(haptics::name_of(prepared.law.law)) + ".");
+    prepared.notices.push_back(
+        "The device moves in the plane only, so the law is " + std::string(haptics::name_of(planar)) +
+        " instead of " + std::string(haptics::name_of(prepared.law.law)) + "." + seen_from_above(scene));
     replace_law(prepared.law, planar);
   }
   auto scaled = with_kept_height(scene, settings.height_factor, kept);

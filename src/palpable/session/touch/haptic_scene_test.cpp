@@ -4,6 +4,7 @@
 
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/haptics/servo/start_touch.hpp"
+#include "palpable/models/scene/test_grid.hpp"
 
 #include <cmath>
 #include <memory>
@@ -95,6 +96,15 @@ TEST_F(PreparingAScene, UsesTheRollingLawOnPlanarDevicesWithANotice) {
   EXPECT_EQ(prepared.law.law, haptics::Law::rolling);
   ASSERT_FALSE(prepared.notices.empty());
   EXPECT_NE(prepared.notices.front().find("rolling"), std::string::npos);
+}
+
+TEST_F(PreparingAScene, SaysWhatAPlanarDeviceFeelsOfASolid) {
+  traits_.degrees_of_freedom = 2;
+  scene_ = models::grid_scene({21, 21, 9}, 0.004F, [](int z) { return z <= 5; });
+  KeptSurfaces kept;
+  const auto prepared = prepare({}, kept);
+  ASSERT_FALSE(prepared.notices.empty());
+  EXPECT_NE(prepared.notices.front().find("seen from above"), std::string::npos) << prepared.notices.front();
 }
 
 TEST_F(PreparingAScene, LowersAStiffnessThatTheDeviceCannotRenderAndSaysSo) {

@@ -44,6 +44,7 @@ struct TouchSession::Impl {
 
   std::int64_t begin_ns = 0;
   std::optional<int> clutch_button;
+  std::optional<int> stop_button;
   /// Passes the positions from the page of `pointer:` and of the probes without device.
   std::vector<std::shared_ptr<device::PointerFeed>> pointers;
   std::vector<std::unique_ptr<DeviceHand>> hands;
@@ -92,16 +93,21 @@ Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const m
   if (auto valid = haptics::check(options.workspace); !valid) return std::move(valid).error();
   auto impl = std::make_unique<Impl>();
   impl->clutch_button = options.workspace.clutch_button;
+  impl->stop_button = options.workspace.stop_button;
   impl->begin_ns = begin_ns != 0 ? begin_ns : haptics::monotonic_ns();
   for (std::size_t probe = 0; probe <= options.further_probes; ++probe)
     impl->pointers.push_back(std::make_shared<device::PointerFeed>());
+  std::vector<DeviceHand::Begin> begins;
   for (std::size_t number = 0; number < urls.size(); ++number) {
     auto pointers = number == 0 ? impl->pointers : std::vector{std::make_shared<device::PointerFeed>()};
-    auto hand =
-        DeviceHand::open({scene, settings, urls[number], options, number, std::move(pointers)}, impl->caches);
+    begins.push_back({scene, settings, urls[number], options, number, std::move(pointers)});
+    auto hand = DeviceHand::open(begins.back(), impl->caches);
     if (!hand) return std::move(hand).error();
     impl->hands.push_back(*std::move(hand));
   }
+  for (std::size_t number = 0; number < urls.size(); ++number)
+    if (auto started = impl->hands[number]->start(begins[number]); !started)
+      return std::move(started).error();
   impl->scene = std::move(scene);
   impl->settings = settings;
   return std::unique_ptr<TouchSession>(new TouchSession(std::move(impl)));
@@ -269,15 +275,20 @@ std::string TouchSession::said_of(std::size_t hand, const std::string& sentence)
   return fmt::format("Hand {} ({}): {}", hand + 1, device_traits(hand).name, sentence);
 }
 
-std::string TouchSession::clutch_words(const haptics::TouchEvent& event) const {
+std::string TouchSession::button_words(const haptics::TouchEvent& event) const {
   using Kind = haptics::TouchEvent::Kind;
-  const bool is_button = event.kind == Kind::button_down || event.kind == Kind::button_up;
-  if (!is_button || event.probe >= hands() || !impl_->clutch_button ||
-      event.value != static_cast<std::uint32_t>(*impl_->clutch_button))
-    return {};
-  return said_of(event.probe, event.kind == Kind::button_down
-                                  ? "The scene moves with the hand, without force."
-                                  : "The scene stays.");
+  const bool is_down = event.kind == Kind::button_down;
+  if ((!is_down && event.kind != Kind::button_up) || event.probe >= hands()) return {};
+  const auto is_of = [&](const std::optional<int>& button) {
+    return button && event.value == static_cast<std::uint32_t>(*button);
+  };
+  if (is_of(impl_->clutch_button))
+    return said_of(event.probe,
+                   is_down ? "The scene moves with the hand, without force." : "The scene stays.");
+  if (!is_of(impl_->stop_button) || !is_down) return {};
+  return said_of(event.probe, impl_->hands[event.probe]->is_stopped()
+                                  ? "The force is off until the button is pressed again."
+                                  : "The force comes back.");
 }
 
 std::string TouchSession::take_guidance() {

@@ -119,6 +119,8 @@ void add_touch(Program& program) {
       "--clutch", arguments->clutch, {0, 32},
       "While this button of the device is pressed the scene moves with the hand; 0 = none; default: 1 "
       "with --magnify, else none");
+  options.integer("--stop-button", arguments->stop_button, {0, 32},
+                  "Pressing this button of the device ends its force until it is pressed again; 0 = none");
   options.flag("--no-cushion", arguments->no_cushion,
                "No soft spring at the border of the device's workspace");
   options.integer("--port", arguments->port, {0, 65535}, "Port of the page on 127.0.0.1; 0 = any free one");

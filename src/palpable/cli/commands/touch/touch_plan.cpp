@@ -144,6 +144,7 @@ Result<void> fill_plan(TouchArguments& arguments, const std::optional<Published>
   workspace.cushion = !arguments.no_cushion;
   const int clutch = arguments.clutch.value_or(arguments.magnification > 1.0 ? 1 : 0);
   if (clutch > 0) workspace.clutch_button = clutch - 1;
+  if (arguments.stop_button > 0) workspace.stop_button = arguments.stop_button - 1;
   for (std::size_t hand = 1; hand < arguments.devices.size(); ++hand)
     plan.options.further_devices.push_back(arguments.devices[hand]);
   if (arguments.unlimited) {

@@ -29,6 +29,7 @@ struct TouchArguments {
   double magnification = 1.0;
   /// The number of a button, from 1; 0: none. Not given: the first one of a magnified scene.
   std::optional<int> clutch;
+  int stop_button = 0;
   bool no_cushion = false;
   std::string recording;
   int port = 0;
