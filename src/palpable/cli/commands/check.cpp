@@ -1,9 +1,13 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/arguments/sample_scene.hpp"
 #include "palpable/cli/arguments/scene_argument.hpp"
 #include "palpable/cli/command.hpp"
+#include "palpable/cli/input_files.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/session/check/check_recording.hpp"
+#include "palpable/session/check/recorded_forces.hpp"
+#include "palpable/session/make/make_scene.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -26,14 +30,21 @@ struct CheckArguments {
 
 using Scenes = std::vector<std::shared_ptr<const models::Scene>>;
 
-/// The scene files that the recorded command named, if they still exist.
+bool is_sample(const std::string& word) { return word.starts_with(kSamplePrefix); }
+
+/// The scene files that the recorded command named, if they still exist, and the samples; the first sample
+/// for a touch without an input.
 std::vector<std::string> named_scenes(const CheckArguments& arguments,
                                       const session::RecordedSession& session) {
   std::vector<std::string> found;
   const auto beside = std::filesystem::path(arguments.recording).parent_path();
   std::error_code ignored;
+  bool has_input = false;
   for (const std::string& word : session.command) {
     const std::filesystem::path path(word);
+    const bool is_recording = path.filename() == std::filesystem::path(arguments.recording).filename();
+    has_input = has_input || (!is_recording && path.has_extension() && !word.starts_with("-"));
+    if (is_sample(word)) found.push_back(word);
     if (path.extension() != ".palp") continue;
     for (const auto& place : {path, beside / path.filename()})
       if (std::filesystem::is_regular_file(place, ignored)) {
@@ -41,12 +52,32 @@ std::vector<std::string> named_scenes(const CheckArguments& arguments,
         break;
       }
   }
+  if (found.empty() && !has_input) found.emplace_back(kFirstSample);
   return found;
 }
 
-Result<Scenes> read_scenes(const std::vector<std::string>& files) {
+/// Adds what a touch of this sample makes if it is given no other options.
+Result<void> make_sample(const std::string& word, Scenes& scenes, const Work& work) {
+  SceneArguments sample;
+  sample.make.inputs = {word};
+  if (auto resolved = resolve_sample(sample.make, sample.title, sample.material); !resolved) return resolved;
+  const auto options = make_options(sample.make);
+  if (!options) return options.error();
+  return session::make_scenes(
+      *options,
+      [&](recipes::MadeScene made) {
+        scenes.push_back(std::make_shared<const models::Scene>(std::move(made.scene)));
+      },
+      work);
+}
+
+Result<Scenes> read_scenes(const std::vector<std::string>& files, const Work& work) {
   Scenes scenes;
   for (const std::string& file : files) {
+    if (is_sample(file)) {
+      if (auto made = make_sample(file, scenes, work); !made) return std::move(made).error();
+      continue;
+    }
     auto scene = read_scene_argument(file);
     if (!scene) return std::move(scene).error();
     scenes.push_back(std::make_shared<const models::Scene>(std::move(scene->scene)));
@@ -111,6 +142,7 @@ Json report_json(const CheckReport& report, const CheckArguments& arguments) {
   json["force"] = {{"max_N", report.max_force_N}, {"max_step_N", report.max_step_N}};
   json["energy"] = {{"made_max_J", number_or_null(report.made_max_J)},
                     {"made_max_without_controller_J", number_or_null(report.made_max_without_controller_J)},
+                    {"clean_to_J", session::kEnergyMade_J},
                     {"work_made_max_J", number_or_null(report.work_made_max_J)},
                     {"work_since_zero_force_max_J", number_or_null(report.work_since_zero_force_max_J)}};
   json["missed"] = {{"ticks", report.missed}, {"longest_period_ms", 1e-6 * report.periods.max_ns}};
@@ -146,7 +178,7 @@ std::string energy_sentence(const CheckReport& report) {
                                                  : "Energy made: not known without the scene.";
   std::string text = fmt::format("Energy made: {:.2g} J by the touch's account", report.made_max_J);
   if (const std::string work = by_work(); !work.empty()) text += ", " + work;
-  return text + ".";
+  return text + fmt::format(" (clean to {:.2g} J, whatever the law).", session::kEnergyMade_J);
 }
 
 std::string text_of(const CheckReport& report, const CheckArguments& arguments) {
@@ -185,8 +217,8 @@ std::string text_of(const CheckReport& report, const CheckArguments& arguments) 
 Result<Answer> check(const CheckArguments& arguments, Console& console) {
   const auto session = session::read_recorded_session(arguments.recording);
   if (!session) return session.error();
-  const auto scenes =
-      read_scenes(arguments.scenes.empty() ? named_scenes(arguments, *session) : arguments.scenes);
+  const auto scenes = read_scenes(
+      arguments.scenes.empty() ? named_scenes(arguments, *session) : arguments.scenes, console.work());
   if (!scenes) return scenes.error();
   session::CheckOptions options;
   options.scenes = *scenes;
@@ -209,13 +241,14 @@ void add_check(Program& program) {
       "  palpable check touch.rec\n"
       "  palpable check touch.rec room.palp\n"
       "  palpable check touch.rec room.palp --json\n"
+      "  palpable check touch.rec sample:church\n"
       "Exit code 0: clean; 1: not clean, or nothing could be recomputed. Missed ticks are the machine's and "
       "count only with --strict.",
       [arguments](Console& console) { return check(*arguments, console); });
   options.argument("RECORDING", arguments->recording, "The recording");
   options.optional_arguments(
       "SCENE", arguments->scenes, 1000,
-      "The scenes that were touched (.palp); default: those that the recorded command names");
+      "The scenes that were touched (.palp, or sample:NAME); default: those that the recorded command names");
   options.integer("--list", arguments->list, {0, 10000}, "Greatest number of findings that are listed");
   options.flag("--strict", arguments->strict, "Missed ticks make a recording not clean too");
 }

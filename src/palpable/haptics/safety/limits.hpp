@@ -43,6 +43,26 @@ Limited<Frame> cap_rise(Vector<Frame> force_N, Vector<Frame> before_N, double ma
   return risen.limited ? Limited<Frame>{kept + risen.force_N, true} : Limited<Frame>{force_N, false};
 }
 
+/// The same for the force on a hand that moves at `velocity`: what is kept of the last force gives the hand
+/// no more power than the wanted force does. Where a force turns faster than it may grow, its old direction
+/// would push the hand on after the law has ended that push. The result is never longer than without the
+/// velocity. Tick path.
+template <class Frame>
+Limited<Frame> cap_rise(Vector<Frame> force_N, Vector<Frame> before_N, double max_rise_N,
+                        Vector<Frame> velocity) noexcept {
+  Limited<Frame> risen = cap_rise(force_N, before_N, max_rise_N);
+  if (!risen.limited) return risen;
+  const double excess_W = dot(risen.force_N, velocity) - std::max(0.0, dot(force_N, velocity));
+  const double size = norm(before_N);
+  if (!(excess_W > 0.0) || !(size > 0.0)) return risen;
+  const Vector<Frame> along = (1.0 / size) * before_N;
+  const Vector<Frame> kept = std::clamp(dot(force_N, along), 0.0, size) * along;
+  // Above 0: only what is kept can give more than the wanted force.
+  const double kept_W = dot(kept, velocity);
+  if (kept_W > 0.0) risen.force_N -= std::min(1.0, excess_W / kept_W) * kept;
+  return risen;
+}
+
 /// A factor 0 ... 1 that moves linearly towards 0 or 1. The force is multiplied by it at start, pause and
 /// fault.
 class Ramp {

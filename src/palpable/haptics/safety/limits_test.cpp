@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/safety/limits.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <random>
+
 #include <gtest/gtest.h>
 
 namespace palpable::haptics {
@@ -36,6 +40,39 @@ TEST(RiseCap, LimitsARotationAtConstantMagnitudeAndAReversal) {
   const auto flipped = cap_rise(Force{{0.0, 0.0, -2.0}}, Force{{0.0, 0.0, 2.0}}, 0.3);
   EXPECT_TRUE(flipped.limited);
   EXPECT_NEAR(flipped.force_N.v.z, -0.3, 1e-12);
+}
+
+TEST(RiseCap, LetsAPushEndAtOnceWhereTheForceTurns) {
+  // The law begins to brake a hand that it pushed until now. The new force may only grow slowly; what is kept
+  // of the old one would push the hand on with 0.45 W.
+  const Force wanted{{0.75, 0.0, 1.3}}, before{{1.5, 0.0, 0.0}}, velocity{{1.0, 0.0, -1.0}};
+  ASSERT_LT(dot(wanted, velocity), 0.0);
+  EXPECT_NEAR(dot(cap_rise(wanted, before, 0.3).force_N, velocity), 0.45, 1e-12);
+  EXPECT_NEAR(dot(cap_rise(wanted, before, 0.3, velocity).force_N, velocity), 0.0, 1e-12);
+}
+
+TEST(RiseCap, GivesAMovingHandNoMorePowerThanTheWantedForce) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> side;
+  const auto any = [&] { return Force{{side(random), side(random), side(random)}}; };
+  int reduced = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const Force wanted = any(), before = any(), velocity = any();
+    const double most = 0.3 * std::abs(side(random));
+    const Force plain = cap_rise(wanted, before, most).force_N;
+    const Force risen = cap_rise(wanted, before, most, velocity).force_N;
+    if (!cap_rise(wanted, before, most).limited) {
+      EXPECT_EQ(risen, wanted);
+      continue;
+    }
+    EXPECT_LE(dot(risen, velocity), std::max(0.0, dot(wanted, velocity)) + 1e-12);
+    // It is still no step above the limit, no pull, and no longer.
+    EXPECT_LE(norm(cap_rise(risen, before, most).force_N - risen), 1e-12);
+    EXPECT_GE(dot(risen, wanted), -1e-12);
+    EXPECT_LE(norm(risen), norm(plain) + 1e-12);
+    reduced += norm(plain - risen) > 1e-6 ? 1 : 0;
+  }
+  EXPECT_GT(reduced, 1000);
 }
 
 TEST(Ramp, FallsAndRisesInItsTimesAndStopsAtItsEnds) {

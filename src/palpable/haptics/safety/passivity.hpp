@@ -5,7 +5,9 @@
 #include "palpable/core/frame.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace palpable::haptics {
 
@@ -25,7 +27,12 @@ namespace palpable::haptics {
 /// still dissipate it. During a ramp or a change of scene the springs store more than the hand delivered:
 /// then W may fall but not rise.
 ///
-/// The work of a guide's force is not counted in either balance: its reserve bounds it.
+/// W also counts what a spring stores without having received it, although the hand may never get it: the
+/// first tick inside a wall, a spring that is lost while its forces are still on their way. So the energy
+/// that is reported as generated is the lesser of W and of what the hand really received since any earlier
+/// tick, beyond what the springs stored in the ticks from which the forces then on their way came.
+///
+/// The work of a guide's force is not counted in any balance: its reserve bounds it.
 ///
 /// 2. For all laws. The work sum f·dx of a contact that began in free air. On a passive surface it never
 /// rises above 0. It is the only balance of laws without a potential. For those, each tick without force
@@ -36,6 +43,8 @@ class PassivityObserver {
  public:
   /// Time constant over which the virtual damper's dissipation counts as reserve.
   static constexpr double kReserve_s = 0.1;
+
+  static constexpr std::size_t kMostDelay = 15;
 
   struct Step {
     /// The force that the motors held since the previous tick, N, and the movement during that time, m.
@@ -52,6 +61,10 @@ class PassivityObserver {
     double changed_J = 0.0;
     /// The part of the held force whose energy a guide's limited reserve supplied (LawOutput::guide_N).
     Vector<DeviceFrame> guide_N;
+    /// Ticks until a force acts, 0 ... kMostDelay.
+    std::size_t delay = 0;
+    /// stored_J is the energy of contact springs, 0 out of contact, and not a potential defined everywhere.
+    bool is_spring = true;
     /// The damping that the law guarantees in contact, N·s/m; 0 out of contact.
     double damping_Ns_per_m = 0.0;
     bool contact = false;
@@ -72,6 +85,9 @@ class PassivityObserver {
     balance_J_ = std::min(balance_J_, 0.0);
     made_J_ = 0.0;
     stored_J_ = std::isfinite(stored_J) ? stored_J : 0.0;
+    held_J_.fill(0.0);
+    held_J_[newest_] = least_J_ = stored_J_;
+    received_J_ = 0.0;
     work_J_ = 0.0;
     began_in_air_ = beginning == Beginning::from_no_force;
   }
@@ -84,17 +100,21 @@ class PassivityObserver {
       count_balance(step, received_J);
     } else {
       balance_J_ = work_J_;
+      received_J_ = least_J_ = 0.0;
     }
     made_J_ = received_J > 0.0 ? std::max({balance_J_, work_J_, 0.0}) : 0.0;
-    made_max_J_ = std::max(made_max_J_, made_J_);
+    made_max_J_ =
+        std::max(made_max_J_, std::isfinite(step.stored_J) && step.is_spring ? returned_J() : made_J_);
     end_work(step);
     return balance_J_;
   }
 
   double balance_J() const noexcept { return balance_J_; }
-  /// Energy generated beyond the reserve and received by the hand in the last step, J; >= 0.
+  /// Energy generated beyond the reserve, in the last step, if the hand received energy in it, J; >= 0: the
+  /// controller's bound, W.
   double made_J() const noexcept { return made_J_; }
-  /// The greatest made_J() since construction.
+  /// The greatest energy since construction that is reported as generated, J: made_J(), but no more than the
+  /// hand received.
   double made_max_J() const noexcept { return made_max_J_; }
 
  private:
@@ -114,6 +134,11 @@ class PassivityObserver {
     }
   }
 
+  /// What of made_J_ the hand has received.
+  double returned_J() const noexcept {
+    return made_J_ > 0.0 ? std::max({std::min(made_J_, received_J_ - least_J_), work_J_, 0.0}) : 0.0;
+  }
+
   void count_balance(const Step& step, double received_J) noexcept {
     const double along = norm(step.held_force_N);
     const double speed =
@@ -124,11 +149,28 @@ class PassivityObserver {
         received_J - dot(step.guide_N, step.moved_m) + step.stored_J - stored_J_ - step.changed_J;
     balance_J_ = std::max(balance_J_ + (step.shortened ? std::min(made_J, 0.0) : made_J), -reserve_J_);
     stored_J_ = step.stored_J;
+    count_received(step, received_J - dot(step.guide_N, step.moved_m) - step.changed_J);
+  }
+
+  void count_received(const Step& step, double received_J) noexcept {
+    received_J_ += received_J;
+    newest_ = (newest_ + 1) % held_J_.size();
+    held_J_[newest_] = step.stored_J;
+    double most_J = step.stored_J;
+    for (std::size_t age = 1; age <= std::min(step.delay, kMostDelay); ++age)
+      most_J = std::max(most_J, held_J_[(newest_ + held_J_.size() - age) % held_J_.size()]);
+    least_J_ = std::min(least_J_, received_J_ + most_J);
   }
 
   double balance_J_ = 0.0;
   double reserve_J_ = 0.0;
   double stored_J_ = 0.0;
+  /// What the hand received since the balance began; the least of it and of what the springs stored then; and
+  /// what they stored in the last ticks.
+  double received_J_ = 0.0;
+  double least_J_ = 0.0;
+  std::array<double, kMostDelay + 1> held_J_{};
+  std::size_t newest_ = 0;
   double work_J_ = 0.0;
   bool began_in_air_ = false;
   double made_J_ = 0.0;

@@ -84,6 +84,38 @@ TEST(PassivityObserver, DoesNotCountEnergyThatALimitWithheld) {
   EXPECT_EQ(observer.made_max_J(), 0.0);
 }
 
+TEST(PassivityObserver, ReportsNoMoreThanTheHandReceived) {
+  // A spring stores 1 mJ that nobody gave, and is lost in the next tick while its force gives 2 uJ.
+  PassivityObserver observer;
+  PassivityObserver::Step tick;
+  tick.stored_J = 1e-3;
+  observer.update(tick);
+  tick.held_force_N = {{0.0, 0.0, 1.0}};
+  tick.moved_m = {{0.0, 0.0, 2e-6}};
+  observer.update(tick);
+  EXPECT_GT(observer.made_J(), 9e-4) << "the controller's bound";
+  EXPECT_NEAR(observer.made_max_J(), 2e-6, 1e-12);
+}
+
+TEST(PassivityObserver, DoesNotReportWhatTheSpringOfAForceOnItsWayHeld) {
+  for (const std::size_t delay : {0U, 1U}) {
+    PassivityObserver observer;
+    PassivityObserver::Step tick;
+    tick.delay = delay;
+    // The hand gives 1 uJ and the spring is lost; its force acts a tick later, and gives that back.
+    tick.held_force_N = {{0.0, 0.0, 1.0}};
+    tick.moved_m = {{0.0, 0.0, -1e-6}};
+    tick.stored_J = 1e-6;
+    observer.update(tick);
+    tick.moved_m = {};
+    tick.stored_J = 0.0;
+    observer.update(tick);
+    tick.moved_m = {{0.0, 0.0, 1e-6}};
+    observer.update(tick);
+    EXPECT_NEAR(observer.made_max_J(), delay == 0 ? 1e-6 : 0.0, 1e-12);
+  }
+}
+
 TEST(PassivityController, DissipatesExactlyTheGeneratedEnergyWherePossible) {
   const Vector<DeviceFrame> velocity{{0.1, 0.0, 0.0}};
   const auto braked = control_passivity({{1.0, 0.0, 0.0}}, velocity, 1e-6, kT_s);

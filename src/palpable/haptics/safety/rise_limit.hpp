@@ -65,10 +65,11 @@ class RiseLimit {
   }
 
   /// The force of this tick, of the one that the law wants after the cap; `rest_N` of it is not the spring's.
-  Limited<DeviceFrame> limit(Vector<DeviceFrame> law_N, Vector<DeviceFrame> rest_N,
-                             double max_rise_N) noexcept {
+  /// `velocity_m_per_s`: of the hand.
+  Limited<DeviceFrame> limit(Vector<DeviceFrame> law_N, Vector<DeviceFrame> rest_N, double max_rise_N,
+                             Vector<DeviceFrame> velocity_m_per_s) noexcept {
     const Vector<DeviceFrame> wanted_N = rendered(law_N, rest_N);
-    Limited<DeviceFrame> risen = cap_rise(wanted_N, force_N_, max_rise_N);
+    Limited<DeviceFrame> risen = cap_rise(wanted_N, force_N_, max_rise_N, velocity_m_per_s);
     if (risen.limited) note_limited();
     force_N_ = risen.force_N;
     return risen;

@@ -32,8 +32,10 @@ class CountedHand final : public device::Device {
     const device::Rotation before = hand_.read().rotation;
     hand_.write_torque(written_Nm_);
     hand_.write(force_N);
-    received_J_ += dot(acts.force_N.v, hand_.true_position_m() - before_m) +
-                   dot(acts.torque_Nm, rotation_between(before, hand_.read().rotation));
+    const double work_J = dot(acts.force_N.v, hand_.true_position_m() - before_m) +
+                          dot(acts.torque_Nm, rotation_between(before, hand_.read().rotation));
+    received_J_ += work_J;
+    total_J_ += work_J;
     most_J_ = std::max(most_J_, received_J_);
   }
   void stop() noexcept override { hand_.stop(); }
@@ -60,6 +62,8 @@ class CountedHand final : public device::Device {
     if (written_N_ == Vector<DeviceFrame>{} && std::ranges::all_of(on_the_way_, nothing)) received_J_ = 0.0;
   }
   double received_J() const noexcept { return received_J_; }
+  /// Since the beginning.
+  double total_J() const noexcept { return total_J_; }
   /// The most that was received in any contact: positive if more than the hand had given in it.
   double most_J() const noexcept { return most_J_; }
   Vector<DeviceFrame> written_N() const noexcept { return written_N_; }
@@ -74,6 +78,7 @@ class CountedHand final : public device::Device {
   Vector<DeviceFrame> written_N_;
   Vector<DeviceFrame> written_Nm_;
   double received_J_ = 0.0;
+  double total_J_ = 0.0;
   double most_J_ = 0.0;
 };
 

@@ -7,16 +7,14 @@
 #include "palpable/haptics/law/field_proxy.hpp"
 #include "palpable/haptics/law/law_making.hpp"
 #include "palpable/haptics/law/penalty.hpp"
-#include "palpable/haptics/law/test_scenes.hpp"
 #include "palpable/haptics/law/tool.hpp"
 #include "palpable/haptics/servo/test_touch.hpp"
+#include "palpable/haptics/tick/fault_scenes.hpp"
 #include "palpable/haptics/tick/tick.hpp"
-#include "palpable/models/scene/test_grid.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -48,20 +46,6 @@ namespace {
 
 constexpr double kT_s = 0.001;
 
-/// 60 of each fault and law by default; PALPABLE_FAULTS=1000 for a measurement.
-int instants() {
-  const char* wanted = std::getenv("PALPABLE_FAULTS");
-  return wanted != nullptr ? std::atoi(wanted) : 60;
-}
-
-HapticScene on_relief(Law law, const models::Scene& scene, double radius_m, double stiffness_N_per_m) {
-  LawParameters p = frictionless(radius_m);
-  p.law = law;
-  p.stiffness_N_per_m = stiffness_N_per_m;
-  p.damping_Ns_per_m = 2.0;
-  return {made(scene, p), {}, 0};
-}
-
 std::vector<HapticScene> relief_scenes(Law law) {
   std::vector<HapticScene> scenes;
   for (const double radius_m : {0.0, 0.001})
@@ -75,29 +59,6 @@ std::vector<HapticScene> scenes_of_all_laws() {
   std::vector<HapticScene> scenes;
   for (const Law law : {Law::proxy, Law::penalty, Law::averaged})
     for (const HapticScene& scene : relief_scenes(law)) scenes.push_back(scene);
-  return scenes;
-}
-
-std::vector<HapticScene> grid_scenes() {
-  std::vector<HapticScene> scenes;
-  for (const int top : {5, 6})
-    for (const double stiffness_N_per_m : {500.0, 1500.0}) {
-      const auto plate = models::grid_scene({21, 21, 9}, 0.004F, [top](int z) { return z <= top; });
-      scenes.push_back(on_relief(Law::grid, plate, 0.0, stiffness_N_per_m));
-    }
-  return scenes;
-}
-
-std::vector<HapticScene> groove_scenes() {
-  std::vector<HapticScene> scenes;
-  for (const float ground_m : {0.005F, 0.0052F})
-    for (const double stiffness_N_per_m : {500.0, 1500.0}) {
-      models::Scene scene;
-      scene.model = std::make_shared<const models::Contours>(models::Contours{
-          *models::BoundaryMap::from_edges(Raster<models::BoundaryPixel>(100, 80), kPixel_m, 2.0, {}, Work{}),
-          models::relief_of(flat_ground(ground_m))});
-      scenes.push_back(on_relief(Law::groove, scene, 0.0, stiffness_N_per_m));
-    }
   return scenes;
 }
 
@@ -266,10 +227,6 @@ testing::AssertionResult is_harmless(const TouchedLaw& law, const Findings& foun
                                      << found.most_sideways_N << " N sideways, " << found.pressed
                                      << " ticks pressed";
 }
-
-/// The first tick of a force that restarts from zero is at most this: a thousandth of the greatest force of
-/// the device, plus a tolerance.
-constexpr double kBegins_N = 0.2;
 
 double from(std::mt19937& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);

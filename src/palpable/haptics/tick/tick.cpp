@@ -19,6 +19,12 @@ bool is_same(const Transform<SceneFrame, DeviceFrame>& a, const Transform<SceneF
 
 double known_or(double value, double otherwise) { return std::isfinite(value) ? value : otherwise; }
 
+bool is_same(const LawOutput& a, const LawOutput& b) {
+  const bool same_energy = a.stored_J == b.stored_J || (std::isnan(a.stored_J) && std::isnan(b.stored_J));
+  return same_energy && a.contact == b.contact && a.force_N == b.force_N && a.torque_Nm == b.torque_Nm &&
+         a.spring_N == b.spring_N && a.spring_torque_Nm == b.spring_torque_Nm && a.guide_N == b.guide_N;
+}
+
 /// 0 if one of the two is not a force.
 double max_force_N_of(const TickOptions& options, const device::Traits& traits) {
   const bool valid = options.max_force_N > 0.0 && traits.max_force_N > 0.0;
@@ -224,6 +230,10 @@ void TickPipeline::fade(double dt_s) noexcept {
   faded_ = std::min(1.0, faded_ + dt_s / options_.fade_s);
 }
 
+bool TickPipeline::is_changing() const noexcept {
+  return fading() && !(same_surface_ && is_same(now_.output, coming_.output));
+}
+
 void TickPipeline::end_fade() noexcept {
   retired_ = now_.scene;
   now_ = coming_;
@@ -260,7 +270,7 @@ Vector<DeviceFrame> TickPipeline::with_transient(Vector<DeviceFrame> force_N, do
   const LawOutput& output = now_.output;
   const bool strikes = !std::exchange(was_in_contact_, output.contact) && output.contact;
   // During a fade or a ramp, a vibration would belong to neither surface.
-  if (!output.contact || fading() || ramp_.value() < 1.0) {
+  if (!output.contact || is_changing() || ramp_.value() < 1.0) {
     transient_.stop();
     return force_N;
   }
@@ -280,8 +290,9 @@ void TickPipeline::make_force(double dt_s) noexcept {
   const double max_rise_N = options_.max_force_rate_N_per_s * risen_s;
   const double gain = ramp_.value();
   const Vector<DeviceFrame> rest_N = wanted_N - spring_N_;
-  const auto risen = rise_.limit(capped.force_N, rest_N, max_rise_N);
-  uncontrolled_N_ = uncontrolled_rise_.limit(capped.force_N, rest_N, max_rise_N).force_N;
+  const Vector<DeviceFrame> v = motion_.velocity_m_per_s();
+  const auto risen = rise_.limit(capped.force_N, rest_N, max_rise_N, v);
+  uncontrolled_N_ = uncontrolled_rise_.limit(capped.force_N, rest_N, max_rise_N, v).force_N;
   written_N_ = risen.force_N;
   if (has_torque_) make_torque(risen_s);
   limit_returns(risen_s);
@@ -300,7 +311,7 @@ void TickPipeline::make_torque(double risen_s) noexcept {
   const double max_rise_Nm = options_.max_torque_rate_Nm_per_s * risen_s;
   const auto limit = [&](RiseLimit& rise, Vector<DeviceFrame> before_Nm) {
     const Vector<DeviceFrame> wanted_Nm = rise.share() * capped.force_N;
-    const auto risen = cap_rise(wanted_Nm, before_Nm, max_rise_Nm);
+    const auto risen = cap_rise(wanted_Nm, before_Nm, max_rise_Nm, rotation_.velocity_rad_per_s());
     // What is held back of a torque is held back of the same spring.
     if (risen.limited) rise.note_limited();
     return risen;

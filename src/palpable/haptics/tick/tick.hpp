@@ -122,6 +122,9 @@ class TickPipeline {
   void write_device(bool wanted, bool is_glitch) noexcept;
   bool evaluate_laws(double dt_s) noexcept;
   void fade(double dt_s) noexcept;
+  /// Fading to a scene that feels otherwise here. An equal surface, as a live source sends it, changes
+  /// nothing.
+  bool is_changing() const noexcept;
   void end_fade() noexcept;
   /// Work on the hand since the previous tick, of the written forces and of those without the controller.
   struct Received {
@@ -214,7 +217,7 @@ class TickPipeline {
     /// The controller reduced it.
     bool weakened = false;
   };
-  static constexpr int kMaxDelay = 15;
+  static constexpr int kMaxDelay = static_cast<int>(PassivityObserver::kMostDelay);
   std::array<Sent, kMaxDelay + 1> sent_{};
   std::size_t newest_ = 0;
   /// What the motors held when the force was dropped.

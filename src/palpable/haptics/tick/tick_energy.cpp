@@ -133,6 +133,8 @@ void TickPipeline::observe(double dt_s) noexcept {
   step.rotation_J = stalled ? received_.written_J : dot(held().written_Nm, rotated_);
   step.guide_N = held().guide_N;
   step.dt_s = dt_s;
+  step.delay = delay_;
+  step.is_spring = now_.energy == EnergyModel::spring;
   step.contact = contact || (fading() && coming_.output.contact);
   step.damping_Ns_per_m = contact ? now_.scene->touchable->damping_Ns_per_m() : 0.0;
   step.shortened = shortened_;
@@ -185,7 +187,7 @@ void TickPipeline::account_returns(double dt_s) noexcept {
   returns_.account(received_.written_J, stored_J, dt_s);
   uncontrolled_returns_.account(received_.uncontrolled_J, stored_J, dt_s);
   // What a change of scene or of parameters brings is not the law's.
-  if (fading()) {
+  if (is_changing()) {
     returns_.raise_to(stored_J_);
     uncontrolled_returns_.raise_to(stored_J_);
   }
@@ -241,7 +243,7 @@ double TickPipeline::returned_share(const ReturnLimit& limit, const Forces& want
 }
 
 void TickPipeline::limit_returns(double dt_s) noexcept {
-  if (!is_accounted() || fading()) return;
+  if (!is_accounted() || is_changing()) return;
   const auto reduce = [&](const ReturnLimit& limit, RiseLimit& rise, Vector<DeviceFrame>& force_N,
                           Vector<DeviceFrame>& torque_Nm, Forces (*sent_as)(const Sent&)) {
     const double share = returned_share(limit, {force_N, torque_Nm}, sent_as, dt_s);

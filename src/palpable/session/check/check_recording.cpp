@@ -132,14 +132,18 @@ void Check::compare(const device::TouchSample& tick, const device::TouchSample& 
   report_.differing += equal && same_state ? 0 : 1;
 }
 
-/// For laws with a weight, the work alone proves nothing. The servo's own observer, which includes their
-/// potential, is used there.
+/// The bar is the same for every law: what the servo's own observer says. Where the recorded work alone shows
+/// as much, it is found there (RecordedForces); for laws with a weight the work proves nothing. Once ticks
+/// were missed, the observer also counts what a hand got because forces and dampers came late, which is not
+/// the law's: from then on contact laws are judged by the work.
 void Check::check_observed(const device::TouchSample& tick) {
   const RecordedTouch* touch = scenes_.touch(tick.scene_id);
   const double made_J = touch_.counts().made_max_J;
   if (touch == nullptr || made_J <= observed_J_) return;
   observed_J_ = made_J;
-  if (!haptics::description_of(touch->law.law).is_contact && made_J > kEnergyMade_J)
+  const bool is_contact = haptics::description_of(touch->law.law).is_contact;
+  if (made_J > kEnergyMade_J && (!is_contact || forces_.missed() == 0) &&
+      !(made_J <= forces_.work_made_max_J()))
     findings_.add(FindingKind::energy_made, tick, made_J);
 }
 
