@@ -50,7 +50,7 @@ describe.skipIf(!isPossible())('the demo', () => {
     const files = readdirSync(demo);
     expect(files.reduce((bytes, file) => bytes + statSync(join(demo, file)).size, 0)).toBeLessThanOrEqual(25e6);
     const index = readFileSync(join(demo, 'index.html'), 'utf8');
-    const named = [...index.matchAll(/(?:src|href)="([^"]+)"/g)].map((match) => match[1]!);
+    const named = [...index.matchAll(/(?:src|href)="([^"#]+)/g)].map((match) => match[1]!);
     expect(new Set(named)).toEqual(new Set(files.filter((file) => file !== 'index.html')));
   });
 
@@ -72,6 +72,9 @@ describe.skipIf(!isPossible())('the demo', () => {
       await page.keyboard.press('Enter');
       await page.waitForFunction(() => document.getElementById('status')?.dataset.state === 'running');
     }
+    // And back to the list.
+    await page.getByRole('link', { name: 'All scenes' }).click();
+    await page.getByRole('heading', { name: 'Pictures that can be touched' }).waitFor();
     expect([asked, wrong]).toEqual([[], []]);
     await page.context().close();
   });

@@ -67,6 +67,7 @@ void add_info(Program& program);
 void add_make(Program& program);
 void add_marker(Program& program);
 void add_methods(Program& program);
+void add_name(Program& program);
 void add_probe(Program& program);
 void add_rectify(Program& program);
 void add_sample(Program& program);

@@ -90,6 +90,7 @@ void add_commands(Program& program) {
   add_devices(program);
   add_share(program);
   add_methods(program);
+  add_name(program);
   add_doctor(program);
   add_help(program);
 }

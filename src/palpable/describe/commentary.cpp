@@ -4,9 +4,13 @@
 
 #include "palpable/describe/contour_lines.hpp"
 #include "palpable/describe/numbers.hpp"
+#include "palpable/describe/place_guide.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
 
 namespace palpable::describe {
 namespace {
@@ -16,7 +20,7 @@ std::string sweep_name(const models::Scene& scene, Place place) {
   const std::string name = name_at(scene, place);
   // Between the streets of a map nothing is said.
   if (scene.map != nullptr && name != kRouteEnd &&
-      models::label_at(scene, {{place.x_m, place.y_m, 0.0}}) == 0)
+      models::label_at(scene, {{place.x_m, place.y_m, 0.0}}) == 0 && written_at(scene, place) == nullptr)
     return {};
   const auto* contours = std::get_if<std::shared_ptr<const models::Contours>>(&scene.model);
   if (contours == nullptr || !name.empty()) return name;
@@ -32,13 +36,14 @@ CommentaryOptions commentary_options(const models::Scene& scene) {
   if (scene.map == nullptr) return options;
   options.dwell_s = 0.05;
   options.gap_s = 0.5;
+  options.holds_before_unnamed_only = true;
   return options;
 }
 
 std::optional<std::string> Commentary::at(const models::Scene& scene, double height_factor, Place place,
                                           double now_s) {
   const std::string edge = edge_at(scene, height_factor, place);
-  const std::string name = sweep_name(scene, place);
+  const std::string name = held_name(scene, place, now_s);
   if (name != candidate_) candidate_ = name, candidate_since_s_ = now_s;
   const bool is_calm = now_s - said_s_ >= options_.gap_s;
   if (name != current_ && now_s - candidate_since_s_ >= options_.dwell_s) {
@@ -51,7 +56,7 @@ std::optional<std::string> Commentary::at(const models::Scene& scene, double hei
       current_ = name;
       said_.push_back({name, now_s});
       said_s_ = now_s;
-      return capitalised(name);
+      return said_name(scene, place, name);
     }
     // Within the gap nothing is said; the name is said later if the probe is still there.
     return std::nullopt;
@@ -62,10 +67,35 @@ std::optional<std::string> Commentary::at(const models::Scene& scene, double hei
   return edge;
 }
 
+std::string Commentary::held_name(const models::Scene& scene, Place place, double now_s) {
+  std::string name = sweep_name(scene, place);
+  if (name == current_ || current_.empty()) {
+    inside_s_ = now_s;
+    return name;
+  }
+  if ((options_.holds_before_unnamed_only && !name.empty()) || now_s - inside_s_ >= options_.settle_s)
+    return name;
+  constexpr int kDirections = 8;
+  const double hold_m = options_.hold * longer_side_m(scene);
+  for (int k = 0; k < kDirections; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / kDirections;
+    const Place beside{place.x_m + hold_m * std::cos(angle), place.y_m + hold_m * std::sin(angle)};
+    if (sweep_name(scene, beside) == current_) return current_;
+  }
+  return name;
+}
+
+std::string Commentary::said_name(const models::Scene& scene, Place place, const std::string& name) {
+  const models::PlaceName* const written = written_at(scene, place);
+  if (written == nullptr || written->name != name || written->sentence.empty() || !told_.insert(name).second)
+    return capitalised(name);
+  return fmt::format("{}. {}", capitalised(name), written->sentence);
+}
+
 void Commentary::heard(const models::Scene& scene, Place place, double now_s) {
   candidate_ = current_ = sweep_name(scene, place);
   said_ = {{candidate_, now_s}};
-  candidate_since_s_ = said_s_ = now_s;
+  candidate_since_s_ = said_s_ = inside_s_ = now_s;
   way_.clear();
   on_edge_ = false;
 }

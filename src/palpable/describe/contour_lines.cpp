@@ -349,11 +349,12 @@ ContourDrawing find_contour_lines(const models::BoundaryMap& map, const ContourL
     for (std::size_t k = 0; k < places.size(); ++k) {
       if (k > 0) line.length_m += pixel_m * distance_px(places[k - 1], places[k]);
       const Place p = place_of(places[k]);
+      line.points.push_back(p);
       line.least = {std::min(line.least.x_m, p.x_m), std::min(line.least.y_m, p.y_m)};
       line.most = {std::max(line.most.x_m, p.x_m), std::max(line.most.y_m, p.y_m)};
     }
     if (chain.closed) line.length_m += pixel_m * distance_px(places.back(), places.front());
-    if (line.length_m >= options.least_length * side_px * pixel_m) drawing.lines.push_back(line);
+    if (line.length_m >= options.least_length * side_px * pixel_m) drawing.lines.push_back(std::move(line));
   }
   std::stable_sort(drawing.lines.begin(), drawing.lines.end(),
                    [](const ContourLine& a, const ContourLine& b) { return a.length_m > b.length_m; });

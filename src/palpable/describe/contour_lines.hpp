@@ -22,6 +22,8 @@ struct ContourLine {
   Place least, most;
   /// Start and end; equal if the line is closed.
   Place first, last;
+  /// Its centre line, from the first place to the last one; of a closed line without repeating the first.
+  std::vector<Place> points;
   Place middle() const { return {0.5 * (least.x_m + most.x_m), 0.5 * (least.y_m + most.y_m)}; }
 };
 

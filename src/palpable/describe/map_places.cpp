@@ -35,24 +35,37 @@ bool is_inside_ring(MapPoint p, const std::vector<MapPoint>& ring) {
 bool is_large(MapPlace::Kind kind) { return is_special_building(kind) || kind == MapPlace::Kind::roundabout; }
 
 std::string where_words(const MapGuide& guide, const NamedPlace& place) {
-  return fmt::format("{}, {}{}", place.words, guide.region_of(place.at),
+  return fmt::format("{}, {}{}", place.words, guide.region_of(guide.pixel_of(place.name.at)),
                      place.felt ? "" : ", which cannot be felt");
 }
 
 }  // namespace
 
-std::vector<NamedPlace> named_places(const StreetMap& map) {
+std::vector<NamedPlace> named_places(const MapGuide& guide) {
+  const StreetMap& map = guide.map();
   std::vector<NamedPlace> places;
-  for (const MapPlace& place : map.places)
-    places.push_back({place.name.empty() ? std::string(words_of(place.kind)) : place.name, words_of(place),
-                      place.at, place.kind, place.felt});
+  for (const MapPlace& place : map.places) {
+    NamedPlace named;
+    named.name.name = place.name.empty() ? std::string(words_of(place.kind)) : place.name;
+    named.name.at = guide.place_of(place.at);
+    if (is_special_building(place.kind) && place.outline.size() > 2) {
+      named.name.extent = models::PlaceName::Extent::area;
+      for (const MapPoint p : place.outline) named.name.line.push_back(guide.place_of(p));
+    }
+    named.words = words_of(place);
+    named.kind = place.kind;
+    named.felt = place.felt;
+    places.push_back(std::move(named));
+  }
   const auto is_place = [&map](const std::string& text) {
     return std::any_of(map.places.begin(), map.places.end(),
                        [&text](const MapPlace& place) { return place.name == text; });
   };
   for (const MapLabel& label : map.labels)
     if (!label.names_street && !label.box.empty() && !is_place(label.text))
-      places.push_back({label.text, label.text, middle_of(label), std::nullopt, true});
+      places.push_back({{label.text, {}, guide.place_of(middle_of(label)), {}, {}}, label.text});
+  for (std::size_t i = 0; i < guide.written().size(); ++i)
+    places.push_back({guide.written()[i], guide.written()[i].name, {}, true, i});
   return places;
 }
 
@@ -73,7 +86,7 @@ const MapPlace* place_at(const MapGuide& guide, MapPoint at) {
 std::string special_places_words(const MapGuide& guide, std::size_t most) {
   std::vector<std::string> words;
   std::size_t more = 0;
-  for (const NamedPlace& place : named_places(guide.map())) {
+  for (const NamedPlace& place : named_places(guide)) {
     if (!place.kind || !is_large(*place.kind)) continue;
     if (words.size() < most)
       words.push_back(where_words(guide, place));
@@ -93,7 +106,7 @@ std::string special_places_text(const MapGuide& guide) {
     tactile += place.tactile_paving ? 1 : 0;
     entrances += place.kind == MapPlace::Kind::entrance ? 1 : 0;
   }
-  for (const NamedPlace& place : named_places(guide.map()))
+  for (const NamedPlace& place : named_places(guide))
     if (place.kind && *place.kind != MapPlace::Kind::crossing && *place.kind != MapPlace::Kind::entrance)
       lines += capitalised(where_words(guide, place)) + ".\n";
   if (crossings > 0)

@@ -3,30 +3,18 @@
 #pragma once
 
 #include "palpable/describe/map_words.hpp"
+#include "palpable/describe/named_place.hpp"
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
 // Special places, and the words of a map that are no street's, in words.
 namespace palpable::describe {
 
-/// A place that can be asked for.
-struct NamedPlace {
-  /// Its name; that of its kind if it has none.
-  std::string name;
-  /// As it is said: "St Mary, church".
-  std::string words;
-  MapPoint at;
-  /// nullopt for words of which nothing else is known.
-  std::optional<MapPlace::Kind> kind;
-  bool felt = true;
-};
-
 /// The special places of a map, then the words on it that are neither a street's name nor that of a special
-/// place.
-std::vector<NamedPlace> named_places(const StreetMap& map);
+/// place, then what persons named.
+std::vector<NamedPlace> named_places(const MapGuide& guide);
 
 /// The special place at a probe: a building around it, or another place within reach of it; nullptr if there
 /// is none.

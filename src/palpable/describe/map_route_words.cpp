@@ -3,9 +3,9 @@
 #include "palpable/describe/map_route_words.hpp"
 
 #include "palpable/core/geometry/map_place.hpp"
-#include "palpable/core/text/edit_distance.hpp"
 #include "palpable/describe/map_places.hpp"
 #include "palpable/describe/map_text.hpp"
+#include "palpable/describe/name_search.hpp"
 #include "palpable/describe/numbers.hpp"
 
 #include <algorithm>
@@ -71,48 +71,6 @@ std::string end_of_piece(const MapGuide& guide, std::size_t node, const StreetPo
   return fmt::format("{} {}", what, offset_to(guide, on.at, end.at));
 }
 
-std::string small_letters(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  while (!text.empty() && text.back() == ' ') text.pop_back();
-  return text.substr(std::min(text.find_first_not_of(' '), text.size()));
-}
-
-/// Which of the names a text means: one that is the same, begins so, or is spelled nearly so. Equal names are
-/// one. With several, all of them; with none, nothing.
-struct Meant {
-  std::vector<std::size_t> names;
-  /// Whether it is the whole name.
-  bool is_whole = false;
-};
-
-void add_once(std::vector<std::size_t>& found, std::size_t i, const std::vector<std::string>& names) {
-  for (const std::size_t known : found)
-    if (small_letters(names[known]) == small_letters(names[i])) return;
-  found.push_back(i);
-}
-
-Meant meant(const std::string& asked, const std::vector<std::string>& names) {
-  const std::string wanted = small_letters(asked);
-  Meant found;
-  if (wanted.empty()) return found;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const std::string name = small_letters(names[i]);
-    if (name == wanted) return {{i}, true};
-    if (name.starts_with(wanted)) add_once(found.names, i, names);
-  }
-  if (!found.names.empty()) return found;
-  // One letter in five may differ.
-  std::size_t least = wanted.size() / 5;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const std::size_t d = edit_distance(wanted, small_letters(names[i]));
-    if (d > least) continue;
-    if (d < least) found.names.clear();
-    least = d;
-    add_once(found.names, i, names);
-  }
-  return found;
-}
-
 /// What can be asked for: the streets, the places, then the streets that are not felt.
 struct Askable {
   std::vector<std::string> names;
@@ -121,45 +79,16 @@ struct Askable {
 };
 
 Askable askable(const MapGuide& guide) {
-  Askable all{{}, named_places(guide.map()), guide.streets().size()};
+  Askable all{{}, named_places(guide), guide.streets().size()};
   for (const auto& street : guide.streets()) all.names.push_back(street.name);
-  for (const NamedPlace& place : all.places) all.names.push_back(place.name);
+  for (const NamedPlace& place : all.places) all.names.push_back(place.name.name);
   all.names.insert(all.names.end(), guide.missing_names().begin(), guide.missing_names().end());
   return all;
 }
 
-constexpr std::size_t kMostNamed = 8;
-
-std::string some_of(const std::vector<std::size_t>& which, const std::vector<std::string>& names) {
-  std::vector<std::string> some;
-  for (const std::size_t i : which) {
-    if (some.size() == kMostNamed) {
-      some.push_back(fmt::format("{} more", which.size() - kMostNamed));
-      break;
-    }
-    some.push_back(names[i]);
-  }
-  return listed(some);
-}
-
-/// Names of which at most half of the letters differ, the most similar first.
-std::vector<std::size_t> similar(const std::string& asked, const std::vector<std::string>& names) {
-  const std::string wanted = small_letters(asked);
-  std::vector<std::pair<std::size_t, std::size_t>> near;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const std::string name = small_letters(names[i]);
-    const std::size_t d = edit_distance(wanted, name);
-    if (2 * d <= std::max(wanted.size(), name.size())) near.emplace_back(d, i);
-  }
-  std::sort(near.begin(), near.end());
-  std::vector<std::size_t> found;
-  for (const auto& [d, i] : near) add_once(found, i, names);
-  return found;
-}
-
 Error not_found(const std::string& name, const Askable& all) {
-  const auto near = similar(name, all.names);
-  std::vector<std::size_t> longest(std::min(kMostNamed, all.streets));
+  const auto near = similar_names(name, all.names);
+  std::vector<std::size_t> longest(std::min(kMostNamesSaid, all.streets));
   std::iota(longest.begin(), longest.end(), std::size_t{0});
   return {ErrorCode::usage,
           fmt::format("nothing on the map is called '{}'; {} {}", name,
@@ -170,7 +99,7 @@ Error not_found(const std::string& name, const Askable& all) {
 
 /// The one name that is meant, as its number in Askable::names.
 Result<std::size_t> one_name(const std::string& name, const Askable& all) {
-  const Meant found = meant(name, all.names);
+  const MeantNames found = meant_names(name, all.names);
   if (found.names.empty()) return not_found(name, all);
   if (found.names.size() > 1)
     return Error{
@@ -261,9 +190,10 @@ std::string around_words(const MapGuide& guide, Place place) {
     if (nearest)
       near.push_back({least, fmt::format("{} {}", street.name, offset_to(guide, at, *nearest)), street.name});
   }
-  for (const NamedPlace& named : named_places(guide.map()))
-    near.push_back({distance_px(named.at, at),
-                    fmt::format("{} {}", named.words, offset_to(guide, at, named.at)), named.words});
+  for (const NamedPlace& named : named_places(guide))
+    if (const MapPoint p = guide.pixel_of(named.name.at); true)
+      near.push_back(
+          {distance_px(p, at), fmt::format("{} {}", named.words, offset_to(guide, at, p)), named.words});
   if (near.empty()) return "Nothing with a name is around.";
   std::sort(near.begin(), near.end(), [](const Near& a, const Near& b) { return a.distance < b.distance; });
   std::vector<std::string> words;
@@ -294,7 +224,7 @@ std::vector<std::string> map_parts(const models::Scene& scene, Place probe) {
 Result<StreetPosition> find_on_map(const MapGuide& guide, const std::string& name) {
   const Askable all = askable(guide);
   // A whole name may hold the sign.
-  if (!meant(name, all.names).is_whole) {
+  if (!meant_names(name, all.names).is_whole) {
     std::optional<Error> first_error;
     for (std::size_t sign = name.find('&'); sign != std::string::npos; sign = name.find('&', sign + 1)) {
       auto junction = find_junction(guide, all, name, sign);
@@ -306,14 +236,15 @@ Result<StreetPosition> find_on_map(const MapGuide& guide, const std::string& nam
   // As it is said, with its kind.
   for (const NamedPlace& place : all.places)
     if (place.kind && small_letters(place.words) == small_letters(name))
-      if (const auto on = guide.network().nearest(place.at, std::numeric_limits<double>::infinity()))
+      if (const auto on =
+              guide.network().nearest(guide.pixel_of(place.name.at), std::numeric_limits<double>::infinity()))
         return *on;
   const auto found = one_name(name, all);
   if (!found) return found.error();
   const MapPoint at = *found < all.streets
                           ? models::place_along(guide.streets()[*found].runs.front().line,
                                                 0.5 * guide.streets()[*found].runs.front().length_px)
-                          : all.places[*found - all.streets].at;
+                          : guide.pixel_of(all.places[*found - all.streets].name.at);
   const auto on = guide.network().nearest(at, std::numeric_limits<double>::infinity());
   return on ? Result<StreetPosition>(*on) : Result<StreetPosition>(not_found(name, all));
 }
@@ -328,7 +259,7 @@ Result<RouteEnds> route_ends(const MapGuide& guide, const std::string& text) {
     const auto from = find_on_map(guide, a);
     const auto to = find_on_map(guide, b);
     if (from && to) {
-      const bool whole = meant(a, names).is_whole && meant(b, names).is_whole;
+      const bool whole = meant_names(a, names).is_whole && meant_names(b, names).is_whole;
       if (!ends || whole) ends = RouteEnds{*from, *to};
       if (whole) break;
     } else if (!first_error) {

@@ -208,8 +208,9 @@ std::string regions_of(const MapGuide& guide, MapArea::Kind kind) {
 
 void add_places(std::string& text, const MapGuide& guide) {
   std::vector<std::string> places;
-  for (const NamedPlace& place : named_places(guide.map()))
-    if (!place.kind) places.push_back(fmt::format("{}, {}.\n", place.words, guide.region_of(place.at)));
+  for (const NamedPlace& place : named_places(guide))
+    if (!place.kind)
+      places.push_back(fmt::format("{}, {}.\n", place.words, guide.region_of(guide.pixel_of(place.name.at))));
   text += special_places_text(guide);
   if (!places.empty()) text += fmt::format("\nPlaces.\n{}", fmt::join(places, ""));
 }

@@ -35,6 +35,7 @@ std::string called(const std::string& name, MapStreet::Kind kind) {
 MapGuide::MapGuide(const models::Scene& scene, MapStreets streets)
     : network_(streets == MapStreets::all ? scene.map : models::felt_part(*scene.map)),
       scene_m_per_px_(models::size_m(scene).x / std::max(1, scene.map->width_px)),
+      written_(scene.names),
       streets_(network_.named_streets(beside_px(*scene.map))),
       missing_names_(streets == MapStreets::all ? std::vector<std::string>()
                                                 : models::unfelt_names(*scene.map)) {}

@@ -40,6 +40,9 @@ class MapGuide {
   /// Whether a place is at the map's edge.
   bool is_at_edge(MapPoint pixel) const;
 
+  /// What persons named on the map.
+  const models::PlaceNames& written() const noexcept { return written_; }
+
   /// Every street with a name, the longest first.
   const std::vector<models::NamedStreet>& streets() const noexcept { return streets_; }
   /// Names of the map's streets that are not among streets(): no piece of them is felt. Empty with
@@ -51,6 +54,7 @@ class MapGuide {
  private:
   models::StreetNetwork network_;
   double scene_m_per_px_ = 0.0;
+  models::PlaceNames written_;
   std::vector<models::NamedStreet> streets_;
   std::vector<std::string> missing_names_;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/geometry/place.hpp"
 #include "palpable/describe/ground_tilt.hpp"
 #include "palpable/models/relief/relief.hpp"
 
@@ -10,11 +11,7 @@
 
 namespace palpable::describe {
 
-/// A place seen from above, scene frame, metres.
-struct Place {
-  double x_m = 0.0;
-  double y_m = 0.0;
-};
+using palpable::Place;
 
 /// A local maximum of a surface.
 struct Peak {

@@ -3,8 +3,10 @@
 #include "palpable/describe/place_words.hpp"
 
 #include "palpable/describe/contour_lines.hpp"
+#include "palpable/describe/found_places.hpp"
 #include "palpable/describe/map_route_words.hpp"
 #include "palpable/describe/numbers.hpp"
+#include "palpable/describe/place_guide.hpp"
 #include "palpable/describe/solid_shape.hpp"
 
 #include <algorithm>
@@ -55,7 +57,20 @@ std::string surface_at(const models::Scene& scene, double height_factor, Place p
                      slope_words(height_factor * at.dzdx, height_factor * at.dzdy));
 }
 
-constexpr const char* kBeside = "nothing here";
+/// Beside a solid: where it is.
+std::string beside_words(const models::Scene& scene, Place place) {
+  const auto surface = nearest_surface(scene, place);
+  if (!surface) return "nothing here";
+  return fmt::format("nothing here, the surface is {}",
+                     offset_words(surface->x_m - place.x_m, surface->y_m - place.y_m));
+}
+
+/// The sentence of a written name, after a blank; empty without any.
+std::string sentence_after(const models::PlaceName* name) {
+  if (name == nullptr || name->sentence.empty()) return {};
+  const bool ends = name->sentence.find_last_of(".!?") + 1 == name->sentence.size();
+  return fmt::format(" {}{}", name->sentence, ends ? "" : ".");
+}
 
 /// How the coordinate towards the user is called.
 const char* height_name(const models::Scene& scene) {
@@ -148,6 +163,7 @@ bool is_at_route_end(const models::Scene& scene, Place place) {
 
 std::string name_at(const models::Scene& scene, Place place) {
   if (is_at_route_end(scene, place)) return kRouteEnd;
+  if (const auto* written = written_at(scene, place)) return written->name;
   const models::Material& material = scene.materials[models::label_at(scene, {{place.x_m, place.y_m, 0.0}})];
   return material.name == models::Material{}.name ? std::string() : material.name;
 }
@@ -155,32 +171,40 @@ std::string name_at(const models::Scene& scene, Place place) {
 std::string position_words(const models::Scene& scene, double height_factor, Place place) {
   const models::BoundaryMap* const map = boundaries_of(scene);
   const std::string what = map != nullptr                  ? capitalised(line_at(*map, place))
-                           : is_beside_solid(scene, place) ? capitalised(kBeside)
+                           : is_beside_solid(scene, place) ? capitalised(beside_words(scene, place))
                                                            : capitalised(height_name(scene)) + " " +
                                                                  surface_at(scene, height_factor, place);
+  const models::PlaceName* const written = written_at(scene, place);
   if (scene.map != nullptr) {
     const MapGuide guide(scene, MapStreets::felt);
-    return fmt::format("{}. {}{} {}", capitalised(where(scene, place)),
+    return fmt::format("{}. {}{}{} {}", capitalised(where(scene, place)),
                        is_at_route_end(scene, place) ? capitalised(kRouteEnd) + ". " : std::string(),
+                       written != nullptr
+                           ? fmt::format("{}.{} ", capitalised(written->name), sentence_after(written))
+                           : std::string(),
                        map_position_words(guide, place), around_words(guide, place));
   }
   const std::string name = name_at(scene, place);
-  return fmt::format("{}. {}.{}", capitalised(where(scene, place)), what,
-                     name.empty() ? "" : fmt::format(" {}.", capitalised(name)));
+  return fmt::format("{}. {}.{}{}", capitalised(where(scene, place)), what,
+                     name.empty() ? "" : fmt::format(" {}.", capitalised(name)), sentence_after(written));
 }
 
 std::string step_words(const models::Scene& scene, double height_factor, Place place) {
   const models::BoundaryMap* const map = boundaries_of(scene);
   // On a map the names are what counts.
   if (scene.map != nullptr) return name_at(scene, place);
-  if (is_beside_solid(scene, place)) return kBeside;
+  if (is_beside_solid(scene, place)) {
+    const auto* written = written_at(scene, place);
+    return (written != nullptr ? written->name + ", " : std::string()) + beside_words(scene, place);
+  }
   const std::string what = map != nullptr ? line_at(*map, place) : surface_at(scene, height_factor, place);
   const std::string name = name_at(scene, place);
   return name.empty() ? what : fmt::format("{}, {}", name, what);
 }
 
 std::string press_words(const models::Scene& scene, Place place, double press_m) {
-  if (press_m > 0.0 && is_beside_solid(scene, place)) return "nothing here to press";
+  if (press_m > 0.0 && is_beside_solid(scene, place))
+    return "nothing to press: " + beside_words(scene, place);
   return press_m >= 0.0 ? fmt::format("pressed {} deep", spoken_length(press_m))
                         : fmt::format("lifted by {}", spoken_length(-press_m));
 }
@@ -189,7 +213,7 @@ std::string felt_words(const models::Scene& scene, double height_factor, Place p
   const double height_m =
       height_factor * (models::relief_of(scene)->sample(place.x_m, place.y_m).z_m - base_of(scene));
   const std::string what = is_beside_solid(scene, place)
-                               ? std::string(kBeside)
+                               ? beside_words(scene, place)
                                : fmt::format("{} {}", height_name(scene), spoken_length(height_m));
   const std::string name = name_at(scene, place);
   return fmt::format("{}, {}, force {}{}", where(scene, place), what, spoken_force(force_N),

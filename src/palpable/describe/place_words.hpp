@@ -33,11 +33,13 @@ std::string line_words(double angle_rad);
 inline constexpr const char* kRouteEnd = "the end of the route";
 bool is_at_route_end(const models::Scene& scene, Place place);
 
-/// The name of the material at a place, or kRouteEnd; empty where it has none of its own.
+/// The name that a person gave a place, else that of its material; or kRouteEnd. Empty where it has none of
+/// its own.
 std::string name_at(const models::Scene& scene, Place place);
 
-/// Everything about a place: region, offset from the middle, height and slope (for contours: the line), name.
-/// Heights of a solid are above its base, or from its back if it stands upright; beside it is "nothing".
+/// Everything about a place: region, offset from the middle, height and slope (for contours: the line), name
+/// and sentence. Heights of a solid are above its base, or from its back if it stands upright; beside it is
+/// "nothing", and where the surface is.
 std::string position_words(const models::Scene& scene, double height_factor, Place place);
 /// The place after a step, in short: name, height and slope; for contours, whether the probe is on a line.
 std::string step_words(const models::Scene& scene, double height_factor, Place place);

@@ -5,6 +5,7 @@
 #include "palpable/describe/contour_words.hpp"
 #include "palpable/describe/map_route_words.hpp"
 #include "palpable/describe/numbers.hpp"
+#include "palpable/describe/place_guide.hpp"
 #include "palpable/describe/solid_words.hpp"
 #include "palpable/models/field/solid_view.hpp"
 
@@ -276,6 +277,31 @@ std::vector<std::string> parts_of(const models::Scene& scene, double height_fact
           nine_parts(scene, height_factor)};
 }
 
+/// What persons named, the nearest first.
+std::string names_part(const models::Scene& scene, Place probe) {
+  struct Near {
+    double distance_m;
+    std::string words;
+  };
+  std::vector<Near> near;
+  for (const models::PlaceName& name : scene.names) {
+    auto nearest = nearest_of(scene, name, probe);
+    if (name.extent == models::PlaceName::Extent::label && nearest.distance_m > 0.0)
+      nearest.distance_m = std::hypot(name.at.x_m - probe.x_m, name.at.y_m - probe.y_m);
+    near.push_back({nearest.distance_m,
+                    fmt::format("{}, {}", name.name,
+                                offset_words(nearest.at.x_m - probe.x_m, nearest.at.y_m - probe.y_m))});
+  }
+  std::stable_sort(near.begin(), near.end(),
+                   [](const Near& a, const Near& b) { return a.distance_m < b.distance_m; });
+  std::vector<std::string> words;
+  for (std::size_t k = 0; k < std::min(kMostListed, near.size()); ++k) words.push_back(near[k].words);
+  const std::string more =
+      near.size() > kMostListed ? fmt::format(" {} more: L lists all.", near.size() - kMostListed) : "";
+  return fmt::format("{}, the nearest first: {}.{}", capitalised(counted(near.size(), "name", "names")),
+                     fmt::join(words, "; "), more);
+}
+
 }  // namespace
 
 std::string name_of(const models::Scene& scene) {
@@ -299,6 +325,7 @@ std::string opening_words(const models::Scene& scene) {
 std::vector<std::string> scene_parts(const models::Scene& scene, double height_factor, Place probe) {
   auto parts = parts_of(scene, height_factor, probe);
   for (const std::string& warning : scene.warnings) parts.front() += " " + sentence(warning);
+  if (!scene.names.empty()) parts.insert(parts.begin() + 1, names_part(scene, probe));
   if (!scene.description.empty() && scene.map == nullptr)
     parts.insert(parts.begin() + 1, sentence(scene.description));
   return parts;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/onefile/browser_touch.hpp"
 
+#include "palpable/describe/numbers.hpp"
 #include "palpable/haptics/servo/servo_options.hpp"
 #include "palpable/haptics/servo/start_touch.hpp"
 #include "palpable/page/page_laws.hpp"
@@ -188,9 +189,28 @@ void BrowserTouch::pause(bool paused) {
   for (const auto& probe : probes_) probe->tick.set_paused(paused);
 }
 
-std::string BrowserTouch::answer(const protocol::Ask& ask) {
+page::protocol::Words BrowserTouch::answer(const protocol::Ask& ask) {
   const double force_N = norm(probes_.at(static_cast<std::size_t>(ask.probe))->latest.written_force_N.v);
   return words_.answer(ask, *scene_, settings_.height_factor, force_N);
+}
+
+protocol::Around BrowserTouch::around(const protocol::LookAround& question) {
+  return words_.names().around(*scene_, question);
+}
+
+template <class Edit>
+void BrowserTouch::edit_names(const Edit& edit) {
+  auto edited = words_.names().edited(*scene_, edit);
+  if (!edited) return say("answer", describe::capitalised(edited.error().message) + ".");
+  auto named = std::make_shared<models::Scene>(*scene_);
+  named->names = std::move(edited->names);
+  scene_ = std::move(named);
+  say("answer", std::move(edited->words));
+}
+
+void BrowserTouch::find(const protocol::Find& find) {
+  if (const auto seen = words_.names().find(*scene_, find); !seen)
+    say("answer", describe::capitalised(seen.error().message) + ".");
 }
 
 std::optional<protocol::Notice> BrowserTouch::next_notice() {

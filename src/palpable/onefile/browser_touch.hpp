@@ -52,7 +52,12 @@ class BrowserTouch final : public page::PageHost {
   void recentre() override {}
   /// There is no egocentric view.
   void move_explorer(const page::protocol::MoveExplorer& /*pose*/) override {}
-  std::string answer(const page::protocol::Ask& ask) override;
+  page::protocol::Words answer(const page::protocol::Ask& ask) override;
+  page::protocol::Around around(const page::protocol::LookAround& question) override;
+  void name(const page::protocol::Name& name) override { edit_names(name); }
+  void unname(const page::protocol::Unname& name) override { edit_names(name); }
+  void undo_name(const page::protocol::UndoName& undo) override { edit_names(undo); }
+  void find(const page::protocol::Find& find) override;
   std::optional<page::protocol::Notice> next_notice() override;
 
  private:
@@ -76,6 +81,8 @@ class BrowserTouch final : public page::PageHost {
   void swap_scenes();
   bool fading() const;
   void place(Probe& probe) const;
+  template <class Edit>
+  void edit_names(const Edit& edit);
   void say(std::string level, std::string text);
 
   std::shared_ptr<const models::Scene> scene_;

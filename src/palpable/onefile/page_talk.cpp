@@ -27,8 +27,10 @@ void PageTalk::receive(std::string_view text) {
   std::visit([this](const auto& m) { handle(m); }, *message);
 }
 
-void PageTalk::handle(const page::protocol::Ask& ask) {
-  send({page::text_frame(page::protocol::Words{ask.serial, touch_.answer(ask)})});
+void PageTalk::handle(const page::protocol::Ask& ask) { send({page::text_frame(touch_.answer(ask))}); }
+
+void PageTalk::handle(const page::protocol::LookAround& question) {
+  send({page::text_frame(touch_.around(question))});
 }
 
 bool PageTalk::advance(double seconds) {

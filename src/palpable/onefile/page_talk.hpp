@@ -37,6 +37,11 @@ class PageTalk {
   void handle(const page::protocol::Recentre&) { touch_.recentre(); }
   void handle(const page::protocol::MoveExplorer& pose) { touch_.move_explorer(pose); }
   void handle(const page::protocol::Ask& ask);
+  void handle(const page::protocol::LookAround& question);
+  void handle(const page::protocol::Name& name) { touch_.name(name); }
+  void handle(const page::protocol::Unname& name) { touch_.unname(name); }
+  void handle(const page::protocol::UndoName& undo) { touch_.undo_name(undo); }
+  void handle(const page::protocol::Find& find) { touch_.find(find); }
   void handle(const page::protocol::Visible&) {}
   void send(const std::vector<page::SharedFrame>& frames);
 

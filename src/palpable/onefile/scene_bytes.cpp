@@ -67,18 +67,30 @@ void fields(Archive& archive, typename Archive::template Ref<models::Provenance>
   archive(source.inputs, source.method, source.made_by);
 }
 
+template <class Archive>
+void fields(Archive& archive, typename Archive::template Ref<Place> place) {
+  archive(place.x_m, place.y_m);
+}
+
+template <class Archive>
+void fields(Archive& archive, typename Archive::template Ref<models::PlaceName> name) {
+  archive(name.name, name.sentence, name.at, name.line);
+  archive.choice(name.extent, static_cast<unsigned>(models::PlaceName::Extent::label) + 1);
+}
+
 /// All but the model, the labels, the textures' pictures and the map.
 template <class Archive>
 void fields(Archive& archive, typename Archive::template Ref<models::Scene> scene) {
   archive(scene.materials, scene.scene_from_input.rotation, scene.scene_from_input.translation_m,
-          scene.scene_from_input.scale, scene.source, scene.title, scene.description, scene.warnings);
+          scene.scene_from_input.scale, scene.source, scene.title, scene.description, scene.warnings,
+          scene.names);
   archive.choice(scene.pose, static_cast<unsigned>(models::SolidPose::flat) + 1);
 }
 
 namespace {
 
 /// The first bytes; the number is raised when anything else here changes.
-const std::string kMark = "palpable one-file scene 1";
+const std::string kMark = "palpable one-file scene 2";
 
 Error damaged_scene() { return invalid_input("holds a scene that is damaged or cut off"); }
 

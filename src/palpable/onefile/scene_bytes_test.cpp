@@ -29,6 +29,8 @@ TEST(SceneBytes, KeepWordsMaterialsAndTheMap) {
   EXPECT_EQ(back->title, scene.title);
   EXPECT_EQ(back->description, scene.description);
   EXPECT_EQ(back->warnings, scene.warnings);
+  ASSERT_EQ(back->names.size(), 1U);
+  EXPECT_EQ(back->names, scene.names);
   EXPECT_EQ(back->source.inputs, scene.source.inputs);
   EXPECT_EQ(back->labels, scene.labels);
   EXPECT_EQ(back->materials[1].name, "stone <wall>");

@@ -44,6 +44,11 @@ inline models::Scene hills_scene() {
   scene.title = "Hills & <dales>";
   scene.description = "Two rows of hills. They are of stone.";
   scene.warnings = {"The left rim is not trusted."};
+  scene.names = {{"Tor & <Turm>",
+                  "Im Westen.",
+                  {0.01, -0.01},
+                  models::PlaceName::Extent::line,
+                  {{0.0, 0.0}, {0.01, 0.0}}}};
   return scene;
 }
 

@@ -67,7 +67,15 @@ class PageHost {
   virtual void move_explorer(const protocol::MoveExplorer& pose) = 0;
   /// The answer in words to a question about the scene or a place (protocol.json, `ask`). A description of
   /// the whole scene may take several frames.
-  virtual std::string answer(const protocol::Ask& ask) = 0;
+  virtual protocol::Words answer(const protocol::Ask& ask) = 0;
+  /// The names around a place. May take several frames after a name or the scene has changed.
+  virtual protocol::Around around(const protocol::LookAround& question) = 0;
+  /// Changes of names; a notice says what was done, or why not.
+  virtual void name(const protocol::Name& name) = 0;
+  virtual void unname(const protocol::Unname& name) = 0;
+  virtual void undo_name(const protocol::UndoName& undo) = 0;
+  /// A probe is led to a place, or no longer.
+  virtual void find(const protocol::Find& find) = 0;
   /// The next notice for the user (a fault, a finer scene, …), each once; nullopt if there is none.
   virtual std::optional<protocol::Notice> next_notice() = 0;
 };

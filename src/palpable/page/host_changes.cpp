@@ -20,6 +20,7 @@ SharedFrame text_frame(const Message& message) {
 }
 template SharedFrame text_frame(const protocol::State&);
 template SharedFrame text_frame(const protocol::Words&);
+template SharedFrame text_frame(const protocol::Around&);
 
 std::vector<SharedFrame> HostChanges::everything(std::int64_t page) {
   auto hello = host_.hello();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/page_scene.hpp"
 
+#include "palpable/describe/found_places.hpp"
 #include "palpable/describe/scene_words.hpp"
 #include "palpable/page/page_materials.hpp"
 #include "palpable/page/surface_cells.hpp"
@@ -50,6 +51,12 @@ std::shared_ptr<const PageScene> page_scene(const models::Scene& scene, std::uin
   about.upright = models::is_upright_solid(scene);
   about.size_x_m = size.x;
   about.size_y_m = size.y;
+  const Vec3 middle = models::centre_m(scene);
+  about.middle_x_m = middle.x;
+  about.middle_y_m = middle.y;
+  const Place start = describe::start_place(scene);
+  about.start_x_m = start.x_m;
+  about.start_y_m = start.y_m;
   about.lowest_m = static_cast<double>(*lowest);
   about.highest_m = static_cast<double>(*highest);
   about.has_picture = !scene.texture.empty();

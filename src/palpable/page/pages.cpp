@@ -143,8 +143,10 @@ void Pages::handle(Client& client, const protocol::Lift& probe) {
   host_->lift(probe);
 }
 
-void Pages::handle(Client& client, const protocol::Ask& ask) {
-  client.send(text_frame(protocol::Words{ask.serial, host_->answer(ask)}));
+void Pages::handle(Client& client, const protocol::Ask& ask) { client.send(text_frame(host_->answer(ask))); }
+
+void Pages::handle(Client& client, const protocol::LookAround& question) {
+  client.send(text_frame(host_->around(question)));
 }
 
 void Pages::handle(Client& client, const protocol::Visible& visible) {

@@ -61,6 +61,11 @@ class Pages {
   void handle(Client&, const protocol::Recentre&) { host_->recentre(); }
   void handle(Client&, const protocol::MoveExplorer& pose) { host_->move_explorer(pose); }
   void handle(Client& client, const protocol::Ask& ask);
+  void handle(Client& client, const protocol::LookAround& question);
+  void handle(Client&, const protocol::Name& name) { host_->name(name); }
+  void handle(Client&, const protocol::Unname& name) { host_->unname(name); }
+  void handle(Client&, const protocol::UndoName& undo) { host_->undo_name(undo); }
+  void handle(Client&, const protocol::Find& find) { host_->find(find); }
   void handle(Client& client, const protocol::Visible& visible);
 
   std::shared_ptr<PageHost> host_;

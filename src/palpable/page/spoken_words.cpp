@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/spoken_words.hpp"
 
+#include "palpable/describe/found_places.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/describe/scene_words.hpp"
 
@@ -28,8 +29,23 @@ std::string sentence(std::string words) { return describe::capitalised(std::move
 
 }  // namespace
 
-std::string SpokenWords::answer(const protocol::Ask& ask, const models::Scene& scene, double height_factor,
-                                double force_N) {
+protocol::Words SpokenWords::answer(const protocol::Ask& ask, const models::Scene& scene,
+                                    double height_factor, double force_N) {
+  const describe::Place place{ask.x_m, ask.y_m};
+  if (ask.what == "way") {
+    commentaries_.at(static_cast<std::size_t>(ask.probe)).heard(scene, place, now_s());
+    return names_.way(scene, ask);
+  }
+  if (ask.what != "surface") return {ask.serial, text_of(ask, scene, height_factor, force_N), {}, {}};
+  const auto surface = describe::nearest_surface(scene, place);
+  if (!surface) return {ask.serial, "There is nothing to touch.", {}, {}};
+  commentaries_.at(static_cast<std::size_t>(ask.probe)).heard(scene, *surface, now_s());
+  return {ask.serial, sentence("at the surface, " + describe::step_words(scene, height_factor, *surface)),
+          surface->x_m, surface->y_m};
+}
+
+std::string SpokenWords::text_of(const protocol::Ask& ask, const models::Scene& scene, double height_factor,
+                                 double force_N) {
   const describe::Place place{ask.x_m, ask.y_m};
   const auto probe = static_cast<std::size_t>(ask.probe);
   if (ask.what == "opening") return describe::opening_words(scene);

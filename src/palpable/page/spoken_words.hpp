@@ -4,6 +4,7 @@
 
 #include "palpable/describe/commentary.hpp"
 #include "palpable/models/scene/scene.hpp"
+#include "palpable/page/page_names.hpp"
 #include "palpable/page/protocol.gen.hpp"
 
 #include <array>
@@ -18,13 +19,19 @@ class SpokenWords {
  public:
   /// The answer to a question about the scene as it is touched; empty for an unknown question. `force_N`: the
   /// force on the probe of the question.
-  std::string answer(const protocol::Ask& ask, const models::Scene& scene, double height_factor,
-                     double force_N);
+  protocol::Words answer(const protocol::Ask& ask, const models::Scene& scene, double height_factor,
+                         double force_N);
   /// What a probe has just met; usually nothing. Call it with every state.
   std::optional<std::string> remark(const protocol::State& state, const models::Scene& scene,
                                     double height_factor);
+  /// What the pages list, edit and find.
+  PageNames& names() { return names_; }
 
  private:
+  std::string text_of(const protocol::Ask& ask, const models::Scene& scene, double height_factor,
+                      double force_N);
+
+  PageNames names_;
   /// The model that the commentaries are about.
   models::Model model_;
   std::array<describe::Commentary, protocol::kMostProbes> commentaries_;

@@ -79,7 +79,18 @@ class FakeHost final : public PageHost {
   void pause(bool paused) override { settings_.paused = paused; }
   void recentre() override {}
   void move_explorer(const protocol::MoveExplorer&) override {}
-  std::string answer(const protocol::Ask& ask) override { return "words on " + ask.what; }
+  protocol::Words answer(const protocol::Ask& ask) override {
+    return {ask.serial, "words on " + ask.what, {}, {}};
+  }
+  protocol::Around around(const protocol::LookAround& question) override {
+    return {question.serial, 1, {{0, "tall hill", "tall hill, here", {}, true, true}}};
+  }
+  void name(const protocol::Name& name) override {
+    notice_ = protocol::Notice{"answer", "Named: " + name.name};
+  }
+  void unname(const protocol::Unname&) override { notice_ = protocol::Notice{"answer", "Deleted"}; }
+  void undo_name(const protocol::UndoName&) override { notice_ = protocol::Notice{"answer", "Undone"}; }
+  void find(const protocol::Find&) override {}
   std::optional<protocol::Notice> next_notice() override { return std::exchange(notice_, std::nullopt); }
 
   std::atomic<int> moves = 0;

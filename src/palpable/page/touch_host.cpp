@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/touch_host.hpp"
 
+#include "palpable/describe/numbers.hpp"
 #include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/haptics/law/laws.hpp"
 #include "palpable/page/page_laws.hpp"
@@ -36,10 +37,84 @@ TouchHost::~TouchHost() {
   worker_.join();
 }
 
-std::string TouchHost::answer(const protocol::Ask& ask) {
+protocol::Words TouchHost::answer(const protocol::Ask& ask) {
   const auto probe = static_cast<std::size_t>(ask.probe);
   const double force_N = probe < session_.probes() ? norm(session_.latest(probe).written_force_N.v) : 0.0;
-  return words_.answer(ask, *session_.scene(), session_.settings().height_factor, force_N);
+  auto words = words_.answer(ask, *named_scene(), session_.settings().height_factor, force_N);
+  const bool is_first = page_scene_ == nullptr || page_scene_->about.scene == 0;
+  if (ask.what == "opening" && options_.better_follows && is_first)
+    words.text += " A finer version of the scene is being made: it takes its place by itself.";
+  return words;
+}
+
+protocol::Around TouchHost::around(const protocol::LookAround& question) {
+  return words_.names().around(*named_scene(), question);
+}
+
+std::shared_ptr<const models::Scene> TouchHost::named_scene() {
+  auto touched = session_.scene();
+  if (touched == unnamed_ && named_) return named_;
+  const std::lock_guard lock(mutex_);
+  unnamed_ = touched;
+  named_ = std::move(touched);
+  if (edited_names_) {
+    auto named = std::make_shared<models::Scene>(*unnamed_);
+    named->names = *edited_names_;
+    named_ = std::move(named);
+  }
+  return named_;
+}
+
+models::Scene TouchHost::with_edited_names(models::Scene scene) {
+  const std::lock_guard lock(mutex_);
+  if (edited_names_) scene.names = *edited_names_;
+  return scene;
+}
+
+template <class Edit>
+void TouchHost::edit_names(const Edit& edit) {
+  auto edited = words_.names().edited(*named_scene(), edit);
+  if (!edited) return say("answer", describe::capitalised(edited.error().message) + ".");
+  {
+    const std::lock_guard lock(mutex_);
+    edited_names_ = std::move(edited->names);
+  }
+  named_.reset();
+  say("answer", std::move(edited->words));
+}
+
+void TouchHost::find(const protocol::Find& find) {
+  const auto scene = named_scene();
+  const auto seen = words_.names().find(*scene, find);
+  if (!seen) say("answer", describe::capitalised(seen.error().message) + ".");
+  end_pull();
+  if (find.probe != 0 || pointer_moves() || !seen || !*seen || (*seen)->distance_m == 0.0) return;
+  const Place from{find.x_m, find.y_m};
+  auto guide = pull_.begin(*scene, session_.device_traits(), from, (*seen)->at);
+  if (guide == nullptr) return;
+  own_guide_ = scene->guide;
+  put([&](Tasks& tasks) { tasks.guide = std::move(guide); });
+}
+
+void TouchHost::end_pull() {
+  if (!pull_.pulls()) return;
+  pull_.end();
+  put([&](Tasks& tasks) { tasks.guide = own_guide_; });
+}
+
+void TouchHost::watch_pull() {
+  constexpr auto kPeriod = std::chrono::milliseconds(200);
+  const auto now = std::chrono::steady_clock::now();
+  if (!pull_.pulls() || now - watched_ < kPeriod) return;
+  watched_ = now;
+  const Vec3 at = session_.latest().position.v;
+  const auto scene = named_scene();
+  if (pull_.is_pushed_away(*scene, {at.x, at.y})) {
+    say("info", "The pull has ended: the hand was moved away.");
+    end_pull();
+  } else if (!words_.names().seen(*scene, 0, {at.x, at.y})) {
+    end_pull();
+  }
 }
 
 protocol::Hello TouchHost::hello() const {
@@ -92,7 +167,7 @@ protocol::Settings TouchHost::settings() {
 
 protocol::State TouchHost::state() {
   const auto sample = session_.latest();
-  const auto scene = session_.scene();
+  const auto scene = named_scene();
   const double height_factor = session_.settings().height_factor;
   protocol::State state;
   state.t_s = sample.t_s;
@@ -113,6 +188,7 @@ protocol::State TouchHost::state() {
 void TouchHost::update() {
   for (const auto& pointer : pointers_)
     if (pointer) place(*pointer);
+  watch_pull();
   if (!options_.take_better_scene) return;
   if (auto better = options_.take_better_scene())
     put([&](Tasks& tasks) { tasks.better = std::move(better); });
@@ -242,6 +318,7 @@ void TouchHost::work() {
 void TouchHost::carry_out(const Tasks& tasks) {
   if (tasks.better) report([&] { return swap_in(*tasks.better); });
   if (tasks.recentre) session_.recentre();
+  if (tasks.guide) report([&] { return session_.change_guide(*tasks.guide); });
   if (tasks.pose) report([&] { return set_explorer_pose(*tasks.pose); });
   if (tasks.change) report([&] { return attempt(*tasks.change); });
   if (!tasks.edits.empty()) report([&] { return attempt(tasks.edits); });
@@ -275,7 +352,8 @@ Result<void> TouchHost::set_explorer_pose(const session::ExplorerPose& pose) {
 }
 
 Result<void> TouchHost::write_scene() {
-  if (auto written = formats::write_scene(options_.save_as, *session_.scene()); !written) return written;
+  if (auto written = formats::write_scene(options_.save_as, with_edited_names(*session_.scene())); !written)
+    return written;
   say("answer", "The scene is saved as " + options_.save_as.string());
   return {};
 }

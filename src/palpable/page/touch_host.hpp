@@ -6,6 +6,7 @@
 #include "palpable/page/host.hpp"
 #include "palpable/page/page_materials.hpp"
 #include "palpable/page/spoken_words.hpp"
+#include "palpable/session/touch/find_pull.hpp"
 #include "palpable/session/touch/touch_session.hpp"
 
 #include <array>
@@ -34,6 +35,8 @@ class TouchHost final : public PageHost {
     std::string name;
     /// Called once per frame on the server's thread: a finer scene if one is ready, else null. May be empty.
     std::function<std::shared_ptr<const models::Scene>()> take_better_scene;
+    /// A finer scene is being made: the opening words say so.
+    bool better_follows = false;
     /// Where save() writes the scene (.palp).
     std::filesystem::path save_as;
     /// The device's frame follows an explorer that the page moves.
@@ -62,7 +65,12 @@ class TouchHost final : public PageHost {
   void pause(bool paused) override;
   void recentre() override;
   void move_explorer(const protocol::MoveExplorer& pose) override;
-  std::string answer(const protocol::Ask& ask) override;
+  protocol::Words answer(const protocol::Ask& ask) override;
+  protocol::Around around(const protocol::LookAround& question) override;
+  void name(const protocol::Name& name) override { edit_names(name); }
+  void unname(const protocol::Unname& name) override { edit_names(name); }
+  void undo_name(const protocol::UndoName& undo) override { edit_names(undo); }
+  void find(const protocol::Find& find) override;
   std::optional<protocol::Notice> next_notice() override;
 
   /// Adds a notice for the user; levels as in protocol.json. Any thread.
@@ -77,9 +85,11 @@ class TouchHost final : public PageHost {
     bool recentre = false;
     bool save = false;
     std::optional<session::ExplorerPose> pose;
+    /// A new guide of the hand; null in it: none.
+    std::optional<std::shared_ptr<const models::RouteGuide>> guide;
     /// Serial of the last change or edit among them.
     std::int64_t serial = 0;
-    bool any() const { return change || !edits.empty() || better || recentre || save || pose; }
+    bool any() const { return change || !edits.empty() || better || recentre || save || pose || guide; }
   };
   void work();
   void carry_out(const Tasks& tasks);
@@ -88,6 +98,15 @@ class TouchHost final : public PageHost {
   Result<void> attempt(const MaterialEdits& edits);
   Result<void> swap_in(const models::Scene& better);
   Result<void> write_scene();
+  /// The touched scene with the names that pages have edited.
+  std::shared_ptr<const models::Scene> named_scene();
+  /// Puts the edited names into a scene that has been touched without them.
+  models::Scene with_edited_names(models::Scene scene);
+  template <class Edit>
+  void edit_names(const Edit& edit);
+  /// Ends the pull where its place has been reached, or where the person pushed the hand away.
+  void watch_pull();
+  void end_pull();
   Result<void> set_explorer_pose(const session::ExplorerPose& pose);
   /// Carries out `step`; reports its automatic changes, or its error.
   void report(const std::function<Result<void>()>& step);
@@ -101,6 +120,13 @@ class TouchHost final : public PageHost {
   Options options_;
 
   // Used by the server's thread alone.
+  /// The touched scene, and the same with edited names.
+  std::shared_ptr<const models::Scene> unnamed_;
+  std::shared_ptr<const models::Scene> named_;
+  session::FindPull pull_;
+  /// The scene's own guide while a pull takes its place.
+  std::shared_ptr<const models::RouteGuide> own_guide_;
+  std::chrono::steady_clock::time_point watched_;
   std::shared_ptr<const models::Scene> shown_;
   std::chrono::steady_clock::time_point shown_time_;
   std::shared_ptr<const PageScene> page_scene_;
@@ -117,6 +143,8 @@ class TouchHost final : public PageHost {
   bool ending_ = false;
   std::deque<protocol::Notice> notices_;
   std::int64_t answered_ = 0;
+  /// nullopt until a page has edited them.
+  std::optional<models::PlaceNames> edited_names_;
 
   // Used by the worker alone.
   bool edited_ = false;

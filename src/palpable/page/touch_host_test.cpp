@@ -48,7 +48,7 @@ class HostOnATouch : public ::testing::Test {
   }
 
   TouchHost::Options options_for_host() {
-    return {"palpable test", {}, [this] { return std::exchange(better, nullptr); }, file, true};
+    return {"palpable test", {}, [this] { return std::exchange(better, nullptr); }, false, file, true};
   }
 
   protocol::ProbeState first() const { return host->state().probes.front(); }
@@ -296,7 +296,7 @@ TEST_F(HostOnATouch, AnswersQuestionsWithWords) {
     ask.what = what;
     ask.press_m = 0.0015;
     ask.part = part;
-    return host->answer(ask);
+    return host->answer(ask).text;
   };
   EXPECT_TRUE(answer("opening").starts_with("Ready to touch: ")) << answer("opening");
   EXPECT_NE(answer("scene").find("1 object rises above the ground"), std::string::npos) << answer("scene");

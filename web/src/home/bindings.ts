@@ -26,7 +26,8 @@ export function bindWindow(target: WindowTarget): void {
     matchMedia(query).addEventListener('change', () => target.coloursChanged());
   document.addEventListener('keydown', (event) => {
     const which = undoKey(event);
-    if (which === null) return;
+    // In a text field it undoes what was typed.
+    if (which === null || (event.target instanceof HTMLInputElement && event.target.type === 'text')) return;
     event.preventDefault();
     target.undoOrRedo(which);
   });

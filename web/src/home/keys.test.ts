@@ -20,6 +20,11 @@ describe('keys', () => {
     zoom: (factor) => calls.push(`zoom ${factor > 1 ? 'in' : 'out'}`),
     resetView: () => calls.push('reset view'),
     moveView: () => calls.push('move view'),
+    toSurface: () => calls.push('surface'),
+    listPlaces: () => calls.push('list'),
+    nameHere: () => calls.push('name'),
+    sayWay: () => calls.push('way'),
+    stopFinding: () => calls.push('stop'),
     help: () => calls.push('help'),
   };
   const type = (key: string, shiftKey = false, ctrlKey = false) => press({ key, shiftKey, ctrlKey, altKey: false, metaKey: false }, target);
@@ -47,6 +52,11 @@ describe('keys', () => {
     calls.length = 0;
     for (const key of ['+', '-', 'c', 'R']) type(key);
     expect(calls).toEqual(['zoom in', 'zoom out', 'move view', 'reset view']);
+  });
+  it('list, give and find names', () => {
+    calls.length = 0;
+    for (const key of ['l', 't', 'g', 'Escape', 'End']) type(key);
+    expect(calls).toEqual(['list', 'name', 'way', 'stop', 'surface']);
   });
   it('ignore the browser\'s shortcuts', () => {
     calls.length = 0;

@@ -26,6 +26,13 @@ export interface KeyTarget {
   describeProbes(): void;
   pause(): void;
   mute(): void;
+  /** Goes to the nearest surface. */
+  toSurface(): void;
+  /** The list of names. */
+  listPlaces(): void;
+  nameHere(): void;
+  sayWay(): void;
+  stopFinding(): void;
   /** Zooms by a factor. */
   zoom(factor: number): void;
   resetView(): void;
@@ -72,6 +79,11 @@ export const keyRows: KeyRow[] = [
   { shown: 'D', does: 'Describe the scene; again for more', keys: ['d'], act: (target) => target.describe() },
   { shown: 'P', does: 'Say position and height', keys: ['p'], act: (target) => target.where() },
   { shown: 'Home', does: 'Back to the middle', keys: ['Home'], act: (target) => target.recentre() },
+  { shown: 'End', does: 'To the nearest surface, line or street', keys: ['End'], act: (target) => target.toSurface() },
+  { shown: 'L', does: 'What is here: list the names, the nearest first; Enter leads to one', keys: ['l'], act: (target) => target.listPlaces() },
+  { shown: 'T', does: 'Type a name for this place', keys: ['t'], act: (target) => target.nameHere() },
+  { shown: 'G', does: 'Say the way to the name again', keys: ['g'], act: (target) => target.sayWay() },
+  { shown: 'Escape', does: 'No longer be led to a name', keys: ['Escape'], act: (target) => target.stopFinding() },
   {
     shown: 'W, S',
     does: 'In the egocentric view: walk 5 millimetres ahead, back; with Shift 20',

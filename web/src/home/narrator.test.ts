@@ -19,7 +19,7 @@ function answered(loaded = frames()): { narrator: Narrator; asked: Ask[]; say: (
   const asked: Ask[] = [];
   const narrator = new Narrator(loaded, new Probes(), (ask) => {
     asked.push(ask);
-    queueMicrotask(() => narrator.receive({ type: 'words', serial: ask.serial, text: `${ask.what}.` }));
+    queueMicrotask(() => narrator.receive({ type: 'words', serial: ask.serial, text: `${ask.what}.`, x_m: null, y_m: null }));
   });
   return { narrator, asked, say: async (words) => words() };
 }

@@ -8,11 +8,11 @@ import { noScene, type Words } from '../sound/announcer';
 import type { Place } from '../surface';
 import type { SceneFrames } from './scene_frames';
 
-type Question = 'opening' | 'scene' | 'position' | 'step' | 'press' | 'probe';
+type Question = 'opening' | 'scene' | 'position' | 'step' | 'press' | 'probe' | 'way' | 'surface';
 
 export class Narrator {
   private serial = 0;
-  private readonly open = new Map<number, (text: string | null) => void>();
+  private readonly open = new Map<number, (answer: Answer | null) => void>();
   /** The next part of the description for D; another question resets it. */
   private part = 0;
 
@@ -23,9 +23,9 @@ export class Narrator {
   ) {}
 
   /** The program's answer to a question. */
-  receive({ serial, text }: Answer): void {
-    this.open.get(serial)?.(text);
-    this.open.delete(serial);
+  receive(answer: Answer): void {
+    this.open.get(answer.serial)?.(answer);
+    this.open.delete(answer.serial);
   }
   /** The connection is lost: open questions get no answer. */
   forget(): void {
@@ -72,6 +72,19 @@ export class Narrator {
     };
   }
 
+  /** The way to the place that the selected probe is led to. */
+  way(): Promise<Answer | null> {
+    return this.request('way');
+  }
+  /** The nearest surface. */
+  surface(): Promise<Answer | null> {
+    return this.request('surface');
+  }
+  /** What is in the middle, for scenes that may be empty there. */
+  middle(): Words {
+    return () => this.ask('step').then((words) => words && this.probes.named(`In the middle. ${words}`));
+  }
+
   place(): Place {
     return this.probes.placeOf(this.probes.own.chosen);
   }
@@ -83,10 +96,15 @@ export class Narrator {
 
   private ask(what: Question, probe = this.probes.own.chosen, part = 0): Promise<string | null> {
     if (this.frames.surface === null) return Promise.resolve(noScene);
+    return this.request(what, probe, part).then((answer) => answer && answer.text);
+  }
+
+  private request(what: Question, probe = this.probes.own.chosen, part = 0): Promise<Answer | null> {
+    if (this.frames.surface === null) return Promise.resolve(null);
     this.serial += 1;
     const { serial } = this;
     const { x, y } = this.probes.placeOf(probe);
-    const answer = new Promise<string | null>((resolve) => this.open.set(serial, resolve));
+    const answer = new Promise<Answer | null>((resolve) => this.open.set(serial, resolve));
     this.send({ type: 'ask', serial, what, probe, x_m: x, y_m: y, press_m: this.probes.own.at(probe)?.press ?? 0, part });
     return answer;
   }

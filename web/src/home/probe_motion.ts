@@ -1,7 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The motion of this page's probes: moved by keys, sent to the program, and sonified.
-import type { FromPage } from '../generated/protocol';
+import type { FromPage, Scene } from '../generated/protocol';
+import type { Finder } from '../names/finder';
 import { pressScale } from '../probe/page_probe';
 import type { Probes } from '../probe/probes';
 import type { Walking } from '../probe/walking';
@@ -12,6 +13,7 @@ import type { Move } from './keys';
 import type { Narrator } from './narrator';
 
 export interface MotionPage {
+  scene(): Scene | null;
   surface(): Surface | null;
   connected(): boolean;
   heightFactor(): number;
@@ -38,6 +40,7 @@ export class ProbeMotion {
     private readonly probes: Probes,
     private readonly narrator: Narrator,
     private readonly walking: Walking,
+    private readonly finder: Finder,
     private readonly feedback: Feedback,
     private readonly page: MotionPage,
   ) {}
@@ -52,17 +55,34 @@ export class ProbeMotion {
     const way = this.walking.inScene({ x: by.x * surface.scale, y: by.y * surface.scale });
     const free = own.current.step(way.x, way.y, by.press * pressScale(surface.scale), surface, performance.now());
     this.page.moves();
-    this.page.say(by.press !== 0 ? this.narrator.press() : this.narrator.step(free), Importance.motion);
+    if (by.press !== 0) return this.page.say(this.narrator.press(), Importance.motion);
+    this.finder.moved(true);
+    this.page.say(this.finder.isLeading ? this.finder.words(free ? '' : 'Rim of the scene. ') : this.narrator.step(free), Importance.motion);
+  }
+
+  /** Moves to the nearest surface, and says what is there. */
+  toSurface(): void {
+    const { own } = this.probes;
+    if (!own.movable()) return this.page.say(`The probe is moved by ${this.page.device()}.`, Importance.answer);
+    this.page.say(async () => {
+      const answer = await this.narrator.surface();
+      if (answer === null) return null;
+      if (answer.x_m !== null && answer.y_m !== null) own.current.jump({ x: answer.x_m, y: answer.y_m }, performance.now());
+      this.page.moves();
+      return answer.text;
+    }, Importance.answer);
   }
 
   recentre(): void {
     const { own } = this.probes;
-    own.current.recentre(performance.now());
+    const scene = this.page.scene();
+    own.current.jump({ x: scene?.middle_x_m ?? 0, y: scene?.middle_y_m ?? 0 }, performance.now());
     this.walking.reset();
     if (own.chosen === 0) this.page.send({ type: 'recentre' });
     this.walking.sendPose();
     this.page.moves();
-    this.page.say(this.probes.named('In the middle.'), Importance.answer);
+    const mayBeEmpty = scene?.kind.endsWith('field') ?? false;
+    this.page.say(mayBeEmpty ? this.narrator.middle() : this.probes.named('In the middle.'), Importance.answer);
   }
 
   /** Advances the marbles and sends their places; true while they move. */

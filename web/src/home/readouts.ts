@@ -6,6 +6,7 @@ import { figuresEvery, millimetreFigure } from '../figures';
 import type { ProbeState, State } from '../generated/protocol';
 import type { ExplorerPose } from '../probe/explorer';
 import { newtons } from '../probe/probes';
+import type { Place } from '../surface';
 import { ForcePlot } from './plot';
 
 /** Milliseconds between two drawings of the plot; and with reduced motion. */
@@ -18,6 +19,7 @@ export class Readouts {
   private device = '';
   /** Of the surface. */
   scale = 1;
+  private middle: Place = { x: 0, y: 0 };
   private rate = 0;
   private shown: ProbeState | null = null;
   private renewing = false;
@@ -29,6 +31,11 @@ export class Readouts {
 
   setDevice(device: string): void {
     this.device = device;
+  }
+
+  /** Positions are told from there, as in words. */
+  setMiddle(middle: Place): void {
+    this.middle = middle;
   }
 
   /** Names the coordinate towards the person: of an upright solid it is not a height. */
@@ -89,7 +96,7 @@ export class Readouts {
   private renew(now: number): void {
     if (this.shown === null) return;
     const { x_m, y_m, surface_m } = this.shown;
-    write('read-position', `${millimetreFigure(x_m, this.scale)}, ${millimetreFigure(y_m, this.scale)}`);
+    write('read-position', `${millimetreFigure(x_m - this.middle.x, this.scale)}, ${millimetreFigure(y_m - this.middle.y, this.scale)}`);
     write('read-height', millimetreFigure(surface_m, this.scale));
     write('read-force', newtons(this.shown).toFixed(2));
     // Rounded, so that it changes rarely: each change is drawn.

@@ -6,7 +6,7 @@ import type { Scene } from '../generated/protocol';
 import { SceneFrames } from './scene_frames';
 
 const scene: Scene = {
-  type: 'scene', scene: 2, name: 'cone', description: null, kind: 'relief', upright: false, size_x_m: 0.1, size_y_m: 0.1, lowest_m: 0, highest_m: 0.01,
+  type: 'scene', scene: 2, name: 'cone', description: null, kind: 'relief', upright: false, size_x_m: 0.1, size_y_m: 0.1, middle_x_m: 0, middle_y_m: 0, start_x_m: 0, start_y_m: 0, lowest_m: 0, highest_m: 0.01,
   has_picture: true, cells: null, labels: [],
 };
 const heights: HeightsFrame = { kind: 'heights', scene: 2, columns: 2, rows: 2, heights: new Float32Array(4) };

@@ -3,7 +3,7 @@
 // Assembles a scene from its parts: description, heights, picture and cells.
 import type { HeightsFrame, PictureFrame } from '../codec';
 import type { Scene } from '../generated/protocol';
-import { Surface } from '../surface';
+import { Surface, type Place } from '../surface';
 
 export class SceneFrames {
   scene: Scene | null = null;
@@ -21,6 +21,14 @@ export class SceneFrames {
       this[frame.kind] = frame;
     }
     return true;
+  }
+
+  /** What is called the middle, and where a probe begins. */
+  get middle(): Place {
+    return { x: this.scene?.middle_x_m ?? 0, y: this.scene?.middle_y_m ?? 0 };
+  }
+  get start(): Place {
+    return { x: this.scene?.start_x_m ?? 0, y: this.scene?.start_y_m ?? 0 };
   }
 
   /** Whether all parts of the scene have arrived. */

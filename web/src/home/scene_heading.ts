@@ -29,3 +29,11 @@ export function showNoScene(): void {
 }
 
 export const stageLabel = ({ kind, name }: Pick<Scene, 'kind' | 'name'>) => `${kind === 'contours' ? 'Lines' : 'Surface'} of ${name} to touch`;
+
+/** The link to the scenes: to the home page of the program, or from one of a demo's files, which its list opens so, to the list. */
+export function showWayBack(hasHome: boolean): void {
+  const link = element<HTMLAnchorElement>('all-scenes');
+  const isOfList = location.hash === '#of-list';
+  link.hidden = !hasHome && !isOfList;
+  if (!link.hidden) link.setAttribute('href', hasHome ? '/' : 'index.html');
+}

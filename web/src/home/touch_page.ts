@@ -4,6 +4,7 @@
 import type { HeightsFrame, PictureFrame } from '../codec';
 import { element } from '../dom';
 import { protocolVersion, type Hello, type Scene, type Settings as ProgramSettings, type State, type ToPage } from '../generated/protocol';
+import { Names } from '../names/names';
 import { pace, turnBy } from '../probe/explorer';
 import { bindPointers } from '../probe/pointers';
 import { ProbeActions } from '../probe/probe_actions';
@@ -27,12 +28,12 @@ import { press, type KeyTarget, type Move } from './keys';
 import { Narrator } from './narrator';
 import { ProbeMotion } from './probe_motion';
 import { Readouts } from './readouts';
-import { showHeading, showNoScene, stageLabel } from './scene_heading';
+import { showHeading, showNoScene, showWayBack, stageLabel } from './scene_heading';
 import { SceneFrames } from './scene_frames';
 import { TouchSettings, type KeptPreferences } from './touch_settings';
 import { ViewActions } from './view_actions';
 
-const importanceOf = (level: string): Importance => ({ motion: Importance.motion, answer: Importance.answer })[level] ?? Importance.news;
+const importanceOf = (level: string): Importance => ({ motion: Importance.motion, answer: Importance.answer, named: Importance.answer })[level] ?? Importance.news;
 
 export class TouchPage implements KeyTarget {
   private readonly connection: Program;
@@ -62,12 +63,25 @@ export class TouchPage implements KeyTarget {
     // On contours the line is the current trace.
     arrow: (points) => this.scene?.kind !== 'contours' && this.stage.line(points),
   });
+  private readonly names = new Names(
+    {
+      surface: () => this.surface,
+      probe: () => this.own.chosen,
+      place: () => this.narrator.place(),
+      way: () => this.narrator.way(),
+      say: (words, importance) => this.voice.say(words, importance),
+      send: (message) => this.connection.send(message),
+      settingsSteps: () => this.settings.steps,
+    },
+    this.feedback,
+  );
   private readonly trace = new TracePanel({
     place: () => this.narrator.place(),
     say: (words) => this.voice.say(words, Importance.answer),
     overlay: (points) => this.stage.line(points),
   });
-  private readonly motion = new ProbeMotion(this.probes, this.narrator, this.walking, this.feedback, {
+  private readonly motion = new ProbeMotion(this.probes, this.narrator, this.walking, this.names.finder, this.feedback, {
+    scene: () => this.scene,
     surface: () => this.surface,
     connected: () => this.connected,
     heightFactor: () => this.heightFactor(),
@@ -128,6 +142,21 @@ export class TouchPage implements KeyTarget {
   }
   recentre(): void {
     this.motion.recentre();
+  }
+  toSurface(): void {
+    this.motion.toSurface();
+  }
+  listPlaces(): void {
+    this.names.open();
+  }
+  nameHere(): void {
+    this.names.nameHere();
+  }
+  sayWay(): void {
+    this.names.sayWay();
+  }
+  stopFinding(): void {
+    this.names.stopFinding();
   }
   walk(by: Walk): void {
     this.walking.walk(by);
@@ -213,13 +242,13 @@ export class TouchPage implements KeyTarget {
   private opened(): void {
     this.connected = true;
     this.settings.connected();
-    this.readouts.allWell();
     this.connection.send({ type: 'visible', visible: !document.hidden });
   }
 
   private closed({ sentence, final }: Loss): void {
     this.connected = false;
     this.narrator.forget();
+    this.names.forget();
     this.actions.blank();
     this.readouts.blank();
     this.feedback.removeProbesExcept([]);
@@ -238,6 +267,7 @@ export class TouchPage implements KeyTarget {
       case 'scene':
         this.loaded.scene = message;
         showHeading(message);
+        this.readouts.setMiddle(this.loaded.middle);
         this.feedback.setNames(message.labels);
         this.trace.scene(message.kind, message.size_x_m, message.size_y_m);
         this.settings.controls.offerCells(message.cells !== null);
@@ -251,23 +281,26 @@ export class TouchPage implements KeyTarget {
         return this.receiveState(message);
       case 'words':
         return this.narrator.receive(message);
+      case 'around':
+        return this.names.receive(message);
       case 'notice':
         if (message.level === 'fault') return this.alert(message.text);
         if (message.level === 'recovered') this.readouts.allWell();
+        if (message.level === 'named') this.names.changed();
         return this.voice.say(message.text, importanceOf(message.level));
     }
   }
 
   private greeted(hello: Hello): void {
     this.hello = hello;
+    // Not before: a connection may be refused after it was opened, and would be reported twice.
+    this.readouts.allWell();
     this.probes.page = hello.page;
     this.readouts.setDevice(hello.device);
     this.own.set(hello.probes, hello.pointer_moves, hello.hands);
     this.actions.changed();
     this.walking.allow(hello.egocentric);
-    const home = element<HTMLAnchorElement>('all-scenes');
-    home.hidden = !hello.home;
-    if (hello.home) home.setAttribute('href', '/');
+    showWayBack(hello.home);
     // Moves the device's middle to the place of this page's explorer.
     if (hello.pointer_moves) this.walking.show();
     else this.walking.sendPose();
@@ -295,6 +328,8 @@ export class TouchPage implements KeyTarget {
 
   /** Focuses the relief, so that the announced keys work at once, unless the user has focused something else. */
   private ready(): void {
+    // Where there is something to touch.
+    if (this.own.movable() && this.own.current.movedAt === -Infinity) this.own.current.jump(this.loaded.start, performance.now());
     const { activeElement } = document;
     if (activeElement === null || activeElement === document.body) this.stage.element.focus({ preventScroll: true });
     this.voice.say(this.narrator.opening(), Importance.news);
@@ -310,6 +345,7 @@ export class TouchPage implements KeyTarget {
     const { surface } = this;
     if (surface === null) return;
     this.motion.hear(surface, state.t_s);
+    this.names.finder.moved(false);
     if (this.trace.running) this.frames.request();
   }
 
@@ -356,6 +392,7 @@ export class TouchPage implements KeyTarget {
       left: (probe) => this.actions.left(probe),
       full: () => this.actions.full(),
     });
+    stage.addEventListener('click', ({ clientX, clientY }) => this.names.clicked(this.stage.placeAt(clientX, clientY)));
     stage.addEventListener('keydown', (event) => {
       this.wake();
       if (!this.connected && !['Tab', 'h', 'H', '?'].includes(event.key)) {
@@ -368,6 +405,11 @@ export class TouchPage implements KeyTarget {
 
   private wake(): void {
     void this.feedback.sound.wake().then(() => this.offerSound());
+  }
+
+  /** Of names and settings the one that was changed last. */
+  private undoOrRedo(which: 'undo' | 'redo'): void {
+    if (!this.names.undoOrRedo(which)) this.settings.undoOrRedo(which);
   }
 
   private bindAll(): void {
@@ -387,18 +429,20 @@ export class TouchPage implements KeyTarget {
       'turn-right': () => this.walk({ ahead: 0, left: -turnBy }),
       pose: () => this.pose(),
       help: () => this.help(),
-      undo: () => this.settings.undoOrRedo('undo'),
-      redo: () => this.settings.undoOrRedo('redo'),
+      places: () => this.listPlaces(),
+      undo: () => this.undoOrRedo('undo'),
+      redo: () => this.undoOrRedo('redo'),
       reset: () => this.settings.reset(),
       'region-here': () => this.settings.editRegion(this.probes.chosen?.label ?? 0),
       save: () => this.connection.send({ type: 'save' }),
       ...exampleActions(this.feedback, () => this.own.chosen, (words) => this.voice.say(words, Importance.answer)),
     };
     bindButtons(actions, () => this.wake());
+    element('name-here').addEventListener('click', (event) => this.names.nameByButton(event));
     bindWindow({
       visibilityChanged: (visible) => this.connection.send({ type: 'visible', visible }),
       coloursChanged: () => this.settings.apply(),
-      undoOrRedo: (which) => this.settings.undoOrRedo(which),
+      undoOrRedo: (which) => this.undoOrRedo(which),
     });
   }
 }

@@ -44,6 +44,11 @@ export class TouchSettings {
     return this.store.settings;
   }
 
+  /** How many changes can be undone. */
+  get steps(): number {
+    return this.store.steps;
+  }
+
   change(settings: Settings, what: string): void {
     this.store.change(settings, what);
     this.apply();

@@ -24,9 +24,9 @@ const pageSlider = (key: keyof typeof ranges, words: Slider['words'], id: string
   write: (settings, value) => ({ ...settings, page: { ...settings.page, [key]: value } }),
   words,
 });
-const soundSlider = (sound: 'contact' | 'slide' | 'height' | 'edge' | 'name'): Slider =>
+const soundSlider = (sound: 'contact' | 'slide' | 'height' | 'edge' | 'name' | 'find'): Slider =>
   pageSlider(`${sound}Volume`, (value) => (value === 0 ? '0 %, off' : `${value} %`), `${sound}-volume`);
-const soundSliders = (['contact', 'slide', 'height', 'edge', 'name'] as const).map(soundSlider);
+const soundSliders = (['contact', 'slide', 'height', 'edge', 'name', 'find'] as const).map(soundSlider);
 
 const sliders: Slider[] = [
   {

@@ -17,6 +17,10 @@ export class History<T> {
   get now(): T {
     return this.present;
   }
+  /** How many steps can be undone. */
+  get steps(): number {
+    return this.past.length;
+  }
   get canUndo(): boolean {
     return this.past.length > 0;
   }

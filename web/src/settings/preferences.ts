@@ -15,6 +15,7 @@ export interface Preferences {
   heightVolume: number;
   edgeVolume: number;
   nameVolume: number;
+  findVolume: number;
   /** Of the phone. */
   vibration: boolean;
   /** Of gamepads. A browser that was asked for gamepads once polls them until the page is closed: off unless chosen. */
@@ -34,6 +35,7 @@ export const defaults: Preferences = {
   heightVolume: 100,
   edgeVolume: 100,
   nameVolume: 100,
+  findVolume: 100,
   vibration: true,
   gamepads: false,
   speech: false,
@@ -52,6 +54,7 @@ export const ranges = {
   heightVolume: percent,
   edgeVolume: percent,
   nameVolume: percent,
+  findVolume: percent,
 };
 
 /** The preferences in a document.cookie; defaults for missing or invalid values. */

@@ -49,6 +49,9 @@ export class SettingsStore {
   get used(): Readonly<Record<string, number>> {
     return { ...this.usedValues, ...this.settings.touch.set };
   }
+  get steps(): number {
+    return this.history.steps;
+  }
   get canUndo(): boolean {
     return this.history.canUndo;
   }

@@ -39,6 +39,8 @@ export class ShelfPage {
       if (refused !== null) return this.alert(refused.sentence);
     }
     await this.look();
+    // Screen readers begin to read there.
+    if (document.activeElement === null || document.activeElement === document.body) element('choose').focus({ preventScroll: true });
   }
 
   private async look(): Promise<void> {

@@ -4,7 +4,7 @@
 import type { Feedback } from './feedback';
 import { soundKinds, type Action, type SoundKind } from './instrument/instrument';
 import { bodyOf, gripOf, type SoundingMaterial } from './instrument/material_sound';
-import { directionOf, pitchOf, type Direction } from './sonify';
+import { directionOf, findPitch, pitchOf, type Direction } from './sonify';
 
 /** What is played at which time (s) from the beginning, and from where. */
 export interface Step {
@@ -33,6 +33,9 @@ export function exampleOf(kind: SoundKind, material: SoundingMaterial): Step[] {
       return ramp(30).map((part) => ({ at: 0.05 + 1.2 * part, action: { what: 'height' as const, frequency: pitchOf(part, 0, 1) }, from: fromSide(0) }));
     case 'edge':
       return [-0.6, 0.6].map((side, i) => ({ at: 0.05 + 0.35 * i, action: { what: 'edge' as const }, from: fromSide(side) }));
+    case 'find':
+      // Slow and from the side, then quick and from ahead; at last from above.
+      return [-1, -0.6, -0.3, 0].map((side, i) => ({ at: 0.05 + [0, 0.7, 1.2, 1.5][i]!, action: { what: 'find' as const, frequency: findPitch(i === 3 ? 0.5 : 0) }, from: fromSide(side) }));
     case 'name':
       return [-1, 0, 1].map((side, i) => ({ at: 0.05 + 0.6 * i, action: { what: 'name' as const }, from: fromSide(side) }));
   }

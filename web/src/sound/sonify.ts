@@ -31,6 +31,16 @@ export function directionOf({ x, y }: Place, { sizeX, sizeY }: Pick<Surface, 'si
   return { x: Math.sin(side) * Math.cos(up), y: Math.sin(up), z: -Math.cos(side) * Math.cos(up) };
 }
 
+/** The pulses that lead to a place: Hz, higher if the place is above (`up`: -1 ... 1, half the scene's height). */
+export function findPitch(up: number): number {
+  return 660 * 2 ** Math.min(1, Math.max(-1, up));
+}
+
+/** Seconds between two pulses: `away`: the distance as a share of the scene's longer side. */
+export function findInterval(away: number): number {
+  return Math.min(1.2, 0.15 + 1.5 * Math.max(0, away));
+}
+
 /** Strength of the sound of a contact, 0 ... 1: force in N, speed of the approach in m/s. */
 export function contactStrength(force: number, speed: number): number {
   return Math.min(1, 0.2 + 0.3 * Math.sqrt(Math.max(0, force)) + 0.5 * Math.min(1, Math.max(0, speed) / 0.1));

@@ -38,7 +38,7 @@ export class Sound {
   private waiting: [number, Command, Direction | null][] = [];
   private on = false;
   private volume = 0.5;
-  private levels: Levels = { contact: 1, slide: 1, height: 1, edge: 1, name: 1 };
+  private levels: Levels = { contact: 1, slide: 1, height: 1, edge: 1, name: 1, find: 1 };
   /** Suspended by suspendTime, not by the browser. */
   private resting = false;
   /** A user action has asked for audio, which does not run yet. */
@@ -70,7 +70,7 @@ export class Sound {
     this.stayAwake();
   }
 
-  set({ sound, volume, contactVolume, slideVolume, heightVolume, edgeVolume, nameVolume }: Preferences): void {
+  set({ sound, volume, contactVolume, slideVolume, heightVolume, edgeVolume, nameVolume, findVolume }: Preferences): void {
     this.on = sound;
     this.volume = volume / 100;
     const amplitude = (percent: number) => (percent / 100) ** 2;
@@ -80,6 +80,7 @@ export class Sound {
       height: amplitude(heightVolume),
       edge: amplitude(edgeVolume),
       name: amplitude(nameVolume),
+      find: amplitude(findVolume),
     };
     for (const { player } of this.voices.values()) player.send({ what: 'levels', levels: this.levels });
     this.level();

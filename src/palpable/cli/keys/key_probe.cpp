@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/keys/key_probe.hpp"
 
+#include "palpable/describe/found_places.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/describe/scene_words.hpp"
 
@@ -62,7 +63,14 @@ KeyProbe::Request KeyProbe::press(const TerminalKey& key, const models::Scene& s
     case Name::home:
       place_ = {models::centre_m(scene).x, models::centre_m(scene).y};
       press_m_ = kRestingPress_m;
-      return words = "In the middle.", Request::nothing;
+      return words =
+                 models::is_field(scene.model)
+                     ? fmt::format("In the middle. {}.",
+                                   describe::capitalised(describe::step_words(scene, height_factor, place_)))
+                     : "In the middle.",
+             Request::nothing;
+    case Name::end:
+      return words = to_surface(scene, height_factor), Request::nothing;
     case Name::character:
       break;
   }
@@ -75,6 +83,18 @@ KeyProbe::Request KeyProbe::press(const TerminalKey& key, const models::Scene& s
     case 'p':
       words = describe::position_words(scene, height_factor, place_);
       break;
+    case 'l':
+      return Request::list_names;
+    case 't':
+      return Request::type_name;
+    case 'f':
+      return Request::find_name;
+    case 'g':
+      return Request::say_way;
+    case 'u':
+      return Request::undo_name;
+    case 's':
+      return Request::save;
     case 'h':
     case '?':
       words = help(scene);
@@ -105,6 +125,13 @@ std::string KeyProbe::move(double dx_m, double dy_m, const models::Scene& scene,
   return describe::capitalised((at_rim ? "rim of the scene, " : "") + words) + ".";
 }
 
+std::string KeyProbe::to_surface(const models::Scene& scene, double height_factor) {
+  const auto surface = describe::nearest_surface(scene, place_);
+  if (!surface) return "There is nothing to touch.";
+  place_ = *surface;
+  return fmt::format("At the surface, {}.", describe::step_words(scene, height_factor, place_));
+}
+
 std::string KeyProbe::press_by(double further_m, const models::Scene& scene) {
   press_m_ = std::clamp(press_m_ + further_m, kHighest_m, kDeepest_m);
   return describe::capitalised(describe::press_words(scene, place_, press_scale_of(scene) * press_m_)) + ".";
@@ -126,7 +153,11 @@ std::string KeyProbe::help(const models::Scene& scene) {
          "Page Down, Page Up: press deeper, lift.\n"
          "D: describe the scene; again for more.\n"
          "P: say position and height.\n"
-         "Home: back to the middle.\n" +
+         "Home: back to the middle. End: to the nearest surface.\n"
+         "L: list the names, the nearest first.\n"
+         "F: find a name, which is typed. G: the way again.\n"
+         "T: type a name for this place, or NAME: SENTENCE. U: undo that.\n"
+         "S: save the scene with its names.\n" +
          zoom +
          "Space: pause, resume.\n"
          "Q: end.";

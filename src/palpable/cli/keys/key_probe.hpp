@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/cli/keys/terminal_keys.hpp"
+#include "palpable/describe/found_places.hpp"
 #include "palpable/describe/place_words.hpp"
 #include "palpable/session/touch/touch_settings.hpp"
 
@@ -16,10 +17,24 @@ namespace palpable::cli {
 class KeyProbe {
  public:
   /// What a key requests from the touch.
-  enum class Request { nothing, pause, end, zoom_in, zoom_out };
+  enum class Request {
+    nothing,
+    pause,
+    end,
+    zoom_in,
+    zoom_out,
+    list_names,
+    type_name,
+    find_name,
+    say_way,
+    undo_name,
+    save
+  };
 
   /// Executes a key. `words`: what to say now, or empty.
   Request press(const TerminalKey& key, const models::Scene& scene, double height_factor, std::string& words);
+  /// Moves it to the place where a touch of this scene begins.
+  void begin(const models::Scene& scene) { place_ = describe::start_place(scene); }
   /// Where it is, seen from above.
   describe::Place place() const { return place_; }
   /// The hand's position: the centre of the touching ball, on the surface or pressed below it.
@@ -30,6 +45,7 @@ class KeyProbe {
 
  private:
   std::string move(double dx_m, double dy_m, const models::Scene& scene, double height_factor);
+  std::string to_surface(const models::Scene& scene, double height_factor);
   std::string press_by(double further_m, const models::Scene& scene);
 
   describe::Place place_;

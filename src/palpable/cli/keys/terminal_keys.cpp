@@ -28,8 +28,11 @@ std::optional<TerminalKey> key_of(const std::string& parameters, char last) {
       return TerminalKey{left, '\0', shift};
     case 'H':
       return TerminalKey{home};
+    case 'F':
+      return TerminalKey{end};
     case '~':
       if (parameters == "1" || parameters == "7") return TerminalKey{home};
+      if (parameters == "4" || parameters == "8") return TerminalKey{end};
       if (parameters == "5") return TerminalKey{page_up};
       if (parameters == "6") return TerminalKey{page_down};
       return std::nullopt;
@@ -68,12 +71,43 @@ TerminalKeys::TerminalKeys() {
   termios settings{};
   if (tcgetattr(STDIN_FILENO, &settings) != 0) return;
   before_ = settings;
-  settings.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
-  tcsetattr(STDIN_FILENO, TCSANOW, &settings);
+  set_lines(false);
 }
 
 TerminalKeys::~TerminalKeys() {
   if (before_) tcsetattr(STDIN_FILENO, TCSANOW, &*before_);
+}
+
+void TerminalKeys::set_lines(bool lines) {
+  reads_lines_ = lines;
+  if (!before_) return;
+  termios settings = *before_;
+  if (!lines) settings.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
+  tcsetattr(STDIN_FILENO, TCSANOW, &settings);
+}
+
+bool TerminalKeys::read_more(std::chrono::milliseconds patience) {
+  pollfd wait{STDIN_FILENO, POLLIN, 0};
+  if (poll(&wait, 1, static_cast<int>(patience.count())) <= 0) return false;
+  std::array<char, 256> read_bytes{};
+  const ssize_t count = read(STDIN_FILENO, read_bytes.data(), read_bytes.size());
+  if (count > 0)
+    bytes_.append(read_bytes.data(), static_cast<std::size_t>(count));
+  else
+    ended_ = true;
+  return true;
+}
+
+std::optional<std::string> TerminalKeys::next_line(std::chrono::milliseconds patience) {
+  if (!reads_lines_) set_lines(true);
+  constexpr std::size_t kLongest = 16384;
+  if (bytes_.find('\n') == std::string::npos && !ended_ && bytes_.size() < kLongest) read_more(patience);
+  const std::size_t end = bytes_.find('\n');
+  if (end == std::string::npos && !ended_ && bytes_.size() < kLongest) return std::nullopt;
+  std::string line = bytes_.substr(0, end);
+  bytes_.erase(0, end == std::string::npos ? end : end + 1);
+  set_lines(false);
+  return line;
 }
 
 std::optional<TerminalKey> TerminalKeys::next(std::chrono::milliseconds patience) {
@@ -82,18 +116,11 @@ std::optional<TerminalKey> TerminalKeys::next(std::chrono::milliseconds patience
     bytes_.clear();
     return std::nullopt;
   }
-  pollfd wait{STDIN_FILENO, POLLIN, 0};
-  if (poll(&wait, 1, static_cast<int>(patience.count())) <= 0) {
+  if (!read_more(patience)) {
     // The Escape key alone: nothing followed it.
     if (bytes_ == std::string(1, kEscape)) bytes_.clear();
     return std::nullopt;
   }
-  std::array<char, 256> read_bytes{};
-  const ssize_t count = read(STDIN_FILENO, read_bytes.data(), read_bytes.size());
-  if (count > 0)
-    bytes_.append(read_bytes.data(), static_cast<std::size_t>(count));
-  else
-    ended_ = true;
   return take_key(bytes_);
 }
 

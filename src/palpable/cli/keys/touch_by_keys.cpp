@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/keys/touch_by_keys.hpp"
 
+#include "palpable/cli/keys/key_names.hpp"
 #include "palpable/cli/keys/key_probe.hpp"
 #include "palpable/describe/map_route_words.hpp"
 #include "palpable/describe/numbers.hpp"
@@ -96,10 +97,59 @@ class MapZoom {
   models::MapView view_;
 };
 
+/// What the keys ask of the names; a name that is to be typed is awaited.
+class NameKeys {
+ public:
+  using Request = KeyProbe::Request;
+  explicit NameKeys(std::filesystem::path save_as) : names_(std::move(save_as)) {}
+
+  std::shared_ptr<const models::Scene> named(const std::shared_ptr<const models::Scene>& touched) {
+    return names_.named(touched);
+  }
+  bool awaits_line() const { return awaited_ != Request::nothing; }
+  /// A typed line; what to say.
+  std::string take_line(const models::Scene& scene, Place place, const std::string& line) {
+    return std::exchange(awaited_, Request::nothing) == Request::find_name ? names_.find(scene, place, line)
+                                                                           : names_.name(scene, place, line);
+  }
+  /// A key's request; what to say, or `words` if it asks nothing of names. A move says the way instead.
+  std::string answer(Request request, bool moves, const models::Scene& scene, Place place,
+                     std::string words) {
+    switch (request) {
+      case Request::list_names:
+        return names_.list(scene, place);
+      case Request::type_name:
+        awaited_ = request;
+        return "Type the name of this place, then Enter:";
+      case Request::find_name:
+        awaited_ = request;
+        return "Type the name to find, then Enter:";
+      case Request::undo_name:
+        return names_.undo(scene);
+      case Request::save:
+        return names_.save(scene);
+      case Request::say_way: {
+        std::string way = names_.way(scene, place);
+        return way.empty() ? "You are led to no name. F finds one." : way;
+      }
+      default:
+        break;
+    }
+    if (!moves) return words;
+    std::string way = names_.way(scene, place);
+    return way.empty() ? words : way;
+  }
+
+ private:
+  KeyNames names_;
+  Request awaited_ = Request::nothing;
+};
+
 /// Runs until Q, the end of the input or an interruption.
 Result<void> explore(session::TouchSession& session, session::MakerThread& maker, MapZoom zoom,
-                     Mouth& mouth) {
+                     NameKeys names, Mouth& mouth) {
   KeyProbe probe;
+  probe.begin(*session.scene());
   zoom.begin(session.scene());
   TerminalKeys keys;
   mouth.say(describe::opening_words(*session.scene()), voice::Importance::news);
@@ -109,8 +159,11 @@ Result<void> explore(session::TouchSession& session, session::MakerThread& maker
       zoom.begin(std::move(better));
       mouth.say("A finer version of the scene is in place.", voice::Importance::news);
     }
-    const auto scene = session.scene();
-    if (const auto key = keys.next(kBeat)) {
+    const auto scene = names.named(session.scene());
+    if (names.awaits_line()) {
+      if (const auto line = keys.next_line(kBeat))
+        mouth.say(names.take_line(*scene, probe.place(), *line), voice::Importance::label);
+    } else if (const auto key = keys.next(kBeat)) {
       std::string words;
       const auto request = probe.press(*key, *scene, session.settings().height_factor, words);
       if (request == KeyProbe::Request::end) return {};
@@ -120,6 +173,7 @@ Result<void> explore(session::TouchSession& session, session::MakerThread& maker
         words = *std::move(said);
       }
       if (request == KeyProbe::Request::pause) pause_or_go_on(session, mouth);
+      words = names.answer(request, is_move(*key), *scene, probe.place(), std::move(words));
       // A key that is held down sends more moves than can be read, so only the last one is described.
       if (!is_move(*key) || !keys.waiting()) mouth.say(words, voice::Importance::label);
     }
@@ -147,7 +201,7 @@ Result<session::TouchStatistics> touch_by_keys(const session::SceneMaker& make,
   console.end_progress();
   for (const std::string& notice : session.notices()) console.note(notice);
   Mouth mouth(console, options.aloud);
-  auto explored = explore(session, maker, MapZoom(options.map), mouth);
+  auto explored = explore(session, maker, MapZoom(options.map), NameKeys(options.save_as), mouth);
   maker.cancel();
   auto recorded = session.stop_recording();
   session.stop();

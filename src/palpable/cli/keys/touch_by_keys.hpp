@@ -21,6 +21,8 @@ struct KeyTouchOptions {
   bool aloud = false;
   /// How parts of a street map become scenes when the user zooms.
   recipes::MapRecipe map;
+  /// Where the scene is saved with its names.
+  std::filesystem::path save_as;
 };
 
 /// Runs a touch in the terminal: keys move the probe and ask questions; the answers are printed, one line

@@ -53,6 +53,12 @@ Result<void> check_scene(const models::Scene& scene) {
       std::any_of(scene.warnings.begin(), scene.warnings.end(),
                   [](const std::string& words) { return words.size() > models::kMaxWarningBytes; }))
     return invalid_input("a scene has at most 16 warnings of at most 1000 bytes");
+  if (scene.names.size() > models::kMaxPlaceNames ||
+      !std::all_of(scene.names.begin(), scene.names.end(),
+                   [](const models::PlaceName& name) { return models::is_valid(name); }))
+    return invalid_input(
+        "a scene has at most 500 names, each one line of at most 400 bytes with a sentence of at most 2000, "
+        "without characters that control a display");
   if (!is_valid(scene.source))
     return invalid_input(
         "the command or the files that a scene was made from are too many, too long or no "

@@ -102,6 +102,44 @@ Result<void> check_version(const json& description, SceneFile& out) {
   return {};
 }
 
+json json_of(Place p) { return json{p.x_m, p.y_m}; }
+
+Place place_from(const json& j) {
+  const auto at = j.get<std::array<double, 2>>();
+  return {at[0], at[1]};
+}
+
+/// In the order of models::PlaceName::Extent; an unknown one is a point.
+constexpr std::array<std::string_view, 4> kExtents{"point", "line", "area", "label"};
+
+json names_json(const models::PlaceNames& names) {
+  json list = json::array();
+  for (const models::PlaceName& name : names) {
+    json j{{"name", name.name}, {"at_m", json_of(name.at)}};
+    if (!name.sentence.empty()) j["sentence"] = name.sentence;
+    if (name.extent != models::PlaceName::Extent::point)
+      j["extent"] = kExtents.at(static_cast<std::size_t>(name.extent));
+    for (const Place p : name.line) j["line_m"].push_back(json_of(p));
+    list.push_back(std::move(j));
+  }
+  return list;
+}
+
+/// Absent in older files.
+models::PlaceNames names_from(const json& description) {
+  models::PlaceNames names;
+  for (const json& j : description.value("names", json::array())) {
+    models::PlaceName name{j.at("name").get<std::string>(), j.value("sentence", std::string()),
+                           place_from(j.at("at_m"))};
+    const auto extent = std::find(kExtents.begin(), kExtents.end(), j.value("extent", std::string()));
+    if (extent != kExtents.end())
+      name.extent = static_cast<models::PlaceName::Extent>(extent - kExtents.begin());
+    for (const json& p : j.value("line_m", json::array())) name.line.push_back(place_from(p));
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
 /// The size is that of the model; here it is stated for other programs.
 Result<void> check_stated_size(const json& description) {
   if (!description.contains("size_m")) return {};
@@ -183,6 +221,7 @@ Result<SceneFile> scene_from(const json& description, ZipMembers members) {
   if (!model) return std::move(model).error();
   out.scene.model = *std::move(model);
   read_pose_and_words(description, out.scene);
+  out.scene.names = names_from(description);
   const json& materials = description.at("materials");
   if (materials.size() > kMaxMaterials) return invalid_input("states more than 256 materials");
   out.scene.materials.clear();
@@ -236,6 +275,7 @@ Result<Bytes> encode_scene(const models::Scene& scene, const ZipMembers& others)
   if (!scene.title.empty()) description["title"] = scene.title;
   if (!scene.description.empty()) description["description"] = scene.description;
   if (!scene.warnings.empty()) description["warnings"] = scene.warnings;
+  if (!scene.names.empty()) description["names"] = names_json(scene.names);
   for (std::size_t k = 0; k < scene.materials.size(); ++k) {
     auto material = write_material(scene.materials[k], k, members);
     if (!material) return std::move(material).error();

@@ -135,6 +135,22 @@ TEST(SceneFile, KeepsWarnings) {
   EXPECT_FALSE(encode_scene(scene));
 }
 
+TEST(SceneFile, KeepsNamesOfPointsAndOfWhatTheyCover) {
+  models::Scene scene = sample();
+  using Extent = models::PlaceName::Extent;
+  scene.names = {
+      {"<b>gate</b>", "It is \"locked\".", {0.01, -0.02}},
+      {"\xd7\x91\xd7\x99\xd7\xaa", {}, {0.0, 0.0}, Extent::area, {{0.0, 0.0}, {0.01, 0.0}, {0.0, 0.01}}},
+      {"lake", {}, {0.02, 0.0}, Extent::label, {}}};
+  EXPECT_EQ(decode_scene(*encode_scene(scene))->scene.names, scene.names);
+  scene.names[0].name = std::string(10000, 'x');
+  EXPECT_FALSE(encode_scene(scene));
+  scene.names[0].name = "two\nlines";
+  EXPECT_FALSE(encode_scene(scene));
+  scene.names.assign(models::kMaxPlaceNames + 1, {"well", {}, {}});
+  EXPECT_FALSE(encode_scene(scene));
+}
+
 TEST(SceneFile, KeepsContoursAndTheirGroovesExactly) {
   Raster<models::BoundaryPixel> edges(12, 9);
   for (int x = 0; x < 12; ++x) edges(x, 4) = {0.5F, 0.01F * static_cast<float>(x)};

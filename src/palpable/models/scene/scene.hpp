@@ -9,6 +9,7 @@
 #include "palpable/models/grid/grid.hpp"
 #include "palpable/models/material/material.hpp"
 #include "palpable/models/relief/relief.hpp"
+#include "palpable/models/scene/place_name.hpp"
 #include "palpable/models/scene/route_guide.hpp"
 
 #include <cstdint>
@@ -102,6 +103,8 @@ struct Scene {
   /// What of this scene cannot be trusted, as measured when it was made: whole sentences, the gravest first.
   /// Said with the description, and again whenever the saved scene is used.
   std::vector<std::string> warnings;
+  /// What persons called its points and regions, in the order in which they did.
+  PlaceNames names;
 };
 
 /// Whether the scene's model has been set.

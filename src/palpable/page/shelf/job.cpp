@@ -99,6 +99,22 @@ Result<void> Job::make(const std::vector<std::string>& words, const std::filesys
   return run_making(making, cancelled_, news);
 }
 
+Result<void> Job::keep_names_only(const std::filesystem::path& path, formats::SceneFile& file) const {
+  bool changed = false;
+  const auto shorten = [&](std::string& word) {
+    for (const std::string& folder : plan_.hidden_folders)
+      for (auto at = word.find(folder); at != std::string::npos; at = word.find(folder, at)) {
+        word.erase(at, folder.size());
+        changed = true;
+      }
+  };
+  models::Provenance& source = file.scene.source;
+  for (std::string& input : source.inputs) shorten(input);
+  for (std::string& word : source.command) shorten(word);
+  for (models::SourceFile& one : source.files) shorten(one.name);
+  return changed ? formats::write_scene(path, file.scene, file.others) : Result<void>();
+}
+
 Result<void> Job::open() {
   std::error_code error;
   if (!std::filesystem::exists(plan_.scene, error)) {
@@ -110,6 +126,7 @@ Result<void> Job::open() {
   auto read = formats::read_scene(plan_.scene);
   if (!read) return Error{read.error().code, read.error().message, {}};
   if (cancelled_) return Work::interrupted();
+  if (auto kept = keep_names_only(plan_.scene, *read); !kept) return kept;
   TouchRequest request;
   request.scene = std::make_shared<const models::Scene>(std::move(read->scene));
   const SceneCard card = scene_card(*request.scene);
@@ -118,6 +135,7 @@ Result<void> Job::open() {
     const std::lock_guard lock(better->mutex);
     return std::exchange(better->scene, nullptr);
   };
+  request.better_follows = !plan_.make.quick_words.empty();
   if (plan_.is_kept) {
     auto id = tools_.recent->add(plan_.scene, card, scene_picture(*request.scene, kPictureSide));
     // It can be touched all the same.
@@ -136,7 +154,7 @@ void Job::refine() {
   // The first scene stays in place if this fails, or another scene is touched before it is done.
   if (!make(plan_.make.words, out, kRefiningNiceness)) return;
   auto read = formats::read_scene(out);
-  if (!read) return;
+  if (!read || !keep_names_only(out, *read)) return;
   {
     const std::lock_guard lock(better_->mutex);
     better_->scene = std::make_shared<const models::Scene>(std::move(read->scene));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/models/scene/scene.hpp"
 #include "palpable/page/protocol.gen.hpp"
 #include "palpable/page/shelf/make_words.hpp"
@@ -77,6 +78,9 @@ class Job {
   /// Makes the finer scene, while the first one is touched.
   void refine();
   Result<void> make(const std::vector<std::string>& words, const std::filesystem::path& out, int niceness);
+  /// Files are called in the scene as the person chose them, without the folders of what was received: the
+  /// scene outlives those. Rewrites the scene's file if that changes it.
+  Result<void> keep_names_only(const std::filesystem::path& path, formats::SceneFile& file) const;
   void set_state(const char* state, const std::string& step);
 
   JobPlan plan_;

@@ -21,6 +21,8 @@ struct TouchRequest {
   std::string name;
   /// Called once per frame on the server's thread: a finer scene if one is ready, else null. Never empty.
   std::function<std::shared_ptr<const models::Scene>()> take_better_scene;
+  /// Whether a finer scene is being made.
+  bool better_follows = false;
 };
 
 /// Opens the device and begins a touch, which ends when its host is destroyed. Blocks. Errors: as

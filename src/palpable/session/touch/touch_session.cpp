@@ -137,6 +137,13 @@ Result<void> TouchSession::change_materials(std::vector<models::Material> materi
                        [](const DeviceHand& hand) { return hand.place(); });
 }
 
+Result<void> TouchSession::change_guide(std::shared_ptr<const models::RouteGuide> guide) {
+  const std::lock_guard changing(impl_->changing);
+  auto changed = std::make_shared<models::Scene>(*scene());
+  changed->guide = std::move(guide);
+  return impl_->change(std::move(changed), settings(), [](const DeviceHand& hand) { return hand.place(); });
+}
+
 std::shared_ptr<const models::Scene> TouchSession::scene() const {
   const std::lock_guard lock(impl_->state);
   return impl_->scene;

@@ -44,6 +44,9 @@ class TouchSession {
   /// Changes materials and settings together; the model and its placement stay. Errors: usage for materials
   /// that are out of range, or not one for each label of the scene.
   Result<void> change_materials(std::vector<models::Material> materials, const TouchSettings& settings);
+  /// Changes the way along which the hands are pulled; null: none. The model, its placement and the settings
+  /// stay. Errors: usage for a guide that is out of range.
+  Result<void> change_guide(std::shared_ptr<const models::RouteGuide> guide);
   std::shared_ptr<const models::Scene> scene() const;
   /// The id that samples have of the scene that was handed over last.
   std::uint32_t newest_scene_id() const;

@@ -154,7 +154,7 @@ it('an edge is high and short, a name lower and longer', () => {
 
 describe('volumes', () => {
   const only = (kind: string): Levels => Object.fromEntries(soundKinds.map((one) => [one, one === kind ? 1 : 0])) as Levels;
-  const all: Command[] = [materialOf({}), { what: 'contact', strength: 1, at: 0.3 }, ...sliding(0.1, 1), { what: 'height', frequency: 300, at: 0 }, { what: 'edge', at: 0.3 }, { what: 'name', at: 0.3 }];
+  const all: Command[] = [materialOf({}), { what: 'contact', strength: 1, at: 0.3 }, ...sliding(0.1, 1), { what: 'height', frequency: 300, at: 0 }, { what: 'edge', at: 0.3 }, { what: 'name', at: 0.3 }, { what: 'find', frequency: 660, at: 0.3 }];
   it.each(soundKinds)('the one of %s changes it alone', (kind) => {
     const alone = part(render(1, [{ what: 'levels', levels: only(kind) }, ...all]), 0.3, 0.6);
     const others: Command[] = all.filter(({ what }) => what !== kind);
@@ -172,8 +172,8 @@ describe('volumes', () => {
 describe('no click', () => {
   const soft = materialOf({ stiffness_N_per_m: 60, friction: 1, texture: 'bumps', pitch_m: 5e-3, height_m: 4e-4 });
   const stiff = materialOf({ stiffness_N_per_m: 2000, friction: 0, texture: 'ridges', pitch_m: 1e-3, height_m: 2e-4 });
-  const zero: Levels = { contact: 0, slide: 0, height: 0, edge: 0, name: 0 };
-  const one: Levels = { contact: 1, slide: 1, height: 1, edge: 1, name: 1 };
+  const zero: Levels = { contact: 0, slide: 0, height: 0, edge: 0, name: 0, find: 0 };
+  const one: Levels = { contact: 1, slide: 1, height: 1, edge: 1, name: 1, find: 1 };
   const every = (seconds: number, count: number, make: (i: number) => Action): Command[] => Array.from({ length: count }, (_, i) => ({ ...make(i), at: 0.1 + seconds * i }));
 
   /** Steeper than the same sounds are without any change would be a click. */

@@ -7,7 +7,7 @@ import { ModalBank, type Body } from './modal_bank';
 import { Smoothed } from './smoothed';
 
 /** The sounds, in the order of the page's list. */
-export const soundKinds = ['contact', 'slide', 'height', 'edge', 'name'] as const;
+export const soundKinds = ['contact', 'slide', 'height', 'edge', 'name', 'find'] as const;
 export type SoundKind = (typeof soundKinds)[number];
 /** Amplitude of each sound: 0 ... 1. */
 export type Levels = Record<SoundKind, number>;
@@ -24,6 +24,8 @@ export type Action =
   | { what: 'height'; frequency: number }
   | { what: 'edge' }
   | { what: 'name' }
+  /** Hz. */
+  | { what: 'find'; frequency: number }
   /** All sounds fade. */
   | { what: 'silence' };
 /** `at`: the audio context's time (s); as soon as possible without it. */
@@ -34,14 +36,15 @@ export const slideTime = 0.15;
 
 const edgeBody: Body = { modes: [1568, 3140, 4710].map((frequency, i) => ({ frequency, decay: 0.02, gain: [0.7, 0.2, 0.1][i]! })), contactTime: 3e-4 };
 const nameBody: Body = { modes: [659, 988, 1319].map((frequency, i) => ({ frequency, decay: 0.14, gain: [0.5, 0.3, 0.2][i]! })), contactTime: 8e-4 };
-const usual: Levels = { contact: 1, slide: 1, height: 1, edge: 1, name: 1 };
+const findBody = (frequency: number): Body => ({ modes: [1, 2.76].map((factor, i) => ({ frequency: factor * frequency, decay: 0.05, gain: [0.8, 0.2][i]! })), contactTime: 6e-4 });
+const usual: Levels = { contact: 1, slide: 1, height: 1, edge: 1, name: 1, find: 1 };
 /** Amplitude of each sound at its full level, so that all are about equally loud. */
-const full: Levels = { contact: 0.6, slide: 0.5, height: 0.18, edge: 0.4, name: 0.45 };
+const full: Levels = { contact: 0.6, slide: 0.5, height: 0.18, edge: 0.4, name: 0.45, find: 0.4 };
 /** An amplitude that can be heard: the onset of a contact is its first sample of this size. */
 const onsetLevel = 1e-3;
 
 export class Instrument {
-  private readonly bodies: Record<'contact' | 'edge' | 'name', ModalBank>;
+  private readonly bodies: Record<'contact' | 'edge' | 'name' | 'find', ModalBank>;
   private readonly friction: FrictionNoise;
   private readonly tone: HeightTone;
   private readonly levels: Record<SoundKind, Smoothed>;
@@ -54,7 +57,7 @@ export class Instrument {
 
   constructor(private readonly sampleRate: number) {
     const bank = () => new ModalBank(sampleRate);
-    this.bodies = { contact: bank(), edge: bank(), name: bank() };
+    this.bodies = { contact: bank(), edge: bank(), name: bank(), find: bank() };
     this.bodies.edge.setBody(edgeBody);
     this.bodies.name.setBody(nameBody);
     this.friction = new FrictionNoise(sampleRate);
@@ -100,7 +103,8 @@ export class Instrument {
       levels.slide.next() * this.friction.next() +
       levels.height.next() * this.tone.next() +
       levels.edge.next() * bodies.edge.next() +
-      levels.name.next() * bodies.name.next()
+      levels.name.next() * bodies.name.next() +
+      levels.find.next() * bodies.find.next()
     );
   }
 
@@ -124,6 +128,9 @@ export class Instrument {
         return this.bodies.edge.strike(1);
       case 'name':
         return this.bodies.name.strike(1);
+      case 'find':
+        this.bodies.find.setBody(findBody(command.frequency));
+        return this.bodies.find.strike(1);
       case 'silence':
         this.tone.stop();
         return this.friction.slide(0, 0);

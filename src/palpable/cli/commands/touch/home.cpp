@@ -33,15 +33,6 @@ struct HomeTouch {
   page::TouchHost host;
 };
 
-/// A new file in the current folder, named after the scene.
-std::filesystem::path save_path(const std::string& name) {
-  const std::string stem = page::shelf::safe_file_name(name);
-  std::filesystem::path free = stem + ".palp";
-  std::error_code ignored;
-  for (int k = 2; std::filesystem::exists(free, ignored); ++k) free = fmt::format("{}-{}.palp", stem, k);
-  return free;
-}
-
 page::shelf::BeginTouch begin_touch(const HomeArguments& arguments, const CommonOptions& common) {
   return [arguments,
           common](const page::shelf::TouchRequest& request) -> Result<std::shared_ptr<page::PageHost>> {
@@ -59,7 +50,8 @@ page::shelf::BeginTouch begin_touch(const HomeArguments& arguments, const Common
     host.program = std::string("palpable ") + PALPABLE_VERSION;
     host.name = request.name;
     host.take_better_scene = request.take_better_scene;
-    host.save_as = save_path(request.name);
+    host.better_follows = request.better_follows;
+    host.save_as = free_scene_file(page::shelf::safe_file_name(request.name));
     host.home = true;
     session::TouchSession& session = **opened;
     auto touch = std::shared_ptr<HomeTouch>(new HomeTouch{*std::move(opened), {session, std::move(host)}});

@@ -75,7 +75,7 @@ Result<Answer> touch_with_keys(const TouchArguments& arguments, const TouchPlan&
   const auto notes = [&console](const Note& note) { console.note(note); };
   const auto statistics = touch_by_keys(maker_of(plan, notes),
                                         {plan.settings, plan.options, plan.begin_ns, arguments.recording,
-                                         arguments.speak, plan.make.recipes.map},
+                                         arguments.speak, plan.make.recipes.map, save_path(plan)},
                                         console);
   if (!statistics) return statistics.error();
   return answer_of(*statistics);

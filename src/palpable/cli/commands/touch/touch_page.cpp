@@ -42,17 +42,6 @@ class NoteBox {
   std::vector<Note> kept_;
 };
 
-/// The file to which the page saves the scene: the scene's own file, else a new one in the current folder.
-std::filesystem::path save_path(const std::vector<std::filesystem::path>& inputs, bool is_live) {
-  std::filesystem::path first = is_live ? "live" : inputs.empty() ? "scene" : inputs.front();
-  if (inputs.size() == 1 && first.extension() == ".palp") return first;
-  const std::string stem = first.has_stem() ? first.stem().string() : "scene";
-  std::filesystem::path free = stem + ".palp";
-  std::error_code ignored;
-  for (int k = 2; std::filesystem::exists(free, ignored); ++k) free = fmt::format("{}-{}.palp", stem, k);
-  return free;
-}
-
 /// Serves the page of a running touch until the user ends it.
 Result<void> serve_page(const TouchArguments& arguments, const TouchPlan& plan,
                         session::TouchSession& session, session::MakerThread& maker, NoteBox& notes,
@@ -60,7 +49,8 @@ Result<void> serve_page(const TouchArguments& arguments, const TouchPlan& plan,
   page::TouchHost host(session, {std::string("palpable ") + PALPABLE_VERSION,
                                  {},
                                  [&maker] { return maker.take(std::chrono::milliseconds(0)); },
-                                 save_path(plan.make.input.files, plan.live != nullptr),
+                                 plan.live == nullptr && !maker.outcome(),
+                                 save_path(plan),
                                  !plan.walk.empty(),
                                  plan.live != nullptr});
   notes.open([&host](const Note& note) { host.say("info", note.sentence); });

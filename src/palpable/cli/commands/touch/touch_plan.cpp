@@ -163,4 +163,20 @@ Answer answer_of(const session::TouchStatistics& statistics) {
   return answer;
 }
 
+std::filesystem::path free_scene_file(const std::string& stem) {
+  std::filesystem::path free = stem + ".palp";
+  std::error_code ignored;
+  for (int k = 2; std::filesystem::exists(free, ignored); ++k) free = fmt::format("{}-{}.palp", stem, k);
+  return free;
+}
+
+std::filesystem::path save_path(const TouchPlan& plan) {
+  const auto& inputs = plan.make.input.files;
+  const std::filesystem::path first = plan.live != nullptr ? "live"
+                                      : inputs.empty()     ? "scene"
+                                                           : inputs.front();
+  if (inputs.size() == 1 && first.extension() == ".palp") return first;
+  return free_scene_file(first.has_stem() ? first.stem().string() : "scene");
+}
+
 }  // namespace palpable::cli

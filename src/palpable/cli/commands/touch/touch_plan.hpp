@@ -12,6 +12,7 @@
 #include "palpable/session/touch/headless.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -74,6 +75,11 @@ Result<void> check_touch_options(const TouchArguments& arguments, const std::vec
 
 /// Sets what is made and how it is touched. Errors: usage; invalid_input for files of names and materials.
 Result<void> fill_plan(TouchArguments& arguments, const std::optional<Published>& published, TouchPlan& plan);
+
+/// A new scene file in the current folder, named "STEM.palp", or "STEM-2.palp", …
+std::filesystem::path free_scene_file(const std::string& stem);
+/// The file to which a touch saves its scene: the scene's own file, else a new one in the current folder.
+std::filesystem::path save_path(const TouchPlan& plan);
 
 /// Makes the scenes of a touch, the fastest first; each note is given once.
 session::SceneMaker maker_of(const TouchPlan& plan, Notes notes);

@@ -1,0 +1,89 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/keys/key_names.hpp"
+
+#include "palpable/describe/numbers.hpp"
+#include "palpable/formats/scene/scene_file.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace palpable::cli {
+
+std::shared_ptr<const models::Scene> KeyNames::named(const std::shared_ptr<const models::Scene>& touched) {
+  if (!edited_) return touched;
+  if (touched != touched_ || named_ == nullptr) {
+    auto named = std::make_shared<models::Scene>(*touched);
+    named->names = *edited_;
+    touched_ = touched;
+    named_ = std::move(named);
+  }
+  return named_;
+}
+
+const describe::PlaceGuide& KeyNames::guide(const models::Scene& scene) {
+  if (guide_ == nullptr || !guide_->is_of(scene))
+    guide_ = std::make_unique<const describe::PlaceGuide>(scene);
+  return *guide_;
+}
+
+std::string KeyNames::taken(Result<describe::NamesEdit> edit) {
+  if (!edit) return describe::capitalised(edit.error().message) + ".";
+  edited_ = std::move(edit->names);
+  named_.reset();
+  return edit->words;
+}
+
+std::string KeyNames::list(const models::Scene& scene, Place from) {
+  const describe::PlaceGuide& names = guide(scene);
+  if (names.places().empty()) return "Nothing here has a name.";
+  std::string lines = describe::counted(names.places().size(), "name", "names") + ", the nearest first:";
+  for (const auto& seen : names.around(from))
+    lines += fmt::format("\n{}, {}", names.places()[seen.place].words, describe::way_words(seen, from));
+  return describe::capitalised(std::move(lines));
+}
+
+std::string KeyNames::name(const models::Scene& scene, Place at, std::string_view line) {
+  if (line.empty()) return "Nothing is named.";
+  const std::size_t colon = line.find(": ");
+  models::PlaceName given{std::string(line.substr(0, colon)), {}, at};
+  if (colon != std::string_view::npos) given.sentence = line.substr(colon + 2);
+  return taken(history_.name(scene, guide(scene), std::move(given)));
+}
+
+std::string KeyNames::find(const models::Scene& scene, Place from, std::string_view line) {
+  target_.reset();
+  if (line.empty()) return "Nothing is looked for.";
+  const auto place = guide(scene).find(line, from);
+  if (!place) return describe::capitalised(place.error().message) + ".";
+  target_ = guide(scene).places()[*place].name;
+  return way(scene, from);
+}
+
+std::string KeyNames::way(const models::Scene& scene, Place from) {
+  if (!target_) return {};
+  const auto& places = guide(scene).places();
+  const auto place = std::find_if(places.begin(), places.end(),
+                                  [&](const describe::NamedPlace& one) { return one.name == *target_; });
+  if (place == places.end()) {
+    target_.reset();
+    return {};
+  }
+  const auto seen = guide(scene).seen(static_cast<std::size_t>(place - places.begin()), from);
+  if (seen.distance_m > 0.0)
+    return fmt::format("{}: {}.", describe::capitalised(place->name.name), describe::way_words(seen, from));
+  target_.reset();
+  return fmt::format("Here: {}.{}{}", place->words, place->name.sentence.empty() ? "" : " ",
+                     place->name.sentence);
+}
+
+std::string KeyNames::undo(const models::Scene& scene) { return taken(history_.undo(scene)); }
+
+std::string KeyNames::save(const models::Scene& scene) {
+  if (const auto written = formats::write_scene(save_as_, scene); !written) return written.error().sentence();
+  return "The scene is saved as " + save_as_.string() + ".";
+}
+
+}  // namespace palpable::cli

@@ -1,0 +1,51 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/describe/name_history.hpp"
+#include "palpable/models/scene/scene.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace palpable::cli {
+
+/// Names in a touch by keys: what is around, naming, finding. One thread.
+class KeyNames {
+ public:
+  /// `save_as`: the scene file that save() writes.
+  explicit KeyNames(std::filesystem::path save_as) : save_as_(std::move(save_as)) {}
+
+  /// The scene with the names that were edited.
+  std::shared_ptr<const models::Scene> named(const std::shared_ptr<const models::Scene>& touched);
+
+  // Each returns what to say. `scene`: as named() gives it; `from`: where the probe is.
+
+  /// All names, one line each, the nearest first.
+  std::string list(const models::Scene& scene, Place from);
+  /// A line "NAME" or "NAME: SENTENCE" names the probe's place; an empty line names nothing.
+  std::string name(const models::Scene& scene, Place at, std::string_view line);
+  /// From now on the probe is led to the place of this name.
+  std::string find(const models::Scene& scene, Place from, std::string_view line);
+  /// The way to the place that is looked for; at its end the place itself. Empty if none is.
+  std::string way(const models::Scene& scene, Place from);
+  std::string undo(const models::Scene& scene);
+  std::string save(const models::Scene& scene);
+
+ private:
+  const describe::PlaceGuide& guide(const models::Scene& scene);
+  std::string taken(Result<describe::NamesEdit> edit);
+
+  std::filesystem::path save_as_;
+  describe::NameHistory history_;
+  std::optional<models::PlaceNames> edited_;
+  std::shared_ptr<const models::Scene> touched_;
+  std::shared_ptr<const models::Scene> named_;
+  std::unique_ptr<const describe::PlaceGuide> guide_;
+  std::optional<models::PlaceName> target_;
+};
+
+}  // namespace palpable::cli
