@@ -25,10 +25,10 @@ using Extent = models::PlaceName::Extent;
 constexpr int kReducedLabelSide = 400;
 
 double reach_m(const models::PlaceName& name, double side_m) {
-  // Of areas and labels: for the rounding of their borders.
-  constexpr double kRounding_m = 1e-9;
+  // Of areas and labels: what words cannot tell (offset_words()).
+  constexpr double kUntold_m = 0.0005;
   if (name.extent == Extent::point) return kPointReach * side_m;
-  return name.extent == Extent::line ? kLineReach * side_m : kRounding_m;
+  return name.extent == Extent::line ? kLineReach * side_m : kUntold_m;
 }
 
 models::OnLine nearest_of_shape(const models::PlaceName& name, Place from) {

@@ -205,7 +205,7 @@ void BrowserTouch::edit_names(const Edit& edit) {
   auto named = std::make_shared<models::Scene>(*scene_);
   named->names = std::move(edited->names);
   scene_ = std::move(named);
-  say("answer", std::move(edited->words));
+  say(page::PageNames::level_of(edit), std::move(edited->words));
 }
 
 void BrowserTouch::find(const protocol::Find& find) {

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <type_traits>
 
 namespace palpable::page {
 
@@ -24,6 +25,12 @@ class PageNames {
   Result<describe::NamesEdit> edited(const models::Scene& scene, const protocol::Name& name);
   Result<describe::NamesEdit> edited(const models::Scene& scene, const protocol::Unname& name);
   Result<describe::NamesEdit> edited(const models::Scene& scene, const protocol::UndoName& undo);
+
+  /// The level of the notice of an edit: a page can undo "named".
+  template <class Edit>
+  static const char* level_of(const Edit& /*edit*/) {
+    return std::is_same_v<Edit, protocol::UndoName> ? "answer" : "named";
+  }
 
   /// From now on a probe is led to a place, or no longer; the place as it is seen from where the probe is.
   /// Errors: usage for a place that is no longer there.

@@ -80,7 +80,7 @@ void TouchHost::edit_names(const Edit& edit) {
     edited_names_ = std::move(edited->names);
   }
   named_.reset();
-  say("answer", std::move(edited->words));
+  say(PageNames::level_of(edit), std::move(edited->words));
 }
 
 void TouchHost::find(const protocol::Find& find) {
