@@ -104,16 +104,42 @@ std::vector<std::optional<Place>> middles_of(const models::Scene& scene, const R
   return middles;
 }
 
+/// How many connected pieces each label has.
+std::vector<int> pieces_of(const Raster<std::uint8_t>& labels) {
+  std::vector<int> pieces(256, 0);
+  Raster<std::uint8_t> seen(labels.width(), labels.height());
+  std::vector<std::pair<int, int>> open;
+  for (int j = 0; j < labels.height(); ++j)
+    for (int i = 0; i < labels.width(); ++i) {
+      if (seen(i, j) != 0) continue;
+      ++pieces[labels(i, j)];
+      seen(i, j) = 1;
+      for (open.assign(1, {i, j}); !open.empty();) {
+        const auto [x, y] = open.back();
+        open.pop_back();
+        for (int v = y - 1; v <= y + 1; ++v)
+          for (int u = x - 1; u <= x + 1; ++u)
+            if (labels.contains(u, v) && seen(u, v) == 0 && labels(u, v) == labels(i, j)) {
+              seen(u, v) = 1;
+              open.emplace_back(u, v);
+            }
+      }
+    }
+  return pieces;
+}
+
 /// Regions with a name of their own, and those without one except the first, which is what lies between.
 void add_regions(const models::Scene& scene, const Raster<std::uint8_t>& labels,
                  std::vector<NamedPlace>& places) {
   const auto middles = middles_of(scene, labels);
+  const auto pieces = pieces_of(labels);
   for (std::size_t label = 0; label < std::min(scene.materials.size(), middles.size()); ++label) {
     const std::string& name = scene.materials[label].name;
     const bool has_name = name != models::Material{}.name;
     if (!middles[label] || (!has_name && label == 0)) continue;
-    places.push_back(
-        found(has_name ? name : fmt::format("region {}", label), *middles[label], Extent::label, {}, {}));
+    places.push_back(found(has_name ? name : fmt::format("region {}", label), *middles[label], Extent::label,
+                           {},
+                           pieces[label] > 1 ? fmt::format("in {} places", pieces[label]) : std::string()));
   }
 }
 

@@ -150,7 +150,13 @@ Result<std::size_t> PlaceGuide::find(std::string_view name, Place from) const {
   const auto near = around(from);
   for (const Seen& seen : near) names.push_back(places_[seen.place].name.name);
   const MeantNames meant = meant_names(std::string(name), names);
-  if (meant.names.size() == 1) return near[meant.names.front()].place;
+  if (meant.names.size() == 1) {
+    const std::string& wanted = names[meant.names.front()];
+    // Of equal names one that is elsewhere: who stands at one of them looks for another.
+    for (std::size_t i = meant.names.front(); i < near.size(); ++i)
+      if (names[i] == wanted && near[i].distance_m > 0.0) return near[i].place;
+    return near[meant.names.front()].place;
+  }
   if (!meant.names.empty())
     return Error{ErrorCode::usage, fmt::format("'{}' could be {}", name, some_of(meant.names, names)), {}};
   const auto similar = similar_names(std::string(name), names);

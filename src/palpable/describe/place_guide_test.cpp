@@ -84,6 +84,7 @@ TEST(PlaceGuide, OfEqualNamesTheNearestIsFound) {
   const PlaceGuide guide(scene);
   EXPECT_EQ(*guide.find("tree", {0.01, 0.0}), 1U);
   EXPECT_EQ(*guide.find("tree", {-0.01, 0.0}), 0U);
+  EXPECT_EQ(*guide.find("tree", {-0.03, 0.0}), 1U) << "who stands at one looks for the other";
 }
 
 TEST(PlaceGuide, NamesAreToldByD) {

@@ -96,8 +96,9 @@ TEST(PlaceWords, SayThatNothingIsBesideASolidAndThatItCannotBePressed) {
   EXPECT_EQ(press_words(scene, {}, 0.0015), "pressed 1.5 millimetres deep");
   EXPECT_NE(step_words(scene, 1.0, {}), "nothing here");
   const Place beside{0.0049, 0.0049};
-  EXPECT_EQ(step_words(scene, 1.0, beside), "nothing here");
-  EXPECT_EQ(press_words(scene, beside, 0.0015), "nothing here to press");
+  const std::string nothing = "nothing here, the surface is 1.5 millimetres left, 1.5 millimetres down";
+  EXPECT_EQ(step_words(scene, 1.0, beside), nothing);
+  EXPECT_EQ(press_words(scene, beside, 0.0015), "nothing to press: " + nothing);
   EXPECT_EQ(press_words(scene, beside, -0.001), "lifted by 1 millimetre");
 }
 

@@ -6,6 +6,7 @@
 #include "palpable/core/text/figure.hpp"
 #include "palpable/describe/name_history.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -65,17 +66,39 @@ Result<Place> place_of(const models::Scene& scene, const std::string& at) {
   return place;
 }
 
+/// The place that a person called `name`; of several, the one nearest to `at`, which must then be stated.
+Result<std::size_t> named_place(const models::Scene& scene, const describe::PlaceGuide& guide,
+                                const std::string& name, const std::string& at) {
+  Place near;
+  if (!at.empty()) {
+    const auto stated = place_of(scene, at);
+    if (!stated) return stated.error();
+    near = *stated;
+  }
+  const auto place = guide.find(name, near);
+  if (!place || !at.empty()) return place;
+  const auto& called = guide.places()[*place].name.name;
+  const auto equal = std::count_if(guide.places().begin(), guide.places().end(),
+                                   [&](const auto& other) { return other.name.name == called; });
+  if (equal == 1) return place;
+  return Error{ErrorCode::usage,
+               fmt::format("{} places are called '{}': say which one by --at X,Y", equal, called),
+               {}};
+}
+
 Result<describe::NamesEdit> edit(const models::Scene& scene, const NameArguments& arguments) {
   const describe::PlaceGuide guide(scene);
   describe::NameHistory history;
   if (!arguments.remove.empty()) {
-    const auto place = guide.find(arguments.remove, {});
-    if (!place) return Error{ErrorCode::usage, place.error().message, "--remove"};
+    const auto place = named_place(scene, guide, arguments.remove, arguments.at);
+    if (!place) return Error{place.error().code, place.error().message, "--remove"};
     return history.remove(scene, guide, *place);
   }
   models::PlaceName given{arguments.add, arguments.sentence, {}, {}, {}};
-  if (arguments.at.empty() == arguments.of.empty())
-    return Error{ErrorCode::usage, "a name needs a place: either --at X,Y, or --of NAME", "--add"};
+  if (arguments.at.empty() && arguments.of.empty())
+    return Error{ErrorCode::usage, "a name needs a place: --at X,Y, or --of NAME", "--add"};
+  if (!arguments.at.empty() && !arguments.of.empty())
+    return Error{ErrorCode::usage, "a name has one place: --at X,Y or --of NAME, not both", "--add"};
   if (!arguments.of.empty()) {
     const auto place = guide.find(arguments.of, {});
     if (!place) return Error{ErrorCode::usage, place.error().message, "--of"};
@@ -91,9 +114,9 @@ Result<Answer> name(const NameArguments& arguments, Console&) {
   auto file = read_scene_argument(arguments.scene);
   if (!file) return file.error();
   const bool adds = !arguments.add.empty(), removes = !arguments.remove.empty();
-  const bool has_more = !arguments.at.empty() || !arguments.of.empty() || !arguments.sentence.empty();
-  if (!adds && (removes ? has_more : has_more || !arguments.output.empty()))
-    return Error{ErrorCode::usage, "--at, --of and --sentence belong to --add, and -o to a change", "--add"};
+  const bool has_more = !arguments.of.empty() || !arguments.sentence.empty();
+  if (!adds && (has_more || (!removes && (!arguments.at.empty() || !arguments.output.empty()))))
+    return Error{ErrorCode::usage, "--of and --sentence belong to --add, --at and -o to a change", "--add"};
   if (adds && removes) return Error{ErrorCode::usage, "one change at a time", "--remove"};
   if (!adds && !removes) return list_of(file->scene);
   const std::string& output = arguments.output.empty() ? arguments.scene : arguments.output;
@@ -124,7 +147,8 @@ void add_name(Program& program) {
   options.argument("SCENE", arguments->scene,
                    "A .palp scene; without --add and --remove its names are listed");
   options.text("--add", arguments->add, "A name, at most 400 bytes");
-  options.text("--at", arguments->at, "With --add: the point X,Y that is called so, mm");
+  options.text("--at", arguments->at,
+               "With --add: the point X,Y that is called so, mm; with --remove, of equal names the nearest");
   options.text("--of", arguments->of,
                "With --add: what is called so instead: a name in the list, also one that the program found");
   options.text("--sentence", arguments->sentence, "With --add: what else is said of it");

@@ -23,7 +23,7 @@ Error error_of(const std::string& url) {
 TEST(OpenDevice, NamesWhatIsWrongWithAnAddress) {
   for (const auto* url :
        {"", "sim", ":x", "falcon9:", "sim:?mass", "sim:?mass=1&mass=2", "sim:?mas=1", "sim:?mass=heavy",
-        "sim:?mass=-1", "sim:?mass=nan", "sim:?dof=4", "pointer:", "replay:"}) {
+        "sim:?mass=-1", "sim:?mass=nan", "sim:foo", "sim:?dof=4", "pointer:", "replay:"}) {
     const Error error = error_of(url);
     EXPECT_EQ(error.code, ErrorCode::usage) << url;
     EXPECT_FALSE(error.message.empty());

@@ -15,6 +15,7 @@
 #include "palpable/device/url.hpp"
 
 #include <array>
+#include <filesystem>
 #include <set>
 
 namespace palpable::device {
@@ -92,12 +93,14 @@ Result<void> check_device_url(std::string_view url) {
 Result<void> check_together(const std::vector<std::string>& urls) {
   if (urls.size() < 2) return {};
   std::set<std::string> seen;
-  std::set<std::string> motors;
+  std::set<std::filesystem::path> motors;
   for (const std::string& url : urls) {
     if (auto known = check_device_url(url); !known) return known;
     auto parsed = DeviceUrl::parse(url);
     const std::string file = parsed ? parsed->take_text("motors") : std::string();
-    if (!file.empty() && !motors.insert(file).second)
+    std::error_code unknown;
+    const auto path = std::filesystem::weakly_canonical(file, unknown);
+    if (!file.empty() && !motors.insert(unknown ? std::filesystem::path(file) : path).second)
       return Error{ErrorCode::usage, "two devices cannot write the same file of motors", public_url(url)};
     if (url.starts_with("pointer:"))
       return Error{ErrorCode::usage, "the page's pointers touch beside devices anyway: leave it out",

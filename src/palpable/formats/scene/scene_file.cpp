@@ -140,15 +140,24 @@ models::PlaceNames names_from(const json& description) {
   return names;
 }
 
-/// The size is that of the model; here it is stated for other programs.
-Result<void> check_stated_size(const json& description) {
+/// The size is that of the model; it is stated for other programs, and shows that a number of the model was
+/// damaged. Absent in older files.
+Result<void> check_stated_size(const json& description, const models::Scene& scene) {
   if (!description.contains("size_m")) return {};
   const json& size = description.at("size_m");
   const auto is_length = [](const json& side) {
     return side.is_number() && std::isfinite(side.get<double>()) && side.get<double>() >= 0.0;
   };
-  if (size.is_array() && size.size() == 3 && std::all_of(size.begin(), size.end(), is_length)) return {};
-  return invalid_input("states a size that is not three lengths");
+  if (!size.is_array() || size.size() != 3 || !std::all_of(size.begin(), size.end(), is_length))
+    return invalid_input("states a size that is not three lengths");
+  const Vec3 real = models::size_m(scene);
+  // What other versions may round or count otherwise.
+  constexpr double kShare = 0.1, kLeast_m = 1e-4;
+  const auto agrees = [](const json& stated, double side) {
+    return std::abs(stated.get<double>() - side) <= kShare * std::abs(side) + kLeast_m;
+  };
+  if (agrees(size[0], real.x) && agrees(size[1], real.y) && agrees(size[2], real.z)) return {};
+  return invalid_input("is damaged: its model does not have the size that it states");
 }
 
 /// Removes the member that `key` names from `members`; nullopt if the scene has none.
@@ -209,9 +218,8 @@ void read_pose_and_words(const json& description, models::Scene& scene) {
 
 Result<SceneFile> scene_from(const json& description, ZipMembers members) {
   SceneFile out;
-  if (description.at("format").get<std::string>() != kFormat) return invalid_input("is not a scene of ours");
+  if (description.at("format").get<std::string>() != kFormat) return invalid_input("is not a Palpable scene");
   if (auto version = check_version(description, out); !version) return std::move(version).error();
-  if (auto size = check_stated_size(description); !size) return std::move(size).error();
   const auto kind = description.at("kind").get<std::string>();
   const auto* reader =
       std::find_if(kReaders.begin(), kReaders.end(), [&kind](const Reader& r) { return r.kind == kind; });
@@ -242,6 +250,7 @@ Result<SceneFile> scene_from(const json& description, ZipMembers members) {
     out.scene.map = std::make_shared<const StreetMap>(*std::move(decoded));
   }
   if (auto valid = check_scene(out.scene); !valid) return std::move(valid).error();
+  if (auto size = check_stated_size(description, out.scene); !size) return std::move(size).error();
   for (const json& value : description.at("model")) {
     if (value.is_string()) members.erase(value.get<std::string>());
     if (!value.is_array()) continue;

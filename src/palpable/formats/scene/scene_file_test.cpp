@@ -315,7 +315,7 @@ TEST(SceneFile, RefusesInvalidDescriptionsWithASentence) {
       {"\"stiffness_N_per_m\": 900.0", "\"stiffness_N_per_m\": -1", "negative"},
       {"\"stiffness_N_per_m\": 900.0", "\"stiffness_N_per_m\": null", "damaged"},
       {"\"scale\": 0.0001", "\"scale\": 0", "place in its input"},
-      {"\"format\": \"palpable-scene\"", "\"format\": \"other\"", "not a scene of ours"},
+      {"\"format\": \"palpable-scene\"", "\"format\": \"other\"", "not a Palpable scene"},
       {"\"source\"", "\"sauce\"", "damaged or incomplete"}};
   for (const auto& c : kCases) {
     const auto scene = decode_scene(with_description(c.from, c.to));
@@ -329,14 +329,16 @@ TEST(SceneFile, RefusesValuesThatAreFarTooLarge) {
     const char* from;
     const char* to;
     const char* says;
-  } kCases[] = {{"\"minor\": 0", "\"minor\": -80", "impossible format version 1.-80"},
-                {"\"size_m\": [", "\"size_m\": [], \"other\": [", "not three lengths"},
-                {"\"size_m\": [", "\"size_m\": [\"1\",", "not three lengths"},
-                {"\"stiffness_N_per_m\": 900.0", "\"stiffness_N_per_m\": 1e308", "stiffness"},
-                {"\"damping_Ns_per_m\": 1.0", "\"damping_Ns_per_m\": 1e300", "damping"},
-                {"\"static_friction\": 0.5", "\"static_friction\": 9e15", "friction"},
-                {"\"dynamic_friction\": 0.4", "\"dynamic_friction\": 10.1", "friction"},
-                {"\"scale\": ", "\"scale\": 1e308, \"other\": ", "place in its input"}};
+  } kCases[] = {
+      {"\"minor\": 0", "\"minor\": -80", "impossible format version 1.-80"},
+      {"\"size_m\": [", "\"size_m\": [], \"other\": [", "not three lengths"},
+      {"\"size_m\": [", "\"size_m\": [\"1\",", "not three lengths"},
+      {"\"size_m\": [", "\"size_m\": [9, 9, 9], \"other\": [", "does not have the size that it states"},
+      {"\"stiffness_N_per_m\": 900.0", "\"stiffness_N_per_m\": 1e308", "stiffness"},
+      {"\"damping_Ns_per_m\": 1.0", "\"damping_Ns_per_m\": 1e300", "damping"},
+      {"\"static_friction\": 0.5", "\"static_friction\": 9e15", "friction"},
+      {"\"dynamic_friction\": 0.4", "\"dynamic_friction\": 10.1", "friction"},
+      {"\"scale\": ", "\"scale\": 1e308, \"other\": ", "place in its input"}};
   for (const auto& c : kCases) {
     const auto scene = decode_scene(with_description(c.from, c.to));
     ASSERT_FALSE(scene) << c.to;

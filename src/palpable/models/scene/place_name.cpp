@@ -38,6 +38,15 @@ std::string clean(const std::string& text) {
   return plain_name(kept);
 }
 
+/// Whether there is anything but blanks and characters that neither are shown nor spoken.
+bool says_something(std::string text) {
+  // Soft hyphen, zero-width space, non-joiner, joiner, word joiner, byte order mark.
+  for (const std::string_view unseen : {"\u00AD", "\u200B", "\u200C", "\u200D", "\u2060", "\uFEFF", " "})
+    for (auto at = text.find(unseen); at != std::string::npos; at = text.find(unseen))
+      text.erase(at, unseen.size());
+  return !text.empty();
+}
+
 Error refused(std::string sentence) { return {ErrorCode::usage, std::move(sentence), {}}; }
 
 std::string too_long(const char* what, std::size_t most, std::size_t bytes) {
@@ -60,7 +69,7 @@ Result<PlaceNames> with_name(PlaceNames names, PlaceName name, std::optional<std
   if (!is_utf8(name.name) || !is_utf8(name.sentence)) return refused("a name is text in UTF-8");
   name.name = clean(name.name);
   name.sentence = clean(name.sentence);
-  if (name.name.empty()) return refused("a name has at least one letter");
+  if (!says_something(name.name)) return refused("a name has at least one letter");
   if (name.name.size() > kMaxPlaceNameBytes)
     return refused(too_long("a name", kMaxPlaceNameBytes, name.name.size()));
   if (name.sentence.size() > kMaxPlaceSentenceBytes)

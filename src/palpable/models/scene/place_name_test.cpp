@@ -38,6 +38,8 @@ TEST(PlaceName, LosesWhatControlsADisplayOrTheDirectionOfWriting) {
 TEST(PlaceName, IsRefusedIfItIsEmptyTooLongOrNoText) {
   EXPECT_THAT(refusal({}, named(" \n\t ")), HasSubstr("at least one letter"));
   EXPECT_THAT(refusal({}, named("\xe2\x80\xae")), HasSubstr("at least one letter"));
+  EXPECT_THAT(refusal({}, named(" \u200B\uFEFF ")), HasSubstr("at least one letter"))
+      << "neither seen nor spoken";
   EXPECT_THAT(refusal({}, named(std::string(10000, 'x'))),
               HasSubstr("at most 400 bytes, and this one has 10000"));
   EXPECT_THAT(refusal({}, named("a\xff")), HasSubstr("UTF-8"));
