@@ -328,8 +328,9 @@ export class TouchPage implements KeyTarget {
 
   /** Focuses the relief, so that the announced keys work at once, unless the user has focused something else. */
   private ready(): void {
-    // Where there is something to touch.
-    if (this.own.movable() && this.own.current.movedAt === -Infinity) this.own.current.jump(this.loaded.start, performance.now());
+    // Where there is something to touch, unless another page has moved the probe.
+    const mover = this.probes.stateOf(this.own.chosen)?.page ?? null;
+    if (mover === null && this.own.movable() && this.own.current.movedAt === -Infinity) this.own.current.adopt(this.loaded.start);
     const { activeElement } = document;
     if (activeElement === null || activeElement === document.body) this.stage.element.focus({ preventScroll: true });
     this.voice.say(this.narrator.opening(), Importance.news);
