@@ -40,7 +40,8 @@ endfunction()
 
 function(check_room_use module room file header)
   get_filename_component(used "${header}" DIRECTORY)
-  if(used STREQUAL room OR used STREQUAL "" OR file MATCHES "_test\\.cpp$")
+  if(used STREQUAL room OR used STREQUAL "" OR file MATCHES "_test\\.cpp$"
+     OR file MATCHES "/test_[a-z0-9_]+\\.hpp$")
     return()
   endif()
   if(NOT used IN_LIST PALPABLE_MAY_USE_${module}/${room})

@@ -3,6 +3,26 @@
 // Simulates a user who works by keyboard and hearing alone.
 import type { CDPSession, Page } from 'playwright-core';
 
+const ask = (session: CDPSession) => session.send('Accessibility.getFullAXTree');
+type AxNode = Awaited<ReturnType<typeof ask>>['nodes'][number];
+
+/** Whether a node of the accessibility tree has a property, as focused. */
+export const has = (node: AxNode, name: string) => node.properties?.some((one) => one.name === name && one.value.value === true) ?? false;
+
+/** The accessibility tree, and the text of its live region. */
+export async function treeOf(session: CDPSession): Promise<{ nodes: AxNode[]; said: string }> {
+  const { nodes } = await ask(session);
+  const byId = new Map(nodes.map((node) => [node.nodeId, node]));
+  const textUnder = (id: string): string => {
+    const node = byId.get(id);
+    if (node === undefined) return '';
+    if (node.role?.value === 'StaticText') return String(node.name?.value ?? '');
+    return (node.childIds ?? []).map(textUnder).join('');
+  };
+  const status = nodes.find((node) => node.role?.value === 'status');
+  return { nodes, said: status ? textUnder(status.nodeId) : '' };
+}
+
 export interface Node {
   role: string;
   name: string;
@@ -20,21 +40,13 @@ export class Listener {
   }
 
   private async tree(): Promise<{ nodes: Node[]; said: string }> {
-    const { nodes } = await this.session.send('Accessibility.getFullAXTree');
-    const byId = new Map(nodes.map((node) => [node.nodeId, node]));
-    const textUnder = (id: string): string => {
-      const node = byId.get(id);
-      if (node === undefined) return '';
-      if (node.role?.value === 'StaticText') return String(node.name?.value ?? '');
-      return (node.childIds ?? []).map(textUnder).join('');
-    };
-    const status = nodes.find((node) => node.role?.value === 'status');
+    const { nodes, said } = await treeOf(this.session);
     return {
-      said: status ? textUnder(status.nodeId) : '',
+      said,
       nodes: nodes.map((node) => ({
         role: String(node.role?.value ?? ''),
         name: String(node.name?.value ?? ''),
-        focused: node.properties?.some(({ name, value }) => name === 'focused' && value.value === true) ?? false,
+        focused: has(node, 'focused'),
       })),
     };
   }

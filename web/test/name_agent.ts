@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A simulated blind person who looks for names: reads the accessibility tree and announcements alone, presses keys alone.
 import type { CDPSession, Page } from 'playwright-core';
+import { has, treeOf } from './listener';
 
 interface Heard {
   said: string;
@@ -33,22 +34,13 @@ export class NameAgent {
   }
 
   async hear(): Promise<Heard> {
-    const { nodes } = await this.session.send('Accessibility.getFullAXTree');
-    const byId = new Map(nodes.map((node) => [node.nodeId, node]));
-    const has = (node: (typeof nodes)[number], name: string) => node.properties?.some((one) => one.name === name && one.value.value === true) ?? false;
-    const textUnder = (id: string): string => {
-      const node = byId.get(id);
-      if (node === undefined) return '';
-      if (node.role?.value === 'StaticText') return String(node.name?.value ?? '');
-      return (node.childIds ?? []).map(textUnder).join('');
-    };
-    const status = nodes.find((node) => node.role?.value === 'status');
+    const { nodes, said } = await treeOf(this.session);
     const focused = nodes.filter((node) => has(node, 'focused') && node.role?.value !== 'RootWebArea');
     const stage = nodes.find((node) => node.role?.value === 'application');
     const selected = nodes.find((node) => node.role?.value === 'option' && has(node, 'selected'));
     const steps = /move ([\d.]+)\s*mm,?\s*with Shift ([\d.]+)\s*mm/.exec(String(stage?.description?.value ?? '').replace(/\s+/g, ' '));
     return {
-      said: status ? textUnder(status.nodeId) : '',
+      said,
       option: selected ? String(selected.name?.value ?? '') : null,
       focusedRole: String(focused[focused.length - 1]?.role?.value ?? ''),
       steps: steps ? [Number(steps[1]), Number(steps[2])] : [1, 5],

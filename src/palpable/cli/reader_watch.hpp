@@ -17,6 +17,8 @@ class ReaderWatch {
   ReaderWatch& operator=(const ReaderWatch&) = delete;
   ~ReaderWatch();
 
+  bool watches() const { return thread_.joinable(); }
+
  private:
   int wake_ = -1;
   std::thread thread_;

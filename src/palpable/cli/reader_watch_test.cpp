@@ -5,6 +5,7 @@
 #include <array>
 #include <csignal>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -31,17 +32,22 @@ TEST(ReaderWatchDeathTest, EndsTheProgramAsSigtermDoesWhenNobodyReads) {
 
 TEST(ReaderWatch, EndsItselfWhileThePipeIsRead) {
   const auto ends = new_pipe();
-  { const ReaderWatch watch(ends[1]); }
-  EXPECT_EQ(write(ends[1], "a", 1), 1);
+  {
+    const ReaderWatch watch(ends[1]);
+    EXPECT_TRUE(watch.watches());
+  }
+  EXPECT_EQ(write(ends[1], "a", 1), 1) << "the pipe is still open";
   close(ends[0]);
   close(ends[1]);
 }
 
 TEST(ReaderWatch, WatchesNeitherNoDescriptorNorAFile) {
-  { const ReaderWatch none(-1); }
-  { const ReaderWatch closed(1023); }
-  const int file = STDERR_FILENO;
-  { const ReaderWatch other(file); }
+  EXPECT_FALSE(ReaderWatch(-1).watches());
+  EXPECT_FALSE(ReaderWatch(1023).watches()) << "closed";
+  const int file = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  ASSERT_GE(file, 0);
+  EXPECT_FALSE(ReaderWatch(file).watches());
+  close(file);
 }
 
 }  // namespace

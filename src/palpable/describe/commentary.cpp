@@ -87,9 +87,15 @@ std::string Commentary::held_name(const models::Scene& scene, Place place, doubl
 
 std::string Commentary::said_name(const models::Scene& scene, Place place, const std::string& name) {
   const models::PlaceName* const written = written_at(scene, place);
-  if (written == nullptr || written->name != name || written->sentence.empty() || !told_.insert(name).second)
-    return capitalised(name);
-  return fmt::format("{}. {}", capitalised(name), written->sentence);
+  if (written == nullptr || written->name != name) return capitalised(name);
+  const std::string sentence = untold_sentence(scene, place);
+  return capitalised(name) + (sentence.empty() ? "" : "." + sentence);
+}
+
+std::string Commentary::untold_sentence(const models::Scene& scene, Place place) {
+  const models::PlaceName* const written = written_at(scene, place);
+  if (written == nullptr || written->sentence.empty() || !told_.insert(written->name).second) return {};
+  return " " + written->sentence;
 }
 
 void Commentary::heard(const models::Scene& scene, Place place, double now_s) {

@@ -43,6 +43,9 @@ class Commentary {
   /// Updates the probe's place; `now_s` never decreases. Returns what to say now, or nothing. Call it at
   /// least 20 times per second while the probe moves.
   std::optional<std::string> at(const models::Scene& scene, double height_factor, Place place, double now_s);
+  /// The sentence of the name that a person gave to `place`, after a blank, if it was not told yet; it counts
+  /// as told then. For words that already say the name.
+  std::string untold_sentence(const models::Scene& scene, Place place);
   /// The user has just heard otherwise what is at `place`: it is not announced again.
   void heard(const models::Scene& scene, Place place, double now_s);
 

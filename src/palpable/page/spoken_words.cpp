@@ -53,9 +53,12 @@ std::string SpokenWords::text_of(const protocol::Ask& ask, const models::Scene& 
     return describe::scene_part(scene, height_factor, place, static_cast<std::size_t>(ask.part));
   if (ask.what == "press") return sentence(describe::press_words(scene, place, ask.press_m));
   if (ask.what == "position" || ask.what == "step") {
-    commentaries_.at(probe).heard(scene, place, now_s());
+    describe::Commentary& commentary = commentaries_.at(probe);
+    commentary.heard(scene, place, now_s());
+    // Told by either: a step says it the first time only.
+    const std::string untold = commentary.untold_sentence(scene, place);
     return ask.what == "position" ? describe::position_words(scene, height_factor, place)
-                                  : sentence(describe::step_words(scene, height_factor, place));
+                                  : sentence(describe::step_words(scene, height_factor, place)) + untold;
   }
   if (ask.what == "probe") return describe::felt_words(scene, height_factor, place, force_N) + ".";
   return {};

@@ -82,6 +82,8 @@ KeyProbe::Request KeyProbe::press(const TerminalKey& key, const models::Scene& s
       break;
     case 'p':
       words = describe::position_words(scene, height_factor, place_);
+      // It told the sentence, which the next step need not.
+      commentary_.untold_sentence(scene, place_);
       break;
     case 'l':
       return Request::list_names;
@@ -122,7 +124,8 @@ std::string KeyProbe::move(double dx_m, double dy_m, const models::Scene& scene,
             std::clamp(wanted.y_m, -0.5 * size.y, 0.5 * size.y)};
   const bool at_rim = place_.x_m != wanted.x_m || place_.y_m != wanted.y_m;
   const std::string words = describe::step_words(scene, height_factor, place_);
-  return describe::capitalised((at_rim ? "rim of the scene, " : "") + words) + ".";
+  return describe::capitalised((at_rim ? "rim of the scene, " : "") + words) + "." +
+         commentary_.untold_sentence(scene, place_);
 }
 
 std::string KeyProbe::to_surface(const models::Scene& scene, double height_factor) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/cli/keys/terminal_keys.hpp"
+#include "palpable/describe/commentary.hpp"
 #include "palpable/describe/found_places.hpp"
 #include "palpable/describe/place_words.hpp"
 #include "palpable/session/touch/touch_settings.hpp"
@@ -49,6 +50,8 @@ class KeyProbe {
   std::string press_by(double further_m, const models::Scene& scene);
 
   describe::Place place_;
+  /// Knows which sentences of names were told.
+  describe::Commentary commentary_;
   double press_m_ = kRestingPress_m;
   /// The next part of the description.
   std::size_t next_part_ = 0;

@@ -5,6 +5,7 @@
 #include "palpable/core/files/atomic_file.hpp"
 #include "palpable/core/files/byte_reader.hpp"
 #include "palpable/formats/packing/float_block.hpp"
+#include "palpable/formats/scene/test_scene_file.hpp"
 #include "palpable/models/field/field_leaf.hpp"
 
 #include <bit>
@@ -19,44 +20,6 @@
 
 namespace palpable::formats {
 namespace {
-
-Raster<float> hills(int width, int height) {
-  Raster<float> z(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      z(x, y) =
-          0.005F + 0.004F * std::sin(0.1F * static_cast<float>(x)) * std::cos(0.07F * static_cast<float>(y));
-  return z;
-}
-
-models::Scene sample(int width = 40, int height = 30) {
-  models::Scene scene;
-  scene.model =
-      std::make_shared<const models::Relief>(*models::Relief::from_samples(hills(width, height), 0.0025));
-  scene.texture = Raster<Rgb8>(8, 6, {10, 20, 30});
-  scene.materials = {{"stone", 900.0, 1.0, 0.5, 0.4, {models::TouchTexture::Kind::grain, 0.0015, 2e-5, 0.25}},
-                     {"glass \xC3\xA4", 1200.5, 0.1, 0.05, 0.03, {}}};
-  scene.labels = Raster<std::uint8_t>(8, 6, 1);
-  scene.scene_from_input.translation_m = {0.1, -1.0 / 3.0, 0.25};
-  scene.scene_from_input.scale = 1e-4;
-  scene.source = {{"left.png", "right.png"},
-                  "scanline --detail plain",
-                  "Palpable test",
-                  {"make", "left.png", "--size=80x80x12"},
-                  {{"left.png", 4, std::string(64, 'a')}}};
-  return scene;
-}
-
-/// The sample's file after a text replacement in its scene.json.
-Bytes with_description(const std::string& from, const std::string& to) {
-  auto members = *unzip(*encode_scene(sample()));
-  std::string text(as_text(members["scene.json"]));
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from << " in " << text;
-  text.replace(at, from.size(), to);
-  members["scene.json"] = Bytes(as_bytes(text).begin(), as_bytes(text).end());
-  return *zip(members);
-}
 
 TEST(SceneFile, KeepsATexturesPictureToFifteenBits) {
   models::Scene scene = sample();
@@ -285,94 +248,6 @@ TEST(SceneFile, KeepsMembersThatItDoesNotKnow) {
   ASSERT_TRUE(first);
   EXPECT_EQ(first->others, others);
   EXPECT_EQ(decode_scene(*encode_scene(first->scene, first->others))->others, others);
-}
-
-TEST(SceneFile, RefusesANewerMajorVersionAndReadsANewerMinorOne) {
-  const auto newer = decode_scene(with_description("\"major\": 1", "\"major\": 2"));
-  ASSERT_FALSE(newer);
-  EXPECT_EQ(newer.error().code, ErrorCode::invalid_input);
-  EXPECT_NE(newer.error().message.find("format version 2.0"), std::string::npos) << newer.error().message;
-  const auto minor = decode_scene(with_description("\"minor\": 0", "\"minor\": 7, \"later\": [1]"));
-  ASSERT_TRUE(minor) << minor.error().message;
-  EXPECT_EQ(minor->version, "1.7");
-}
-
-TEST(SceneFile, RefusesInvalidDescriptionsWithASentence) {
-  const struct {
-    const char* from;
-    const char* to;
-    const char* says;
-  } kCases[] = {
-      {"\"kind\": \"relief\"", "\"kind\": \"cloud\"", "kind 'cloud'"},
-      {"\"columns\": 40", "\"columns\": 20000000", "states a size of 20000000 x 30"},
-      {"\"columns\": 40", "\"columns\": -4", "states a size"},
-      {"\"columns\": 40", "\"columns\": 41", "damaged"},
-      {"\"columns\": 40", "\"columns\": \"x\"", "scene.json that is damaged"},
-      {"\"pixel_m\": 0.0025", "\"pixel_m\": -1", ""},
-      {"heights.f32.zst", "elsewhere", "lacks the heights"},
-      {"\"texture\": \"texture.png\"", "\"texture\": \"nowhere.png\"", "lacks its member nowhere.png"},
-      {"\"texture\": \"texture.png\"", "\"texture\": \"heights.f32.zst\"", "its picture is a PNG"},
-      {"\"stiffness_N_per_m\": 900.0", "\"stiffness_N_per_m\": -1", "negative"},
-      {"\"stiffness_N_per_m\": 900.0", "\"stiffness_N_per_m\": null", "damaged"},
-      {"\"scale\": 0.0001", "\"scale\": 0", "place in its input"},
-      {"\"format\": \"palpable-scene\"", "\"format\": \"other\"", "not a Palpable scene"},
-      {"\"source\"", "\"sauce\"", "damaged or incomplete"}};
-  for (const auto& c : kCases) {
-    const auto scene = decode_scene(with_description(c.from, c.to));
-    ASSERT_FALSE(scene) << c.to;
-    EXPECT_NE(scene.error().message.find(c.says), std::string::npos) << c.to << ": " << scene.error().message;
-  }
-}
-
-TEST(SceneFile, RefusesValuesThatAreFarTooLarge) {
-  const struct {
-    const char* from;
-    const char* to;
-    const char* says;
-  } kCases[] = {
-      {"\"minor\": 0", "\"minor\": -80", "impossible format version 1.-80"},
-      {"\"size_m\": [", "\"size_m\": [], \"other\": [", "not three lengths"},
-      {"\"size_m\": [", "\"size_m\": [\"1\",", "not three lengths"},
-      {"\"size_m\": [", "\"size_m\": [9, 9, 9], \"other\": [", "does not have the size that it states"},
-      {"\"stiffness_N_per_m\": 900.0", "\"stiffness_N_per_m\": 1e308", "stiffness"},
-      {"\"damping_Ns_per_m\": 1.0", "\"damping_Ns_per_m\": 1e300", "damping"},
-      {"\"static_friction\": 0.5", "\"static_friction\": 9e15", "friction"},
-      {"\"dynamic_friction\": 0.4", "\"dynamic_friction\": 10.1", "friction"},
-      {"\"scale\": ", "\"scale\": 1e308, \"other\": ", "place in its input"}};
-  for (const auto& c : kCases) {
-    const auto scene = decode_scene(with_description(c.from, c.to));
-    ASSERT_FALSE(scene) << c.to;
-    EXPECT_NE(scene.error().message.find(c.says), std::string::npos) << c.to << ": " << scene.error().message;
-  }
-  models::Scene scene = sample();
-  scene.scene_from_input.rotation[4] = 1e308;
-  EXPECT_FALSE(encode_scene(scene));
-}
-
-TEST(SceneFile, RefusesADamagedFileOrReadsTheSameScene) {
-  const auto file = *encode_scene(sample());
-  const Raster<float> good = hills(40, 30);
-  for (std::size_t length = 0; length < file.size(); length += 7)
-    EXPECT_FALSE(decode_scene(std::span(file).first(length))) << length;
-  int refused = 0;
-  for (std::size_t i = 0; i < file.size(); i += 3) {
-    auto changed = file;
-    changed[i] ^= std::byte{0x55};
-    const auto scene = decode_scene(changed);
-    refused += scene ? 0 : 1;
-    // The archive's dates and flags may change; checksums protect the heights.
-    if (scene) {
-      EXPECT_EQ(std::get<std::shared_ptr<const models::Relief>>(scene->scene.model)->samples_m(), good) << i;
-    }
-  }
-  EXPECT_GT(refused, static_cast<int>(file.size() / 3 / 2));
-}
-
-TEST(SceneFile, RefusesOtherFiles) {
-  EXPECT_FALSE(decode_scene({}));
-  EXPECT_FALSE(decode_scene(as_bytes("just a text")));
-  EXPECT_NE(decode_scene(*zip({{"a", {}}})).error().message.find("without scene.json"), std::string::npos);
-  EXPECT_FALSE(read_scene("/no/such/scene.palp"));
 }
 
 TEST(SceneFile, IsNotWrittenWithoutMaterialsOrWithUnknownLabels) {

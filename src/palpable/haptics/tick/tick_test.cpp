@@ -3,7 +3,7 @@
 #include "palpable/haptics/tick/tick.hpp"
 
 #include "palpable/core/system/allocations.hpp"
-#include "palpable/haptics/servo/test_touch.hpp"
+#include "palpable/haptics/tick/test_loop.hpp"
 
 #include <memory>
 #include <numbers>
@@ -13,7 +13,6 @@
 namespace palpable::haptics {
 namespace {
 
-constexpr double kT_s = 0.001;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 class NotFinite final : public Touchable {
@@ -27,34 +26,6 @@ class NotFinite final : public Touchable {
   double damping_Ns_per_m() const noexcept override { return 0.0; }
   void touch_pages() const noexcept override {}
 };
-
-struct Loop {
-  explicit Loop(std::shared_ptr<const Touchable> touchable, const TickOptions& options = {}) {
-    program.touchable = std::move(touchable);
-    tick = std::make_unique<TickPipeline>(device, program, options, events);
-  }
-  const TouchSample& run(int ticks) {
-    for (int i = 0; i < ticks; ++i) sample = &tick->step(kT_s * static_cast<double>(n++), kT_s);
-    return *sample;
-  }
-  Vec3 written() const { return device.written.back(); }
-  int count(TouchEvent::Kind kind) {
-    int found = 0;
-    while (const auto event = events.take()) found += event->kind == kind ? 1 : 0;
-    return found;
-  }
-
-  ScriptedDevice device;
-  HapticScene program;
-  Ring<TouchEvent> events{1024};
-  std::unique_ptr<TickPipeline> tick;
-  const TouchSample* sample = nullptr;
-  std::int64_t n = 0;
-};
-
-std::shared_ptr<const Touchable> plane(double stiffness = 500.0, std::uint64_t family = 1) {
-  return std::make_shared<SpringSurface>(flat, stiffness, 0.0, family);
-}
 
 /// Its force counts the evaluations of its touch.
 class Counting final : public Touchable {
@@ -247,64 +218,6 @@ TEST(Tick, HoldsZeroWhilePausedAndComesBackSlowly) {
   EXPECT_NEAR(loop.written().z, 0.004, 1e-9);
 }
 
-TEST(Tick, FadesFromOneSceneToTheNextWithoutAStep) {
-  Loop loop(plane(500.0));
-  loop.device.reading.position.v = {0.0, 0.0, -0.002};
-  loop.run(400);
-  HapticScene stiffer;
-  stiffer.touchable = plane(1000.0, 2);
-  stiffer.id = 7;
-  loop.tick->change(stiffer);
-  double before = loop.written().z;
-  double greatest_step = 0.0;
-  for (int i = 0; i < 160; ++i) {
-    loop.run(1);
-    greatest_step = std::max(greatest_step, std::abs(loop.written().z - before));
-    before = loop.written().z;
-  }
-  EXPECT_NEAR(before, 2.0, 1e-9);
-  EXPECT_LE(greatest_step, 1.0 * kT_s / 0.15 + 1e-9);
-  EXPECT_EQ(loop.tick->take_retired(), &loop.program);
-  EXPECT_EQ(loop.tick->take_retired(), nullptr);
-  EXPECT_EQ(loop.count(TouchEvent::Kind::scene_changed), 1);
-  EXPECT_EQ(loop.sample->scene_id, 7U);
-}
-
-TEST(Tick, DoesNotCountTheWorkOfAChangeOfSceneForTheLaw) {
-  Loop loop(plane(500.0));
-  // The hand gives what the spring holds: a touch that began inside would get nothing back.
-  for (int i = 0; i <= 400; ++i) {
-    loop.device.reading.position.v = {0.0, 0.0, -5e-6 * i};
-    loop.run(1);
-  }
-  HapticScene other;
-  other.touchable = plane(1500.0, 2);
-  loop.tick->change(other);
-  for (int i = 0; i < 300; ++i) {
-    loop.device.reading.position.v.z += 5e-6;
-    loop.run(1);
-  }
-  const auto& counts = loop.tick->counts();
-  EXPECT_GT(counts.scene_change_J, 1e-4);
-  // The energy that a held spring of 1500 N/m generates on the way out, ½K·dx² per tick, and no more.
-  EXPECT_LT(counts.made_max_without_controller_J, 300 * 0.5 * 1500.0 * 25e-12 + 1e-12);
-}
-
-TEST(Tick, ContinuesAStateWithinAFamilyAndBeginsAnewOutside) {
-  Loop loop(plane(500.0, 3));
-  loop.run(100);
-  HapticScene same;
-  same.touchable = plane(600.0, 3);
-  loop.tick->change(same);
-  HapticScene other;
-  other.touchable = plane(600.0, 4);
-  loop.run(200);
-  EXPECT_EQ(loop.tick->take_retired(), &loop.program);
-  loop.tick->change(other);
-  loop.run(200);
-  EXPECT_EQ(loop.tick->take_retired(), &same);
-}
-
 TEST(Tick, RotatesForcesIntoTheDeviceFrameAndKeepsTheirMagnitude) {
   Loop loop(plane());
   // The z axis of the scene is the y axis of the device, at twice the size.
@@ -358,23 +271,6 @@ TEST(Tick, ReportsContactLabelsAndButtonsOnce) {
   EXPECT_EQ(buttons, 2);
 }
 
-TEST(Tick, EndsAFadeInItsTimeThoughTheDeviceIsAway) {
-  Loop loop(plane());
-  loop.run(400);
-  HapticScene other;
-  other.touchable = plane(700.0, 2);
-  loop.tick->change(other);
-  loop.device.reading.status = device::Status::not_ready;
-  loop.run(140);
-  EXPECT_TRUE(loop.tick->fading());
-  loop.run(15);
-  EXPECT_FALSE(loop.tick->fading());
-  EXPECT_EQ(loop.tick->take_retired(), &loop.program);
-  loop.device.reading.status = device::Status::ok;
-  loop.run(400);
-  EXPECT_NEAR(loop.written().z, 700.0 * -loop.device.reading.position.v.z, 1e-9);
-}
-
 TEST(Tick, NeverAllocates) {
   ASSERT_TRUE(allocations_are_counted());
   Loop loop(plane());
@@ -388,28 +284,6 @@ TEST(Tick, NeverAllocates) {
     loop.run(1);
   }
   EXPECT_EQ(scope.count(), 0U);
-}
-
-TEST(Tick, EnergyOfAStiffnessThatGrowsUnderAPressingHandIsTheChangesNotTheLaws) {
-  TickOptions options;
-  options.passivity = Passivity::observe;
-  Loop loop(plane(100.0), options);
-  loop.device.reading.position.v = {0.0, 0.0, 0.0005};
-  loop.run(10);
-  for (int k = 1; k <= 20; ++k) {
-    loop.device.reading.position.v.z = 0.0005 - 1.25e-4 * k;
-    loop.run(1);
-  }
-  // 2 mm deep: 0.2 mJ at 100 N/m, 1.4 mJ at 700 N/m.
-  HapticScene stiffer{plane(700.0), {}, 2};
-  loop.tick->change(stiffer);
-  loop.run(300);
-  EXPECT_NEAR(loop.tick->counts().scene_change_J, 1.2e-3, 2e-5);
-  for (int k = 1; k <= 40; ++k) {
-    loop.device.reading.position.v.z = -0.002 + 1e-4 * k;
-    loop.run(1);
-  }
-  EXPECT_LE(loop.tick->counts().made_max_J, 1e-4) << "what a held spring of 700 N/m without a damper makes";
 }
 
 }  // namespace

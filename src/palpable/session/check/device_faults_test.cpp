@@ -313,85 +313,56 @@ TEST_P(DriverWithAFault, IsFreeInTimeAndResumesWithARamp) {
             << 1000.0 * slowest_s_ << " ms, later than 10 ms " << late_ << "\n";
 }
 
+/// A driver's faults, by what the hand may feel during them.
+struct Faults {
+  std::vector<DriverFault> free, limited, cut_off, gone;
+};
+
 std::vector<FaultCase> cases_of(const char* driver, DriverBench (*bench)(const OnForce&), double step_N,
-                                double press_m, int instants,
-                                std::initializer_list<std::pair<DriverFault, During>> faults) {
+                                double press_m, int instants, const Faults& faults) {
   constexpr std::array kNames{"none",     "silent",    "garbage",   "short_packets",     "not_finite",
                               "far_away", "nested",    "no_device", "wrong_calibration", "stuck",
                               "dropped",  "reordered", "stalled",   "unplugged"};
   std::vector<FaultCase> cases;
-  for (const auto& [fault, during] : faults)
-    cases.push_back({driver, bench, step_N, press_m, instants, fault,
-                     kNames.at(static_cast<std::size_t>(fault)), during});
+  for (const auto& [during, some] :
+       {std::pair(During::free, &faults.free), std::pair(During::limited, &faults.limited),
+        std::pair(During::cut_off, &faults.cut_off), std::pair(During::gone, &faults.gone)})
+    for (const DriverFault fault : *some)
+      cases.push_back({driver, bench, step_N, press_m, instants, fault,
+                       kNames.at(static_cast<std::size_t>(fault)), during});
   return cases;
 }
 
 std::vector<FaultCase> all_cases() {
-  using Fault = DriverFault;
+  using enum DriverFault;
+  const std::vector<DriverFault> places{stuck, dropped, reordered};
+  const auto calibrated_places = [&] {
+    std::vector<DriverFault> all{wrong_calibration};
+    all.insert(all.end(), places.begin(), places.end());
+    return all;
+  }();
+  const auto open_haptics = [](const OnForce& on_force) { return open_haptics_bench(on_force); };
   std::vector<FaultCase> all;
-  const auto add = [&](std::vector<FaultCase> cases) { all.insert(all.end(), cases.begin(), cases.end()); };
-  add(cases_of("falcon", falcon_bench, kFalconStep_N, 0.012, 20,
-               {{Fault::silent, During::free},
-                {Fault::garbage, During::free},
-                {Fault::short_packets, During::free},
-                {Fault::wrong_calibration, During::free},
-                {Fault::stuck, During::limited},
-                {Fault::dropped, During::limited},
-                {Fault::reordered, During::limited},
-                {Fault::stalled, During::cut_off},
-                {Fault::unplugged, During::gone}}));
-  add(cases_of("two_diy", two_diy_bench, kTwoDiyStep_N, 0.0, 2,
-               {{Fault::silent, During::free},
-                {Fault::garbage, During::free},
-                {Fault::short_packets, During::free},
-                {Fault::not_finite, During::free},
-                {Fault::wrong_calibration, During::free},
-                {Fault::stuck, During::limited},
-                {Fault::dropped, During::limited},
-                {Fault::reordered, During::limited},
-                {Fault::stalled, During::cut_off},
-                {Fault::unplugged, During::gone}}));
-  add(cases_of("inverse3", inverse3_bench, kExact_N, 0.012, 2,
-               {{Fault::silent, During::free},
-                {Fault::garbage, During::free},
-                {Fault::short_packets, During::free},
-                {Fault::not_finite, During::free},
-                {Fault::nested, During::free},
-                {Fault::far_away, During::free},
-                {Fault::no_device, During::free},
-                {Fault::stuck, During::limited},
-                {Fault::dropped, During::limited},
-                {Fault::reordered, During::limited},
-                {Fault::stalled, During::cut_off},
-                {Fault::unplugged, During::gone}}));
-  add(cases_of("force_dimension", force_dimension_bench, kExact_N, 0.012, 60,
-               {{Fault::silent, During::free},
-                {Fault::garbage, During::free},
-                {Fault::not_finite, During::free},
-                {Fault::far_away, During::free},
-                {Fault::wrong_calibration, During::limited},
-                {Fault::stuck, During::limited},
-                {Fault::dropped, During::limited},
-                {Fault::reordered, During::limited},
-                {Fault::unplugged, During::free}}));
-  add(cases_of("open_haptics", [](const OnForce& on_force) { return open_haptics_bench(on_force); }, kExact_N,
-               0.012, 60,
-               {{Fault::silent, During::free},
-                {Fault::garbage, During::free},
-                {Fault::not_finite, During::free},
-                {Fault::far_away, During::free},
-                {Fault::wrong_calibration, During::limited},
-                {Fault::stuck, During::limited},
-                {Fault::dropped, During::limited},
-                {Fault::reordered, During::limited},
-                {Fault::stalled, During::cut_off},
-                {Fault::unplugged, During::free}}));
-  add(cases_of("evdev", evdev_bench, kEvdevStep_N, 0.0, 60,
-               {{Fault::garbage, During::limited},
-                {Fault::stuck, During::limited},
-                {Fault::dropped, During::limited},
-                {Fault::stalled, During::cut_off},
-                {Fault::unplugged, During::gone}}));
+  for (const auto& cases :
+       {cases_of("falcon", falcon_bench, kFalconStep_N, 0.012, 20,
+                 {{silent, garbage, short_packets, wrong_calibration}, places, {stalled}, {unplugged}}),
+        cases_of("two_diy", two_diy_bench, kTwoDiyStep_N, 0.0, 2,
+                 {{silent, garbage, short_packets, not_finite, wrong_calibration},
+                  places,
+                  {stalled},
+                  {unplugged}}),
+        cases_of("inverse3", inverse3_bench, kExact_N, 0.012, 2,
+                 {{silent, garbage, short_packets, not_finite, nested, far_away, no_device},
+                  places,
+                  {stalled},
+                  {unplugged}}),
+        cases_of("force_dimension", force_dimension_bench, kExact_N, 0.012, 60,
+                 {{silent, garbage, not_finite, far_away, unplugged}, calibrated_places, {}, {}}),
+        cases_of("open_haptics", open_haptics, kExact_N, 0.012, 60,
+                 {{silent, garbage, not_finite, far_away, unplugged}, calibrated_places, {stalled}, {}}),
+        cases_of("evdev", evdev_bench, kEvdevStep_N, 0.0, 60,
+                 {{}, {garbage, stuck, dropped}, {stalled}, {unplugged}})})
+    all.insert(all.end(), cases.begin(), cases.end());
   return all;
 }
 
