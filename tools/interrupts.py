@@ -81,7 +81,7 @@ def commands(data, made, out):
         ("export, vdb", ["export", made / "field.palp", "-o", out / "field.vdb"], "field.vdb"),
         ("export, html", ["export", made / "map.palp", "-o", out / "page.html"], "page.html"),
         ("export, recording", ["export", made / "a.rec", "-o", out / "rec.csv"], "rec.csv"),
-        ("score disparity", ["score", "disparity", made / "cones.pfm", "--truth", data / "stereo/mid2_cones/groundtruth.png", "--truth-scale", "0.25"], None),
+        ("score disparity", ["score", "disparity", made / "cones.pfm", data / "stereo/mid2_cones/groundtruth.png", "--truth-scale", "0.25"], None),
         ("check", ["check", made / "a.rec", made / "relief.palp"], None),
         ("study-stability", ["study-stability", "-o", out / "groove.png"], "groove.png"),
         ("study-tracing", ["study-tracing"], None),

@@ -24,7 +24,10 @@ static_assert(protocol::kMostProbes == haptics::kMaxLiveProbes);
 }  // namespace
 
 TouchHost::TouchHost(session::TouchSession& session, Options options)
-    : session_(session), options_(std::move(options)), worker_([this] { work(); }) {
+    : session_(session),
+      options_(std::move(options)),
+      unsaved_(options_.save_as),
+      worker_([this] { work(); }) {
   for (auto& sentence : session_.notices()) say("info", std::move(sentence));
 }
 
@@ -81,6 +84,7 @@ void TouchHost::edit_names(const Edit& edit) {
   }
   named_.reset();
   say(PageNames::level_of(edit), std::move(edited->words));
+  put([](Tasks& tasks) { tasks.keep = true; });
 }
 
 void TouchHost::find(const protocol::Find& find) {
@@ -322,6 +326,7 @@ void TouchHost::carry_out(const Tasks& tasks) {
   if (tasks.pose) report([&] { return set_explorer_pose(*tasks.pose); });
   if (tasks.change) report([&] { return attempt(*tasks.change); });
   if (!tasks.edits.empty()) report([&] { return attempt(tasks.edits); });
+  if (tasks.keep && !tasks.save) report([&] { return keep_unsaved(); });
   if (tasks.save) report([&] { return write_scene(); });
   if (!tasks.change && tasks.edits.empty()) return;
   const std::lock_guard lock(mutex_);
@@ -354,7 +359,17 @@ Result<void> TouchHost::set_explorer_pose(const session::ExplorerPose& pose) {
 Result<void> TouchHost::write_scene() {
   if (auto written = formats::write_scene(options_.save_as, with_edited_names(*session_.scene())); !written)
     return written;
+  unsaved_.discard();
   say("answer", "The scene is saved as " + options_.save_as.string());
+  return {};
+}
+
+/// Where the copy is, is said once.
+Result<void> TouchHost::keep_unsaved() {
+  const bool had_none = unsaved_.file().empty();
+  if (auto kept = unsaved_.keep(with_edited_names(*session_.scene())); !kept) return kept;
+  if (had_none && !unsaved_.file().empty())
+    say("info", "Until you save, names are kept in " + unsaved_.file().string());
   return {};
 }
 

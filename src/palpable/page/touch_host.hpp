@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/result.hpp"
+#include "palpable/formats/scene/unsaved_scene.hpp"
 #include "palpable/page/host.hpp"
 #include "palpable/page/page_materials.hpp"
 #include "palpable/page/spoken_words.hpp"
@@ -84,12 +85,16 @@ class TouchHost final : public PageHost {
     std::shared_ptr<const models::Scene> better;
     bool recentre = false;
     bool save = false;
+    /// Names were edited: a copy of the scene is kept until it is saved.
+    bool keep = false;
     std::optional<session::ExplorerPose> pose;
     /// A new guide of the hand; null in it: none.
     std::optional<std::shared_ptr<const models::RouteGuide>> guide;
     /// Serial of the last change or edit among them.
     std::int64_t serial = 0;
-    bool any() const { return change || !edits.empty() || better || recentre || save || pose || guide; }
+    bool any() const {
+      return change || !edits.empty() || better || recentre || save || keep || pose || guide;
+    }
   };
   void work();
   void carry_out(const Tasks& tasks);
@@ -98,6 +103,7 @@ class TouchHost final : public PageHost {
   Result<void> attempt(const MaterialEdits& edits);
   Result<void> swap_in(const models::Scene& better);
   Result<void> write_scene();
+  Result<void> keep_unsaved();
   /// The touched scene with the names that pages have edited.
   std::shared_ptr<const models::Scene> named_scene();
   /// Puts the edited names into a scene that has been touched without them.
@@ -148,6 +154,7 @@ class TouchHost final : public PageHost {
 
   // Used by the worker alone.
   bool edited_ = false;
+  formats::UnsavedScene unsaved_;
 
   std::thread worker_;
 };

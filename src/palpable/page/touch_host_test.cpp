@@ -16,6 +16,7 @@
 #include <utility>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace palpable::page {
 namespace {
@@ -64,7 +65,8 @@ class HostOnATouch : public ::testing::Test {
     return false;
   }
 
-  std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "palpable_host_test.palp";
+  std::filesystem::path file =
+      std::filesystem::path(::testing::TempDir()) / (std::to_string(getpid()) + "_host_test.palp");
   std::filesystem::path recorded = std::filesystem::path(::testing::TempDir()) /
                                    (std::string("palpable_host_test_") +
                                     ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".rec");
@@ -239,6 +241,20 @@ TEST_F(HostOnATouch, PrefersAnEditedMaterialToAValueSetForAll) {
   ASSERT_TRUE(comes_true([&] { return host->settings().answers == 4; }));
   EXPECT_EQ(stiffness_in(host->settings()), 300.0);
   EXPECT_FALSE(session->settings().law.stiffness_N_per_m);
+}
+
+TEST_F(HostOnATouch, KeepsNamesBesideTheSceneUntilTheyAreSaved) {
+  const auto copy = file.parent_path() / (file.stem().string() + "-unsaved.palp");
+  std::filesystem::remove(copy);
+  protocol::Name name;
+  name.name = "summit";
+  host->name(name);
+  ASSERT_TRUE(comes_true([&] { return std::filesystem::exists(copy); }));
+  EXPECT_EQ(formats::read_scene(copy)->scene.names.front().name, "summit");
+  host->save();
+  EXPECT_TRUE(comes_true([&] { return !std::filesystem::exists(copy); }));
+  EXPECT_EQ(formats::read_scene(file)->scene.names.front().name, "summit");
+  std::filesystem::remove(file);
 }
 
 TEST_F(HostOnATouch, KeepsValuesThatAnEditDoesNotName) {

@@ -101,8 +101,8 @@ TEST(AsPublished, ASceneThatDoesNotSuitItsLawIsSaidToNeedMake) {
   EXPECT_EQ(law.sentence(),
             "--as-published: 'grid' is not a law of this scene; palpable make --as-published park makes a "
             "scene for this paper from its inputs");
-  const Error other = without_its_scene({ErrorCode::device, "is gone", "sim:"}, paper("park"));
-  EXPECT_EQ(other.sentence(), "sim:: is gone");
+  const Error other = without_its_scene({ErrorCode::device, "is gone", "sim"}, paper("park"));
+  EXPECT_EQ(other.sentence(), "sim: is gone");
 }
 
 TEST(AsPublished, SettingsOfTheUserTakePrecedence) {

@@ -29,10 +29,14 @@ const describe::PlaceGuide& KeyNames::guide(const models::Scene& scene) {
   return *guide_;
 }
 
-std::string KeyNames::taken(Result<describe::NamesEdit> edit) {
+std::string KeyNames::taken(const models::Scene& scene, Result<describe::NamesEdit> edit) {
   if (!edit) return describe::capitalised(edit.error().message) + ".";
   edited_ = std::move(edit->names);
   named_.reset();
+  models::Scene named = scene;
+  named.names = *edited_;
+  if (const auto kept = unsaved_.keep(named); !kept)
+    return fmt::format("{} It is lost at the end unless you save: {}.", edit->words, kept.error().sentence());
   return edit->words;
 }
 
@@ -50,7 +54,7 @@ std::string KeyNames::name(const models::Scene& scene, Place at, std::string_vie
   const std::size_t colon = line.find(": ");
   models::PlaceName given{std::string(line.substr(0, colon)), {}, at};
   if (colon != std::string_view::npos) given.sentence = line.substr(colon + 2);
-  return taken(history_.name(scene, guide(scene), std::move(given)));
+  return taken(scene, history_.name(scene, guide(scene), std::move(given)));
 }
 
 std::string KeyNames::find(const models::Scene& scene, Place from, std::string_view line) {
@@ -79,11 +83,18 @@ std::string KeyNames::way(const models::Scene& scene, Place from) {
                      place->name.sentence);
 }
 
-std::string KeyNames::undo(const models::Scene& scene) { return taken(history_.undo(scene)); }
+std::string KeyNames::undo(const models::Scene& scene) { return taken(scene, history_.undo(scene)); }
 
 std::string KeyNames::save(const models::Scene& scene) {
   if (const auto written = formats::write_scene(save_as_, scene); !written) return written.error().sentence();
+  unsaved_.discard();
   return "The scene is saved as " + save_as_.string() + ".";
+}
+
+std::string KeyNames::unsaved_words() const {
+  return unsaved_.file().empty()
+             ? ""
+             : "The names that you did not save are kept in " + unsaved_.file().string() + ".";
 }
 
 }  // namespace palpable::cli

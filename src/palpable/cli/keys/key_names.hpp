@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/describe/name_history.hpp"
+#include "palpable/formats/scene/unsaved_scene.hpp"
 #include "palpable/models/scene/scene.hpp"
 
 #include <filesystem>
@@ -17,7 +18,7 @@ namespace palpable::cli {
 class KeyNames {
  public:
   /// `save_as`: the scene file that save() writes.
-  explicit KeyNames(std::filesystem::path save_as) : save_as_(std::move(save_as)) {}
+  explicit KeyNames(std::filesystem::path save_as) : save_as_(std::move(save_as)), unsaved_(save_as_) {}
 
   /// The scene with the names that were edited.
   std::shared_ptr<const models::Scene> named(const std::shared_ptr<const models::Scene>& touched);
@@ -34,12 +35,15 @@ class KeyNames {
   std::string way(const models::Scene& scene, Place from);
   std::string undo(const models::Scene& scene);
   std::string save(const models::Scene& scene);
+  /// Where names are kept that were not saved; empty if there are none.
+  std::string unsaved_words() const;
 
  private:
   const describe::PlaceGuide& guide(const models::Scene& scene);
-  std::string taken(Result<describe::NamesEdit> edit);
+  std::string taken(const models::Scene& scene, Result<describe::NamesEdit> edit);
 
   std::filesystem::path save_as_;
+  formats::UnsavedScene unsaved_;
   describe::NameHistory history_;
   std::optional<models::PlaceNames> edited_;
   std::shared_ptr<const models::Scene> touched_;

@@ -9,6 +9,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace palpable::cli {
 namespace {
@@ -20,14 +21,18 @@ using ::testing::StartsWith;
 class NamesByKeys : public testing::Test {
  protected:
   NamesByKeys() {
+    std::filesystem::create_directories(folder);
     models::Scene plate;
     plate.model = std::make_shared<const models::Relief>(
         *models::Relief::from_samples(Raster<float>(100, 100, 0.001F), 0.001));
     touched = std::make_shared<const models::Scene>(std::move(plate));
   }
+  ~NamesByKeys() override { std::filesystem::remove_all(folder); }
   const models::Scene& scene() { return *(now = names.named(touched)); }
 
-  std::filesystem::path file = std::filesystem::temp_directory_path() / "palpable-key-names.palp";
+  std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / ("key-names-" + std::to_string(getpid()));
+  std::filesystem::path file = folder / "plate.palp";
   KeyNames names{file};
   std::shared_ptr<const models::Scene> touched, now;
 };
@@ -52,11 +57,22 @@ TEST_F(NamesByKeys, AreRefusedWithASentence) {
 
 TEST_F(NamesByKeys, AreSavedWithTheScene) {
   names.name(scene(), {0.01, 0.0}, "<i>well</i>");
-  EXPECT_THAT(names.save(scene()), EndsWith("palpable-key-names.palp."));
+  EXPECT_THAT(names.save(scene()), EndsWith("plate.palp."));
   const auto saved = formats::read_scene(file);
   ASSERT_TRUE(saved);
   EXPECT_EQ(saved->scene.names, scene().names);
-  std::filesystem::remove(file);
+  EXPECT_EQ(names.unsaved_words(), "");
+}
+
+TEST_F(NamesByKeys, AreKeptBesideTheSceneUntilTheyAreSaved) {
+  names.name(scene(), {0.01, 0.0}, "well");
+  names.name(scene(), {0.02, 0.0}, "gate");
+  EXPECT_THAT(names.unsaved_words(), EndsWith("plate-unsaved.palp."));
+  const auto kept = formats::read_scene(folder / "plate-unsaved.palp");
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->scene.names, scene().names);
+  names.save(scene());
+  EXPECT_FALSE(std::filesystem::exists(folder / "plate-unsaved.palp"));
 }
 
 }  // namespace

@@ -106,6 +106,7 @@ class NameKeys {
   std::shared_ptr<const models::Scene> named(const std::shared_ptr<const models::Scene>& touched) {
     return names_.named(touched);
   }
+  std::string unsaved_words() const { return names_.unsaved_words(); }
   bool awaits_line() const { return awaited_ != Request::nothing; }
   /// A typed line; what to say.
   std::string take_line(const models::Scene& scene, Place place, const std::string& line) {
@@ -147,7 +148,7 @@ class NameKeys {
 
 /// Runs until Q, the end of the input or an interruption.
 Result<void> explore(session::TouchSession& session, session::MakerThread& maker, MapZoom zoom,
-                     NameKeys names, Mouth& mouth) {
+                     NameKeys& names, Mouth& mouth) {
   KeyProbe probe;
   probe.begin(*session.scene());
   zoom.begin(session.scene());
@@ -201,7 +202,9 @@ Result<session::TouchStatistics> touch_by_keys(const session::SceneMaker& make,
   console.end_progress();
   for (const std::string& notice : session.notices()) console.note(notice);
   Mouth mouth(console, options.aloud);
-  auto explored = explore(session, maker, MapZoom(options.map), NameKeys(options.save_as), mouth);
+  NameKeys names(options.save_as);
+  auto explored = explore(session, maker, MapZoom(options.map), names, mouth);
+  mouth.say(names.unsaved_words(), voice::Importance::news);
   maker.cancel();
   auto recorded = session.stop_recording();
   session.stop();

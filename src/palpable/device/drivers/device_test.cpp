@@ -42,6 +42,14 @@ TEST(OpenDevice, ChecksTheAddressOfAnotherComputerBeforeItConnects) {
     EXPECT_FALSE(check_device_url(url)) << url;
 }
 
+TEST(OpenDevice, NamesADriverWithoutItsColon) {
+  for (const DeviceKind& kind : list_devices()) {
+    const auto opened = open_device(kind.url, {});
+    if (opened) continue;
+    EXPECT_EQ(opened.error().sentence().find("::"), std::string::npos) << opened.error().sentence();
+  }
+}
+
 TEST(OpenDevice, ShowsNoTokenInItsErrors) {
   EXPECT_EQ(public_url("remote:a:1?token=secret&x=1"), "remote:a:1?token=…&x=1");
   EXPECT_EQ(public_url("remote:a:1?x=1&token=secret&token=again"), "remote:a:1?x=1&token=…&token=…");

@@ -138,7 +138,7 @@ Result<std::unique_ptr<Device>> open_evdev(DeviceUrl& url, const OpenOptions& op
   if (path.empty()) {
     const auto ports = evdev_ports();
     if (ports.empty())
-      return Error{ErrorCode::device, "no joystick or gamepad with force feedback may be opened", "evdev:"};
+      return Error{ErrorCode::device, "no joystick or gamepad with force feedback may be opened", "evdev"};
     path = ports.front();
   }
   auto port = open_event_port(path);

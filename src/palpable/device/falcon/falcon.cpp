@@ -71,13 +71,13 @@ Falcon::Falcon(std::unique_ptr<UsbTransfers> usb, const FalconOptions& options, 
 Result<std::unique_ptr<Falcon>> Falcon::open(std::unique_ptr<UsbTransfers> usb, const FalconOptions& options,
                                              int descriptor) {
   if (!begin_falcon_packets(*usb)) {
-    if (usb->lost()) return Error{ErrorCode::device, "the Falcon was unplugged", "falcon:"};
+    if (usb->lost()) return Error{ErrorCode::device, "the Falcon was unplugged", "falcon"};
     if (options.firmware.empty())
       return Error{
           ErrorCode::device,
           "the Falcon needs its maker's firmware each time that it was plugged in; name the file in the "
           "address: falcon:?firmware=FILE",
-          "falcon:"};
+          "falcon"};
     const auto image = read_falcon_firmware(options.firmware);
     if (!image) return image.error();
     if (auto loaded = load_falcon_firmware(*usb, *image); !loaded) return std::move(loaded).error();
@@ -153,10 +153,10 @@ Result<std::unique_ptr<Device>> open_falcon(DeviceUrl& url, const OpenOptions& o
   if (!index) return index.error();
   const auto count = count_usb_devices(kFalconIds);
   if (!count) return count.error();
-  if (*count == 0) return Error{ErrorCode::device, "no Falcon is plugged in", "falcon:"};
+  if (*count == 0) return Error{ErrorCode::device, "no Falcon is plugged in", "falcon"};
   if (*index < 0 && *count > 1)
     return Error{ErrorCode::device,
-                 "there are " + std::to_string(*count) + " Falcons: name one, such as falcon:0", "falcon:"};
+                 "there are " + std::to_string(*count) + " Falcons: name one, such as falcon:0", "falcon"};
   auto usb = LibusbTransfers::open(kFalconIds, std::max(0, *index));
   if (!usb) return std::move(usb).error();
   const int descriptor = (*usb)->descriptor();

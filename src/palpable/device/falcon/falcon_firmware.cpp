@@ -82,7 +82,7 @@ bool send_image(UsbTransfers& usb, const std::vector<std::byte>& image) {
 }
 
 Error firmware_error(std::string message) {
-  return {ErrorCode::device, std::move(message), "falcon:", Reason::device_silent};
+  return {ErrorCode::device, std::move(message), "falcon", Reason::device_silent};
 }
 
 }  // namespace

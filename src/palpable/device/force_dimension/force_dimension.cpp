@@ -42,7 +42,7 @@ std::string text_of(const char* text) { return text == nullptr ? std::string() :
 
 Error library_error(const DhdFunctions& dhd, const std::string& what) {
   const std::string why = text_of(dhd.dhdErrorGetLastStr());
-  return {ErrorCode::device, why.empty() ? what : what + " (" + why + ")", "forcedimension:"};
+  return {ErrorCode::device, why.empty() ? what : what + " (" + why + ")", "forcedimension"};
 }
 
 Traits traits_of(const DhdFunctions& dhd, char number, const ForceDimensionOptions& options) {
@@ -75,7 +75,7 @@ Result<std::unique_ptr<ForceDimension>> ForceDimension::open(const DhdFunctions&
     return Error{ErrorCode::device,
                  "there is no device " + std::to_string(options.index) + ": " + std::to_string(count) +
                      " plugged in, counted from 0",
-                 "forcedimension:"};
+                 "forcedimension"};
   const int number = dhd.dhdOpenID(static_cast<char>(options.index));
   if (is_error(number)) return library_error(dhd, "the device cannot be opened");
   std::unique_ptr<ForceDimension> device(new ForceDimension(dhd, static_cast<char>(number), options));

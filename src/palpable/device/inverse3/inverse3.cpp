@@ -37,7 +37,7 @@ constexpr auto kLeaving = std::chrono::milliseconds(20);
 /// Positions farther from the base than this are no positions of an Inverse3.
 constexpr double kFarthestInverse_m = 0.6;
 
-constexpr const char* kInversePlace = "inverse3:";
+constexpr const char* kInversePlace = "inverse3";
 
 /// What a service did that ended its connection by this error.
 std::string ending_of(beast::error_code error) {

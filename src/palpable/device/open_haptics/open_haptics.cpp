@@ -37,7 +37,7 @@ bool stops_the_loop(unsigned code) noexcept {
 
 Error opening_error(const HdFunctions& functions, const std::string& what, unsigned code) {
   return {ErrorCode::device, what + " (" + text_or(functions.hdGetErrorString(code), "no reason given") + ")",
-          "touch:"};
+          "touch"};
 }
 
 /// Both corners of the usable workspace, millimetres; {0} if the library states none.

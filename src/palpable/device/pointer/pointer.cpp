@@ -62,7 +62,7 @@ Result<std::unique_ptr<Device>> open_pointer(DeviceUrl& url, const OpenOptions& 
   if (auto valid = url.finish(); !valid) return std::move(valid).error();
   if (options.pointer == nullptr)
     return Error{ErrorCode::usage,
-                 "needs the page: without one there is no pointer (sim: explores by itself)", "pointer:"};
+                 "needs the page: without one there is no pointer (sim: explores by itself)", "pointer"};
   return std::unique_ptr<Device>(std::make_unique<PointerDevice>(options.pointer, options.rate_hz));
 }
 

@@ -86,8 +86,7 @@ Reading recorded_reading(const TouchSample& tick) noexcept {
 
 Result<std::unique_ptr<Device>> open_replay(DeviceUrl& url, const OpenOptions& options) {
   if (auto valid = url.finish(); !valid) return std::move(valid).error();
-  if (url.path().empty())
-    return Error{ErrorCode::usage, "needs the recording's file: replay:FILE", "replay:"};
+  if (url.path().empty()) return Error{ErrorCode::usage, "needs the recording's file: replay:FILE", "replay"};
   const auto end = end_of(url.path());
   if (!end) return end.error();
   auto reader = RecordingReader::open(url.path());

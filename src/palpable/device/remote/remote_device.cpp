@@ -55,7 +55,7 @@ Result<RemoteLink::Address> address_in(DeviceUrl& url) {
   const std::string& path = url.path();
   const auto colon = path.rfind(':');
   const auto wrong = [&](std::string message) {
-    return Error{ErrorCode::usage, std::move(message), "remote:" + path};
+    return Error{ErrorCode::usage, std::move(message), path.empty() ? "remote" : "remote:" + path};
   };
   if (colon == std::string::npos || colon == 0 || colon + 1 == path.size())
     return wrong(

@@ -156,7 +156,7 @@ std::optional<ZeroWrite> SimulatedHand::zero_write() const {
 
 Result<std::unique_ptr<Device>> open_simulated_hand(DeviceUrl& url, const OpenOptions& options) {
   if (!url.path().empty())
-    return Error{ErrorCode::usage, "the simulated hand has no name: its options follow '?'", "sim:"};
+    return Error{ErrorCode::usage, "the simulated hand has no name: its options follow '?'", "sim"};
   HandOptions hand;
   hand.device_mass_kg = url.take_number("mass", hand.device_mass_kg, 0.01, 5.0);
   hand.device_damping_Ns_per_m = url.take_number("damping", hand.device_damping_Ns_per_m, 0.0, 100.0);

@@ -267,11 +267,11 @@ Result<std::unique_ptr<Device>> open_two_diy(DeviceUrl& url, const OpenOptions& 
   if (path.empty()) {
     const auto ports = two_diy_ports();
     if (ports.empty())
-      return Error{ErrorCode::device, "no 2DIY is plugged in: there is no /dev/ttyACM port", "2diy:"};
+      return Error{ErrorCode::device, "no 2DIY is plugged in: there is no /dev/ttyACM port", "2diy"};
     if (ports.size() > 1)
       return Error{ErrorCode::device,
                    "there are " + std::to_string(ports.size()) + " ports: name one, such as 2diy:" + ports[0],
-                   "2diy:"};
+                   "2diy"};
     path = ports[0];
   }
   const auto variant = std::ranges::find(kTwoDiyVariants, name, &TwoDiyVariant::name);

@@ -19,13 +19,13 @@ namespace palpable::formats {
 namespace {
 
 using Tree = openvdb::tree::Tree4<float, 5, 4, 3>::Type;
-using Grid = openvdb::Grid<Tree>;
+using FloatGrid = openvdb::Grid<Tree>;
 using Leaf = Tree::LeafNodeType;
 
 /// Serialises to memory, since OpenVDB writes files only in place; ours are written atomically.
 class MemoryArchive : public openvdb::io::Archive {
  public:
-  std::string bytes(const Grid::ConstPtr& grid) const {
+  std::string bytes(const FloatGrid::ConstPtr& grid) const {
     std::ostringstream stream(std::ios::binary);
     constexpr bool kSeekable = true;
     Archive::write(stream, openvdb::GridCPtrVec{grid}, kSeekable);
@@ -89,7 +89,7 @@ std::unique_ptr<Leaf> leaf_of(const Distance& field, const Blocks& blocks, int b
 }
 
 template <models::DistanceSurface Distance>
-Result<Grid::Ptr> grid_of(const Distance& field, const Blocks& blocks, VdbBand band, const Work& work) {
+Result<FloatGrid::Ptr> grid_of(const Distance& field, const Blocks& blocks, VdbBand band, const Work& work) {
   work.report(0.0, "looking for the surface");
   const std::vector<int> wanted = blocks_in_band(field, blocks, band, work);
   constexpr std::size_t kMostBytes = std::size_t{2} << 30U;
@@ -106,7 +106,7 @@ Result<Grid::Ptr> grid_of(const Distance& field, const Blocks& blocks, VdbBand b
       leaves[static_cast<std::size_t>(i)] = leaf_of(field, blocks, wanted[static_cast<std::size_t>(i)], band);
   });
   if (work.cancelled()) return Work::interrupted();
-  const auto grid = Grid::create(static_cast<float>(kHalfWidth_voxels * blocks.voxel_m));
+  const auto grid = FloatGrid::create(static_cast<float>(kHalfWidth_voxels * blocks.voxel_m));
   for (auto& leaf : leaves)
     if (leaf) grid->tree().addLeaf(leaf.release());
   // Tiles with a negative sign represent the inside beyond the band.

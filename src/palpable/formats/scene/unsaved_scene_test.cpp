@@ -1,0 +1,66 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/formats/scene/unsaved_scene.hpp"
+
+#include "palpable/formats/scene/scene_file.hpp"
+#include "palpable/models/relief/relief.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace palpable::formats {
+namespace {
+
+class Unsaved : public testing::Test {
+ protected:
+  Unsaved() {
+    std::filesystem::create_directories(folder);
+    scene.model = std::make_shared<const models::Relief>(
+        *models::Relief::from_samples(Raster<float>(20, 20, 0.001F), 0.001));
+  }
+  ~Unsaved() override { std::filesystem::remove_all(folder); }
+  models::Scene named(const char* name) {
+    models::Scene copy = scene;
+    copy.names.push_back({name, {}, {}});
+    return copy;
+  }
+
+  std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / ("unsaved-" + std::to_string(getpid()));
+  models::Scene scene;
+};
+
+TEST_F(Unsaved, KeepsTheLastChangesUntilTheyAreSaved) {
+  UnsavedScene unsaved(folder / "hills.palp");
+  EXPECT_TRUE(unsaved.file().empty());
+  ASSERT_TRUE(unsaved.keep(named("gate")));
+  ASSERT_TRUE(unsaved.keep(named("well")));
+  EXPECT_EQ(unsaved.file(), folder / "hills-unsaved.palp");
+  EXPECT_EQ(read_scene(unsaved.file())->scene.names.front().name, "well");
+  unsaved.discard();
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+  EXPECT_TRUE(unsaved.file().empty());
+}
+
+TEST_F(Unsaved, ReplacesNoFileOfAnEarlierTouch) {
+  const auto earlier = folder / "hills-unsaved.palp";
+  std::ofstream(earlier) << "earlier";
+  UnsavedScene unsaved(folder / "hills.palp");
+  ASSERT_TRUE(unsaved.keep(named("gate")));
+  EXPECT_EQ(unsaved.file(), folder / "hills-unsaved-2.palp");
+  EXPECT_EQ(std::filesystem::file_size(earlier), 7U);
+}
+
+TEST_F(Unsaved, SaysOnceThatItCannotBeKept) {
+  UnsavedScene unsaved(folder / "none" / "hills.palp");
+  EXPECT_FALSE(unsaved.keep(named("gate")));
+  EXPECT_TRUE(unsaved.keep(named("well")));
+  EXPECT_TRUE(unsaved.file().empty());
+}
+
+}  // namespace
+}  // namespace palpable::formats
