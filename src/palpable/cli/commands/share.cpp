@@ -44,15 +44,15 @@ Result<Answer> share(const ShareArguments& arguments, Console& console) {
   options.seed = console.options().seed;
   options.hand_damping_Ns_per_m = arguments.hand_damping_Ns_per_m;
   if (arguments.seconds) options.seconds = *arguments.seconds;
-  options.on_address = [&](std::uint16_t port, const std::string& token) {
+  options.on_address = [&, is_first = true](std::uint16_t port, const std::string& token) mutable {
+    if (std::exchange(is_first, false) && arguments.listen == "127.0.0.1")
+      console.note(
+          "Only programs of this computer can connect. With --listen 0.0.0.0 those of your network can, by "
+          "the address that is printed; what they send is not encrypted.");
     console.say(fmt::format("palpable touch SCENE --device 'remote:{}:{}?token={}'",
                             name_for_others(arguments.listen), port, token));
   };
   options.on_news = [&console](const std::string& sentence) { console.note(sentence); };
-  if (arguments.listen == "127.0.0.1")
-    console.note(
-        "Only programs of this computer can connect. With --listen 0.0.0.0 those of your network can, by the "
-        "address that is printed; what they send is not encrypted.");
   std::optional<Result<haptics::ServoStatistics>> ended;
   haptics::run_beside_signals(options.servo.realtime_priority - 1,
                               [&] { ended.emplace(session::share_device(options, console.work())); });
