@@ -320,6 +320,19 @@ TEST_F(BadInput, AFileSizeLimitIsOneSentence) {
   EXPECT_FALSE(std::filesystem::exists(path("sheet.pdf")));
 }
 
+// The servo's threads had as little stack as the system gave the program, and the touch ended by SIGSEGV.
+TEST_F(BadInput, ASmallStackIsEnoughForATouch) {
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_STACK, &before), 0);
+  rlimit limited = before;
+  limited.rlim_cur = 64 << 10;
+  ASSERT_EQ(setrlimit(RLIMIT_STACK, &limited), 0);
+  Running running({"touch", "sample:church", "--headless", "--seconds", "0.2", "--resolution", "48"});
+  ASSERT_EQ(setrlimit(RLIMIT_STACK, &before), 0);
+  const Outcome outcome = running.wait();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
 TEST_F(BadInput, APortInUseIsReported) {
   const int taken = socket(AF_INET, SOCK_STREAM, 0);
   sockaddr_in address{};

@@ -21,6 +21,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <glog/logging.h>
+#include <pthread.h>
 #include <unistd.h>
 
 namespace palpable::cli {
@@ -239,7 +240,17 @@ static void keep_standard_streams() {
   }
 }
 
+/// Threads get a usual stack whatever `ulimit -s` says, which holds for the main thread.
+static void give_threads_room() {
+  constexpr std::size_t kStack_bytes = 8U << 20U;
+  pthread_attr_t usual;
+  if (pthread_attr_init(&usual) != 0) return;
+  if (pthread_attr_setstacksize(&usual, kStack_bytes) == 0) pthread_setattr_default_np(&usual);
+  pthread_attr_destroy(&usual);
+}
+
 int run(int argc, char** argv) {
+  give_threads_room();
   // First of all: a signal that finds no handler ends the program without a sentence.
   catch_interrupts();
   keep_standard_streams();
