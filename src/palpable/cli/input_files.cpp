@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <climits>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -20,15 +21,16 @@ namespace fs = std::filesystem;
 /// The parts of a word that may name a file: from its start, or from after @ : = (`@FILE`, `replay:FILE`,
 /// `0:texture=FILE`), to its end, or to , ? & (`FILE,pitch=2`, `FILE?fps=30`).
 std::vector<std::string> names_in(const std::string& word) {
-  // A file's name is shorter, and a word of nothing but marks has as many parts as the square of its length.
+  // A word of nothing but marks has as many parts as the square of its length, and longer ones name no file.
+  constexpr int kMostBegins = 1000;
   constexpr std::size_t kMostNames = 1000;
   std::vector<std::string> names;
-  for (std::size_t begin = 0; begin != std::string::npos && names.size() < kMostNames;) {
-    for (std::size_t end = begin; end != std::string::npos && names.size() < kMostNames;) {
-      end = word.find_first_of(",?&", end);
-      const auto length = end == std::string::npos ? word.size() - begin : end - begin;
-      if (length > 0 && length <= PATH_MAX) names.push_back(word.substr(begin, length));
-      if (end != std::string::npos) ++end;
+  std::size_t begin = 0;
+  for (int n = 0; n < kMostBegins && begin != std::string::npos && names.size() < kMostNames; ++n) {
+    const std::string_view rest = std::string_view(word).substr(begin, PATH_MAX + 1);
+    for (std::size_t end = 0; end <= rest.size() && names.size() < kMostNames; ++end) {
+      end = std::min(rest.find_first_of(",?&", end), rest.size());
+      if (end > 0 && end <= PATH_MAX) names.emplace_back(rest.substr(0, end));
     }
     begin = word.find_first_of("@:=", begin);
     if (begin != std::string::npos) ++begin;

@@ -67,7 +67,7 @@ TEST_F(OutputFiles, AreNoInputsByAnyName) {
 }
 
 TEST_F(OutputFiles, AreNoInputsWhoseNamesHoldMarks) {
-  for (const std::string name : {"a,b?c&d.palp", "a=b:c@d.palp"}) {
+  for (const std::string name : {"a,b?c&d.palp", "a=b:c@d.palp", "ends,", "?"}) {
     std::ofstream(folder_ / name) << "x";
     EXPECT_EQ(asked(name, {path(name)}), ErrorCode::usage) << name;
     EXPECT_EQ(asked(name, {"replay:" + path(name)}), ErrorCode::usage) << name;
