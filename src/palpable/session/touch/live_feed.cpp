@@ -72,6 +72,8 @@ Result<std::unique_ptr<LiveFeed>> LiveFeed::open(std::unique_ptr<LiveSource> sou
     if (!frame) return std::move(frame).error();
     if (*frame) {
       feed->last_arrival_ = (*frame)->arrival;
+      feed->options_.steady.noise = feed->source_->noise();
+      feed->steady_ = vision::SteadyDepth(feed->options_.steady);
       auto relief = feed->relief_of(**frame);
       if (!relief) return std::move(relief).error();
       if (*relief) return feed->begin_with(*std::move(relief)), std::move(feed);
@@ -86,7 +88,7 @@ void LiveFeed::begin_with(std::shared_ptr<const models::Relief> relief) {
   auto scene = std::make_shared<models::Scene>();
   scene->model = std::move(relief);
   scene->source.method = "live depth";
-  scene->title = "Live pictures of a depth camera";
+  scene->title = "Live pictures of a " + std::string(source_->kind());
   refresh_picture(*scene);
   first_ = std::move(scene);
 }

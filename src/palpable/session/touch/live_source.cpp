@@ -3,6 +3,7 @@
 #include "palpable/session/touch/live_source.hpp"
 
 #include "palpable/device/url.hpp"
+#include "palpable/session/touch/matched_source.hpp"
 #include "palpable/sources/live/frame_folder.hpp"
 
 #include <algorithm>
@@ -18,46 +19,87 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The frames of a folder, one a period from the first take() on.
-class PacedFrames : public LiveSource {
+/// Which of `count` frames a camera would have given by now, one a period from the first wait() on.
+class Pacer {
  public:
-  PacedFrames(sources::FrameFolder folder, double rate_hz, bool repeats)
-      : folder_(std::move(folder)),
+  Pacer(std::size_t count, double rate_hz, bool repeats)
+      : count_(count),
         period_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1.0 / rate_hz))),
         repeats_(repeats) {}
 
-  Result<std::optional<LiveFrame>> take(Clock::time_point deadline) override {
+  struct Due {
+    std::uint64_t number = 0;
+    std::size_t index = 0;
+    Clock::time_point arrival;
+  };
+  /// The newest frame that was not due before; waits for one until `deadline`.
+  std::optional<Due> wait(Clock::time_point deadline) {
     if (!begin_) begin_ = Clock::now();
-    if (has_ended()) return std::optional<LiveFrame>();
+    if (has_ended()) return std::nullopt;
     const auto next = *begin_ + static_cast<Clock::rep>(next_) * period_;
     std::this_thread::sleep_until(std::min(next, deadline));
     const auto now = Clock::now();
-    if (now < next) return std::optional<LiveFrame>();
+    if (now < next) return std::nullopt;
     auto newest = static_cast<std::uint64_t>((now - *begin_) / period_);
-    if (!repeats_) newest = std::min<std::uint64_t>(newest, folder_.size() - 1);
+    if (!repeats_) newest = std::min<std::uint64_t>(newest, count_ - 1);
     next_ = newest + 1;
-    auto depth = folder_.depth(index_of(newest));
-    if (!depth) return std::move(depth).error();
-    const auto arrival = *begin_ + static_cast<Clock::rep>(newest) * period_;
-    return std::optional(LiveFrame{newest, arrival, *std::move(depth)});
+    return Due{newest, newest % count_, *begin_ + static_cast<Clock::rep>(newest) * period_};
   }
-
-  bool has_ended() const override { return !repeats_ && next_ >= folder_.size(); }
-
-  std::optional<Image> colour() override {
-    if (next_ == 0) return std::nullopt;
-    auto picture = folder_.colour(index_of(next_ - 1));
-    return picture ? std::optional(*std::move(picture)) : std::nullopt;
-  }
+  bool has_ended() const { return !repeats_ && next_ >= count_; }
 
  private:
-  std::size_t index_of(std::uint64_t number) const { return number % folder_.size(); }
-
-  sources::FrameFolder folder_;
+  std::size_t count_;
   Clock::duration period_;
   bool repeats_;
   std::optional<Clock::time_point> begin_;
   std::uint64_t next_ = 0;
+};
+
+class PacedDepths final : public LiveSource {
+ public:
+  PacedDepths(sources::FrameFolder folder, const FramesAddress& address)
+      : folder_(std::move(folder)), pacer_(folder_.size(), address.rate_hz, address.repeats) {}
+
+  Result<std::optional<LiveFrame>> take(Clock::time_point deadline) override {
+    const auto due = pacer_.wait(deadline);
+    if (!due) return std::optional<LiveFrame>();
+    newest_ = due->index;
+    auto depth = folder_.depth(due->index);
+    if (!depth) return std::move(depth).error();
+    return std::optional(LiveFrame{due->number, due->arrival, *std::move(depth)});
+  }
+  bool has_ended() const override { return pacer_.has_ended(); }
+
+  std::optional<Image> colour() override {
+    if (!newest_) return std::nullopt;
+    auto picture = folder_.colour(*newest_);
+    return picture ? std::optional(*std::move(picture)) : std::nullopt;
+  }
+
+ private:
+  sources::FrameFolder folder_;
+  Pacer pacer_;
+  std::optional<std::size_t> newest_;
+};
+
+class PacedPairs final : public PairSource {
+ public:
+  PacedPairs(sources::FrameFolder folder, const FramesAddress& address)
+      : folder_(std::move(folder)), pacer_(folder_.size(), address.rate_hz, address.repeats) {}
+
+  Result<std::optional<LivePair>> take(Clock::time_point deadline) override {
+    const auto due = pacer_.wait(deadline);
+    if (!due) return std::optional<LivePair>();
+    auto pair = folder_.pair(due->index);
+    if (!pair) return std::move(pair).error();
+    return std::optional(
+        LivePair{due->number, due->arrival, std::move(pair->first), std::move(pair->second)});
+  }
+  bool has_ended() const override { return pacer_.has_ended(); }
+
+ private:
+  sources::FrameFolder folder_;
+  Pacer pacer_;
 };
 
 /// The schemes of DESIGN's live sources, so that an address is never taken for the name of a file.
@@ -85,13 +127,15 @@ Result<FramesAddress> parse_frames_address(const std::string& address) {
   return FramesAddress{std::string(url->path()), rate_hz, repeats == 1};
 }
 
-Result<std::unique_ptr<LiveSource>> open_live_source(const std::string& address) {
+Result<std::unique_ptr<LiveSource>> open_live_source(const std::string& address,
+                                                     const std::optional<StereoRig>& rig, const Work& work) {
   const auto parsed = parse_frames_address(address);
   if (!parsed) return parsed.error();
   auto folder = sources::FrameFolder::open(parsed->folder);
   if (!folder) return std::move(folder).error();
-  return std::unique_ptr<LiveSource>(
-      std::make_unique<PacedFrames>(*std::move(folder), parsed->rate_hz, parsed->repeats));
+  if (folder->has_pairs())
+    return matched_source(std::make_unique<PacedPairs>(*std::move(folder), *parsed), rig, work);
+  return std::unique_ptr<LiveSource>(std::make_unique<PacedDepths>(*std::move(folder), *parsed));
 }
 
 }  // namespace palpable::session

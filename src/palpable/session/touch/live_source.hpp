@@ -5,12 +5,15 @@
 #include "palpable/core/picture/camera.hpp"
 #include "palpable/core/picture/image.hpp"
 #include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/vision/depth_camera/depth_noise.hpp"
 
 #include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace palpable::session {
 
@@ -37,6 +40,10 @@ class LiveSource {
   virtual bool has_ended() const = 0;
   /// The colour picture of the frame that was taken last; nullopt if there is none.
   virtual std::optional<Image> colour() = 0;
+  /// "depth camera", for titles.
+  virtual std::string_view kind() const { return "depth camera"; }
+  /// The noise of its depth, after the first frame.
+  virtual vision::DepthNoise noise() const { return {}; }
 };
 
 /// Whether a command's input is the address of a live source, whatever its scheme.
@@ -52,8 +59,10 @@ struct FramesAddress {
 /// Parses frames:FOLDER?fps=30&loop=0. Errors: usage for another scheme, or an unknown or wrong option.
 Result<FramesAddress> parse_frames_address(const std::string& address);
 
-/// Opens frames:FOLDER?fps=30&loop=0: the frames of a folder, paced as from a camera. Errors:
-/// parse_frames_address(); invalid_input as sources::FrameFolder::open().
-Result<std::unique_ptr<LiveSource>> open_live_source(const std::string& address);
+/// Opens frames:FOLDER?fps=30&loop=0: the frames of a folder, paced as from a camera. Pairs are matched
+/// (matched_source()) with `rig` and `work`. Errors: parse_frames_address(); invalid_input as
+/// sources::FrameFolder::open().
+Result<std::unique_ptr<LiveSource>> open_live_source(const std::string& address,
+                                                     const std::optional<StereoRig>& rig, const Work& work);
 
 }  // namespace palpable::session

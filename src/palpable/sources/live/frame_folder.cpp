@@ -25,11 +25,25 @@ std::string frame_name(const std::string& file) {
   return file.ends_with(kMark) ? file.substr(0, file.size() - kMark.size()) : std::string();
 }
 
-/// The colour picture of a frame; empty if there is none.
-std::string colour_among(const std::set<std::string>& names, const std::string& frame) {
-  for (const char* suffix : {".color.png", ".color.jpg", ".color.jpeg"})
-    if (auto file = frame + suffix; names.contains(file)) return file;
+/// A picture of a frame, `frame` with `.color` and the like; empty if there is none.
+std::string picture_among(const std::set<std::string>& names, const std::string& picture) {
+  for (const char* suffix : {".png", ".jpg", ".jpeg"})
+    if (auto file = picture + suffix; names.contains(file)) return file;
   return {};
+}
+
+std::vector<FrameNames> pairs_among(const std::set<std::string>& names) {
+  constexpr std::string_view kMark = ".left";
+  std::vector<FrameNames> pairs;
+  for (const std::string& left : names) {
+    const std::string picture = fs::path(left).stem().string();
+    if (!picture.ends_with(kMark) || picture_among(names, picture) != left) continue;
+    auto right = picture_among(names, picture.substr(0, picture.size() - kMark.size()) + ".right");
+    if (!right.empty()) pairs.push_back({{}, left, std::move(right)});
+  }
+  std::sort(pairs.begin(), pairs.end(),
+            [](const FrameNames& a, const FrameNames& b) { return counted_before(a.colour, b.colour); });
+  return pairs;
 }
 
 /// Frames are read while a hand touches the last one, so a file that is none any more is not waited for.
@@ -73,8 +87,9 @@ std::vector<FrameNames> frames_among(const std::set<std::string>& names) {
     if (auto name = frame_name(file); !name.empty()) found.push_back(std::move(name));
   std::sort(found.begin(), found.end(), counted_before);
   std::vector<FrameNames> frames;
-  for (const std::string& name : found) frames.push_back({name + ".depth.png", colour_among(names, name)});
-  return frames;
+  for (const std::string& name : found)
+    frames.push_back({name + ".depth.png", picture_among(names, name + ".color")});
+  return frames.empty() ? pairs_among(names) : frames;
 }
 
 Result<FrameFolder> FrameFolder::open(const fs::path& folder) {
@@ -90,8 +105,12 @@ Result<FrameFolder> FrameFolder::open(const fs::path& folder) {
   found.folder_ = folder;
   found.frames_ = frames_among(names);
   if (found.frames_.empty())
-    return invalid_input("holds no frames: files NAME.depth.png, and NAME.color.png or .jpg beside them",
-                         folder.string());
+    return invalid_input(
+        "holds no frames: files NAME.depth.png, and NAME.color.png or .jpg beside them; or pairs "
+        "NAME.left.png "
+        "and NAME.right.png",
+        folder.string());
+  if (found.has_pairs()) return found;
   auto scale = scale_of(folder / found.frames_.front().depth);
   if (!scale) return std::move(scale).error();
   found.metres_per_unit_ = *scale;
@@ -107,14 +126,34 @@ Result<DepthMap> FrameFolder::depth(std::size_t k) const {
   return depth_from_values(*values, metres_per_unit_).depth;
 }
 
+Result<std::pair<Image, Image>> FrameFolder::pair(std::size_t k) const {
+  const FrameNames& frame = frames_.at(k);
+  auto left = picture(frame.colour);
+  if (!left) return std::move(left).error();
+  auto right = picture(frame.right);
+  if (!right) return std::move(right).error();
+  return std::pair(*std::move(left), *std::move(right));
+}
+
 Result<Image> FrameFolder::colour(std::size_t k) const {
   const FrameNames& frame = frames_.at(k);
   if (frame.colour.empty()) return invalid_input("has no colour picture", (folder_ / frame.depth).string());
-  const fs::path path = folder_ / frame.colour;
+  return picture(frame.colour);
+}
+
+Result<Image> FrameFolder::picture(const std::string& name) const {
+  const fs::path path = folder_ / name;
   const auto file = read_frame_file(path);
   if (!file) return file.error();
   auto picture = decode_picture(*file);
-  if (!picture) picture.error().place = path.string();
+  if (!picture) {
+    picture.error().place = path.string();
+    return picture;
+  }
+  const auto pixels =
+      static_cast<std::uint64_t>(picture->width) * static_cast<std::uint64_t>(picture->height);
+  if (pixels > kMostFramePixels)
+    return Error{ErrorCode::invalid_input, too_many_pixels(pixels).message, path.string()};
   return picture;
 }
 

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace palpable::sources {
@@ -22,17 +23,22 @@ inline constexpr std::uint64_t kMostFramePixels = std::uint64_t{1} << 23U;
 
 /// The names of one frame's files.
 struct FrameNames {
+  /// Empty for a pair.
   std::string depth;
-  /// Empty if there is none.
+  /// The left picture of a pair; otherwise empty if there is none.
   std::string colour;
+  /// The right picture of a pair; otherwise empty.
+  std::string right = {};
 };
 
-/// The frames among the names of a folder's files, in the order of their names (counted_before()).
+/// The frames among the names of a folder's files, in the order of their names (counted_before()); pairs
+/// only if there are no depth maps.
 std::vector<FrameNames> frames_among(const std::set<std::string>& names);
 
-/// The frames of a depth camera in a folder, in the order of their names: NAME.depth.png with NAME.color.png,
-/// .jpg or .jpeg beside it. What the numbers mean is stated by a
-/// sidecar (read_depth_sidecar(); without one they are millimetres).
+/// The frames of a camera in a folder, in the order of their names. Of a depth camera: NAME.depth.png with
+/// NAME.color.png, .jpg or .jpeg beside it. What the numbers mean is stated by a sidecar
+/// (read_depth_sidecar(); without one they are millimetres). Of a stereo camera: NAME.left.png and
+/// NAME.right.png, or .jpg or .jpeg.
 class FrameFolder {
  public:
   /// Lists the frames; reads none. Errors: invalid_input, naming the folder or the sidecar: unreadable,
@@ -40,6 +46,11 @@ class FrameFolder {
   static Result<FrameFolder> open(const std::filesystem::path& folder);
 
   std::size_t size() const { return frames_.size(); }
+  /// The frames are of a stereo camera: they have pairs of pictures and no depth.
+  bool has_pairs() const { return frames_.front().depth.empty(); }
+  /// The pictures of pair `k` < size(), left first. Errors: as decode_picture(), and for more than
+  /// kMostFramePixels; invalid_input for a pipe.
+  Result<std::pair<Image, Image>> pair(std::size_t k) const;
   /// The depth of frame `k` < size(); all unknown if the camera saw nothing. Never waits for another program.
   /// Errors: as decode_raster(); invalid_input for a pipe, and for more than kMostFramePixels.
   Result<DepthMap> depth(std::size_t k) const;
@@ -47,6 +58,8 @@ class FrameFolder {
   Result<Image> colour(std::size_t k) const;
 
  private:
+  Result<Image> picture(const std::string& name) const;
+
   std::filesystem::path folder_;
   std::vector<FrameNames> frames_;
   double metres_per_unit_ = 0.001;

@@ -59,6 +59,32 @@ TEST(FrameFolder, PairsADepthWithItsColourByName) {
   EXPECT_EQ(frames[1].colour, "");
 }
 
+TEST(FrameFolder, ListsPairsWhereThereIsNoDepth) {
+  const auto frames = frames_among({"a10.left.png", "a10.right.jpg", "a2.left.jpg", "a2.right.jpg",
+                                    "a3.left.png", "a4.right.png", "left.png", "right.png"});
+  ASSERT_EQ(frames.size(), 2U);
+  EXPECT_EQ(frames[0].colour, "a2.left.jpg");
+  EXPECT_EQ(frames[0].right, "a2.right.jpg");
+  EXPECT_EQ(frames[1].colour, "a10.left.png");
+  EXPECT_EQ(frames[1].right, "a10.right.jpg");
+  EXPECT_EQ(frames_among({"a.depth.png", "a.left.png", "a.right.png"}).at(0).depth, "a.depth.png");
+}
+
+TEST(FrameFolder, ReadsPairs) {
+  const auto folder = empty_folder("pairs");
+  for (const auto& [name, level] : {std::pair("1.left.png", 10), std::pair("1.right.png", 20)})
+    ASSERT_TRUE(cv::imwrite((folder / name).string(), cv::Mat(4, 6, CV_8U, cv::Scalar(level))));
+  const auto frames = FrameFolder::open(folder);
+  ASSERT_TRUE(frames) << frames.error().sentence();
+  EXPECT_TRUE(frames->has_pairs());
+  const auto pair = frames->pair(0);
+  ASSERT_TRUE(pair) << pair.error().sentence();
+  EXPECT_NEAR(pair->first.samples[0], 10.0F / 255.0F, 1e-6F);
+  EXPECT_NEAR(pair->second.samples[0], 20.0F / 255.0F, 1e-6F);
+  fs::remove(folder / "1.right.png");
+  EXPECT_EQ(frames->pair(0).error().code, ErrorCode::invalid_input);
+}
+
 TEST(FrameFolder, TakesTheScaleOfASidecar) {
   const auto folder = empty_folder("scale");
   write_frame(folder, "a", 5000);

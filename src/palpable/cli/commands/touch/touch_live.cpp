@@ -3,9 +3,11 @@
 #include "palpable/cli/commands/touch/touch_live.hpp"
 
 #include "palpable/describe/numbers.hpp"
+#include "palpable/sources/calibration/calibration.hpp"
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,11 +17,10 @@ namespace {
 
 /// Options of `make` for depth that a live source does not have.
 constexpr std::array kWithoutEffect{
-    "--kind",        "--as",         "--calibration", "--poses",      "--depth-scale",
-    "--depth-as",    "--near-plane", "--far-plane",   "--detail",     "--smooth",
-    "--compression", "--height-of",  "--resample",    "--samples",    "--engrave",
-    "--texture",     "--ground",     "--background",  "--method",     "--rectify",
-    "--moved",       "--up",         "--lay",         "--resolution", "--max-error"};
+    "--kind",      "--as",      "--poses",   "--depth-scale", "--depth-as",   "--near-plane",
+    "--far-plane", "--detail",  "--smooth",  "--compression", "--height-of",  "--resample",
+    "--samples",   "--engrave", "--texture", "--ground",      "--background", "--method",
+    "--rectify",   "--moved",   "--up",      "--lay",         "--resolution", "--max-error"};
 
 void note_on_options(const MakeArguments& arguments, const Notes& notes) {
   const auto given = arguments.given ? arguments.given() : std::vector<std::string>();
@@ -43,6 +44,20 @@ Result<session::LiveOptions> live_options(const sculpt::ReliefOptions& relief) {
   return options;
 }
 
+/// The rig of --calibration; nullopt without it.
+Result<std::optional<StereoRig>> rig_of(const std::string& calibration) {
+  if (calibration.empty()) return std::optional<StereoRig>();
+  const auto read = sources::read_calibration(calibration);
+  if (!read) return read.error();
+  if (!read->rig)
+    return Error{
+        ErrorCode::usage,
+        "states cameras whose pictures must be rectified first; live pairs are taken as they are, so "
+        "give the calibration of rectified pictures",
+        calibration};
+  return read->rig;
+}
+
 }  // namespace
 
 Result<void> open_live(const TouchArguments& arguments, TouchPlan& plan, const Notes& notes,
@@ -59,7 +74,9 @@ Result<void> open_live(const TouchArguments& arguments, TouchPlan& plan, const N
                                                   : "--as-published"};
   const auto options = live_options(plan.make.recipes.relief.relief);
   if (!options) return options.error();
-  auto source = session::open_live_source(*address);
+  const auto rig = rig_of(arguments.scene.make.stereo.calibration);
+  if (!rig) return rig.error();
+  auto source = session::open_live_source(*address, *rig, work);
   if (!source) return std::move(source).error();
   note_on_options(arguments.scene.make, notes);
   auto feed = session::LiveFeed::open(*std::move(source), *options, work);
