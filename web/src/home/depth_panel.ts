@@ -45,8 +45,9 @@ export class DepthPanel {
 
   /** The depth mode and what it shows, in words. */
   say(): void {
-    const mode = element<HTMLSelectElement>('depth-mode').selectedOptions[0]?.text ?? '';
-    this.target.say(`${mode}. ${this.words()}`);
+    const option = element<HTMLSelectElement>('depth-mode').selectedOptions[0];
+    const group = option?.parentElement instanceof HTMLOptGroupElement ? `${option.parentElement.label}: ` : '';
+    this.target.say(`${group}${option?.text ?? ''}. ${this.words()}`);
   }
 
   private words(): string {

@@ -208,6 +208,7 @@ export class TouchPage implements KeyTarget {
   private follow(settings: Settings): void {
     this.stage.set(settings.touch.heightFactor, settings.page);
     this.depth.show();
+    this.picture.follow();
     this.voice.set(settings.page.speech);
     this.feedback.set(settings);
     this.readouts.redraw();

@@ -26,6 +26,9 @@ it('says under the surface what the arrows do: they move the probe, the picture 
   stage.fit = {};
   actions.toggleHead();
   expect(shown()).toEqual(['arrows-move-head']);
-  actions.toggleHead();
+  actions.follow();
+  expect(shown()).toEqual(['arrows-move-head']);
+  stage.fit = null;
+  actions.follow();
   expect(shown()).toEqual(['arrows-move-probe']);
 });

@@ -24,8 +24,13 @@ export class ViewActions {
   }
   /** Switches them between moving the head and the probe. */
   toggleHead(): void {
-    if (this.stage.fit === null && this.stage.moving !== 'head') return this.say('The head’s place counts in a depth mode only. Choose one under Look, True depth.');
+    if (this.stage.fit === null && this.stage.moving !== 'head') return this.say('The head’s place counts in a depth mode only. Choose one under Look, True depth on the screen.');
     this.toggle('head', 'Arrows move your head, with Shift up and down nearer and farther away. V moves the probe again.');
+  }
+
+  /** Call it when the settings have changed: without a depth mode the arrows do not move the head. */
+  follow(): void {
+    if (this.stage.fit === null && this.stage.moving === 'head') this.toggleHead();
   }
 
   private toggle(moves: Moves, words: string): void {

@@ -25,15 +25,15 @@ export class Calibration {
   /** `pixelSize`: as measured before, 0 if not. */
   open(pixelSize: number): void {
     this.side = window.innerWidth < narrow ? card.short : card.long;
+    const dialog = element<HTMLDialogElement>('screen-dialog');
+    dialog.returnValue = '';
+    dialog.showModal();
     this.input.min = String(least);
-    this.input.max = String(Math.max(2 * least, window.innerWidth - 16));
+    this.input.max = String(Math.max(2 * least, element('card-frame').clientWidth));
     this.input.step = '1';
     this.input.value = String(Math.round(this.side / cssPixel(pixelSize, window.devicePixelRatio)));
     element('card-side').textContent = this.side === card.long ? 'long' : 'short';
     this.draw();
-    const dialog = element<HTMLDialogElement>('screen-dialog');
-    dialog.returnValue = '';
-    dialog.showModal();
     this.input.focus();
   }
 
