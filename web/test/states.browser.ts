@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { keepPicture, launch, openPage, startProgram, violations, type Opened, type Running } from './harness';
+import { keepPicture, launch, openPage, says, startProgram, violations, type Opened, type Running } from './harness';
 
 let browser: Browser;
 let flatBrowser: Browser;
@@ -62,13 +62,32 @@ describe('the page in every state', () => {
       (page) => page.getByRole('button', { name: 'Resume' }).click(),
     ],
     ['help', (page) => page.getByRole('button', { name: 'Help and keys' }).click(), (page) => page.keyboard.press('Escape')],
+    [
+      'depth-without-webgl',
+      async (page) => {
+        await page.setViewportSize({ width: 320, height: 640 });
+        await page.locator('#depth summary').click();
+        await page.getByText('True depth needs WebGL, which this browser does not offer.').waitFor();
+        expect(await page.getByLabel('Depth mode').isDisabled()).toBe(true);
+      },
+      async () => undefined,
+    ],
+    [
+      'measure-the-screen',
+      (page) => page.getByRole('button', { name: 'Measure the screen' }).click(),
+      async (page) => {
+        await page.keyboard.press('Escape');
+        await page.locator('#depth summary').click();
+        await page.setViewportSize(desktop);
+      },
+    ],
   ];
   it.each(states)('%s passes axe-core and has no horizontal scroll bar', async (name, enter, leave) => {
     const { page, complaints } = opened;
     await enter(page);
     try {
       await page.waitForTimeout(100);
-      await keepPicture(page, name, ['phone', '200-percent'].includes(name));
+      await keepPicture(page, name, ['phone', '200-percent', 'depth-without-webgl'].includes(name));
       expect(await violations(page)).toEqual([]);
       expect(await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth)).toBeLessThanOrEqual(0);
       // A browser without WebGL reports exactly that.
@@ -145,6 +164,39 @@ describe('the page in 3D', () => {
     });
     await page.getByRole('button', { name: 'Reset view' }).click();
     expect(await page.getByRole('slider', { name: 'Tilt' }).getAttribute('aria-valuetext')).toBe('25°');
+  });
+
+  it('shows true depth: chosen, measured with a card and seen from beside by keys, and undone', async () => {
+    const { page, complaints } = opened;
+    await page.locator('#depth summary').focus();
+    await page.keyboard.press('Enter');
+    await page.getByLabel('Depth mode').focus();
+    await page.keyboard.press('r');
+    await says(page, 'Coloured glasses: Red–cyan. The true depth: disparities up to');
+    expect(await violations(page)).toEqual([]);
+    await page.getByRole('button', { name: 'Measure the screen' }).focus();
+    await page.keyboard.press('Enter');
+    const width = page.getByRole('slider', { name: 'Width of the card' });
+    const before = Number(await width.inputValue());
+    for (const key of ['ArrowLeft', 'ArrowLeft', 'Tab', 'Enter']) await page.keyboard.press(key);
+    await says(page, 'as measured');
+    await page.getByRole('button', { name: 'Measure the screen' }).click();
+    expect(Number(await width.inputValue())).toBe(before - 2);
+    await page.keyboard.press('Escape');
+    await page.locator('#stage').focus();
+    await page.keyboard.press('v');
+    await says(page, 'Arrows move your head');
+    await page.keyboard.press('ArrowRight');
+    await says(page, 'Your head is 1 centimetre right.');
+    await keepPicture(page, 'depth');
+    await page.keyboard.press('v');
+    await page.keyboard.press('r');
+    await page.keyboard.press('Control+z');
+    await says(page, 'Undone: size of the screen.');
+    await page.keyboard.press('Control+z');
+    await says(page, 'Undone: depth mode.');
+    expect(await page.getByLabel('Depth mode').inputValue()).toBe('plain');
+    expect(complaints).toEqual([]);
   });
 
   it('offers the view from above if drawing is slow', async () => {

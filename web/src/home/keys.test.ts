@@ -20,6 +20,7 @@ describe('keys', () => {
     zoom: (factor) => calls.push(`zoom ${factor > 1 ? 'in' : 'out'}`),
     resetView: () => calls.push('reset view'),
     moveView: () => calls.push('move view'),
+    moveHead: () => calls.push('move head'),
     toSurface: () => calls.push('surface'),
     listPlaces: () => calls.push('list'),
     nameHere: () => calls.push('name'),

@@ -38,6 +38,8 @@ export interface KeyTarget {
   resetView(): void;
   /** Switches drags, pinches and arrows between moving the picture and the probe. */
   moveView(): void;
+  /** Switches them between moving the head and the probe. */
+  moveHead(): void;
   help(): void;
 }
 
@@ -112,6 +114,12 @@ export const keyRows: KeyRow[] = [
     does: 'Move the picture: arrows turn it, with Shift they shift it; C again moves the probe',
     keys: ['c'],
     act: (target) => target.moveView(),
+  },
+  {
+    shown: 'V',
+    does: 'In a depth mode, move your head: arrows move it, with Shift up and down nearer and farther; V again moves the probe',
+    keys: ['v'],
+    act: (target) => target.moveHead(),
   },
   { shown: 'R', does: 'Reset the picture', keys: ['r'], act: (target) => target.resetView() },
   { shown: 'M', does: 'Sound off, on', keys: ['m'], act: (target) => target.mute() },

@@ -22,6 +22,7 @@ import { Stage } from '../view/stage';
 import { bindButtons, bindWindow } from './bindings';
 import type { Loss } from '../enter';
 import type { Program, Receiver } from './connection';
+import { DepthPanel } from './depth_panel';
 import { FrameLoop } from './frame_loop';
 import { fillHelp, showHelp, showSteps } from './help';
 import { press, type KeyTarget, type Move } from './keys';
@@ -92,6 +93,7 @@ export class TouchPage implements KeyTarget {
     draw: () => this.showProbes(),
   });
   private readonly picture: ViewActions;
+  private readonly depth: DepthPanel;
   private hello: Hello | null = null;
   private paused = false;
   /** Whether the program is connected; otherwise nothing is felt, moved or heard. */
@@ -118,6 +120,11 @@ export class TouchPage implements KeyTarget {
       answer: (words) => this.voice.say(words, Importance.answer),
     });
     this.picture = new ViewActions(this.stage, (words) => this.voice.say(words, Importance.answer));
+    this.depth = new DepthPanel(this.stage, {
+      page: () => this.settings.now.page,
+      change: (page, what) => this.settings.changePage(page, what),
+      say: (words) => this.voice.say(words, Importance.answer),
+    });
   }
 
   start(): void {
@@ -192,11 +199,16 @@ export class TouchPage implements KeyTarget {
   moveView(): void {
     this.picture.toggleMoving();
   }
+  moveHead(): void {
+    this.picture.toggleHead();
+  }
 
   // Settings.
 
   private follow(settings: Settings): void {
     this.stage.set(settings.touch.heightFactor, settings.page);
+    this.depth.show();
+    this.picture.follow();
     this.voice.set(settings.page.speech);
     this.feedback.set(settings);
     this.readouts.redraw();
@@ -209,6 +221,7 @@ export class TouchPage implements KeyTarget {
     const cells = what === 'surface' && settings.page.surface === 'cells' ? this.scene?.cells : undefined;
     const law = what === 'law' ? this.settings.controls.law()?.title : undefined;
     if (cells) return this.voice.say(cells, Importance.answer);
+    if (what === 'depth-mode') return this.depth.say();
     if (law !== undefined) return this.voice.say(`Force law: ${law}.`, Importance.answer);
     const words = controlWords(document.activeElement);
     if (words !== null) this.voice.aloudOnly(words);
@@ -371,6 +384,7 @@ export class TouchPage implements KeyTarget {
     const moving = this.motion.advance(now, passed);
     this.trace.frame(now);
     this.stage.draw(waited);
+    this.depth.frame();
     document.documentElement.dataset.frames = String(this.frames.count);
     return moving;
   }
@@ -421,6 +435,7 @@ export class TouchPage implements KeyTarget {
       where: () => this.where(),
       'sound-on': () => this.turnOnSound(),
       'move-view': () => this.moveView(),
+      'move-head': () => this.moveHead(),
       'zoom-in': () => this.zoom(1.25),
       'zoom-out': () => this.zoom(0.8),
       'reset-view': () => this.resetView(),

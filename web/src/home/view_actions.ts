@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Zooming, moving and resetting the picture by keys and buttons, with spoken messages.
 import { element } from '../dom';
-import type { Stage } from '../view/stage';
+import type { Moves, Stage } from '../view/stage';
 
 export class ViewActions {
   constructor(
@@ -20,11 +20,26 @@ export class ViewActions {
   }
   /** Switches drags and arrows between moving the picture and the probe. */
   toggleMoving(): void {
-    const moving = !this.stage.isMovingView;
-    this.stage.setViewMoving(moving);
-    element('move-view').setAttribute('aria-pressed', String(moving));
-    element('arrows-move-probe').hidden = moving;
-    element('arrows-move-picture').hidden = !moving;
-    this.say(moving ? 'Arrows turn the picture, with Shift they shift it. C moves the probe again.' : 'Arrows move the probe.');
+    this.toggle('picture', 'Arrows turn the picture, with Shift they shift it. C moves the probe again.');
+  }
+  /** Switches them between moving the head and the probe. */
+  toggleHead(): void {
+    if (this.stage.fit === null && this.stage.moving !== 'head') return this.say('The head’s place counts in a depth mode only. Choose one under Look, True depth on the screen.');
+    this.toggle('head', 'Arrows move your head, with Shift up and down nearer and farther away. V moves the probe again.');
+  }
+
+  /** Call it when the settings have changed: without a depth mode the arrows do not move the head. */
+  follow(): void {
+    if (this.stage.fit === null && this.stage.moving === 'head') this.toggleHead();
+  }
+
+  private toggle(moves: Moves, words: string): void {
+    const begins = this.stage.moving !== moves;
+    const now = begins ? moves : 'probe';
+    this.stage.setMoving(now);
+    element('move-view').setAttribute('aria-pressed', String(now === 'picture'));
+    element('move-head').setAttribute('aria-pressed', String(now === 'head'));
+    for (const one of ['probe', 'picture', 'head'] as const) element(`arrows-move-${one}`).hidden = one !== now;
+    this.say(begins ? words : 'Arrows move the probe.');
   }
 }

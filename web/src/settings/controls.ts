@@ -41,8 +41,17 @@ const sliders: Slider[] = [
   pageSlider('tilt', (value) => `${value}°`),
   ...soundSliders,
 ];
-const checks = ['sound', 'speech', 'vibration', 'gamepads'] as const;
-const selects = ['surface', 'view', 'theme'] as const;
+const depthSliders = [
+  pageSlider('eyeDistance', (value) => `${value} mm`, 'eye-distance'),
+  pageSlider('screenDistance', (value) => `${value / 10} cm`, 'screen-distance'),
+  pageSlider('depthBefore', (value) => (value === 0 ? '0 %, all behind it' : value === 100 ? '100 %, all before it' : `${value} %`), 'depth-before'),
+  pageSlider('depthShare', (value) => (value === 100 ? '100 %, true' : `${value} %`), 'depth-share'),
+];
+sliders.push(...depthSliders);
+/** The preferences' controls: by id, the preference. */
+const checks = { sound: 'sound', speech: 'speech', vibration: 'vibration', gamepads: 'gamepads', 'depth-comfort': 'depthComfort', 'swap-eyes': 'swapEyes' } as const;
+const selects = { surface: 'surface', view: 'view', 'depth-mode': 'depthMode', theme: 'theme' } as const;
+const keysOf = <T extends object>(table: T) => Object.keys(table) as (keyof T & string)[];
 
 function optionOf({ name, title, unavailable }: Law): HTMLOptionElement {
   const option = new Option(unavailable === null ? title : `${title}: ${unavailable}`, name);
@@ -66,10 +75,10 @@ export class Controls {
       const { touch } = this.settings;
       this.take({ ...this.settings, touch: { ...touch, set: { ...touch.set, [name]: value } } }, name);
     });
-    for (const id of checks)
-      element<HTMLInputElement>(id).addEventListener('change', ({ target }) => this.takePage(id, (target as HTMLInputElement).checked));
-    for (const id of selects)
-      element<HTMLSelectElement>(id).addEventListener('change', ({ target }) => this.takePage(id, (target as HTMLSelectElement).value));
+    for (const id of keysOf(checks))
+      element<HTMLInputElement>(id).addEventListener('change', ({ target }) => this.takePage(checks[id], (target as HTMLInputElement).checked, id));
+    for (const id of keysOf(selects))
+      element<HTMLSelectElement>(id).addEventListener('change', ({ target }) => this.takePage(selects[id], (target as HTMLSelectElement).value, id));
     element<HTMLSelectElement>('law').addEventListener('change', ({ target }) => this.takeLaw((target as HTMLSelectElement).value));
     this.show(settings, {});
   }
@@ -87,16 +96,22 @@ export class Controls {
     const law = this.law();
     element<HTMLSelectElement>('law').value = settings.touch.law;
     this.parameters.show(law?.parameters ?? [], used, settings.touch.set, settings.materials.length);
+    const isFlat = settings.page.view === 'flat' || element<HTMLSelectElement>('view').disabled;
+    const noDepth = isFlat ? 'in 3D only' : settings.page.depthMode === 'plain' ? 'in a depth mode' : null;
     const noSound = settings.page.sound ? null : 'sound is off';
     const disabled: Record<string, string | null> = {
       volume: noSound,
       ...Object.fromEntries(soundSliders.map(({ id }) => [id, noSound])),
       'height-factor': this.isRelief ? null : 'reliefs only',
-      tilt: settings.page.view === 'flat' || element<HTMLSelectElement>('view').disabled ? 'in 3D only' : null,
+      tilt: isFlat ? 'in 3D only' : null,
+      ...Object.fromEntries(depthSliders.map(({ id }) => [id, noDepth])),
     };
     sliders.forEach(({ id, min, max, read, words }, k) => this.ranges[k]!.show({ min, max, value: read(settings), words, disabled: disabled[id] ?? null }));
-    for (const id of checks) element<HTMLInputElement>(id).checked = settings.page[id];
-    for (const id of selects) element<HTMLSelectElement>(id).value = settings.page[id];
+    for (const id of keysOf(checks)) element<HTMLInputElement>(id).checked = settings.page[checks[id]];
+    for (const id of keysOf(selects)) element<HTMLSelectElement>(id).value = settings.page[selects[id]];
+    for (const id of ['depth-comfort', 'swap-eyes']) element<HTMLInputElement>(id).disabled = noDepth !== null;
+    element<HTMLSelectElement>('depth-mode').disabled = isFlat;
+    if (isFlat) element<HTMLSelectElement>('depth-mode').value = 'plain';
     // Without WebGL the preference is kept for another browser; meanwhile the view is from above.
     if (element<HTMLSelectElement>('view').disabled) element<HTMLSelectElement>('view').value = 'flat';
     // The preference for cells is kept for the next field; meanwhile the picture is shown.
@@ -120,8 +135,8 @@ export class Controls {
     return this.laws.find(({ name }) => name === this.settings.touch.law);
   }
 
-  private takePage<K extends keyof Preferences>(id: K, value: boolean | string): void {
-    this.take({ ...this.settings, page: { ...this.settings.page, [id]: value } }, id);
+  private takePage(key: keyof Preferences, value: boolean | string, id: string): void {
+    this.take({ ...this.settings, page: { ...this.settings.page, [key]: value } }, id);
   }
 
   private takeLaw(name: string): void {

@@ -3,6 +3,11 @@
 // The user's preferences for look and sound. Stored in a cookie, since local storage is separate for each port and
 // palpable's port changes. Nothing is stored before a change, and a reset removes the cookie.
 
+/** head: for one place of the head, without glasses; parallel, crossed: two pictures for free viewing; from side-by-side: for 3-D screens. */
+export const depthModes = [
+  'plain', 'head', 'red-cyan', 'amber-blue', 'green-magenta', 'parallel', 'crossed', 'side-by-side', 'over-under', 'rows', 'columns',
+] as const;
+
 export interface Preferences {
   surface: 'picture' | 'unlit' | 'clay' | 'cells';
   view: '3d' | 'flat';
@@ -21,6 +26,19 @@ export interface Preferences {
   /** Of gamepads. A browser that was asked for gamepads once polls them until the page is closed: off unless chosen. */
   gamepads: boolean;
   speech: boolean;
+  /** How the 3D view shows depth; plain: a usual picture. */
+  depthMode: (typeof depthModes)[number];
+  /** Of the person's eyes from each other, and from the screen: millimetres. */
+  eyeDistance: number;
+  screenDistance: number;
+  /** The share of the scene's depth that is before the screen, and the share of its true depth that is shown: per cent. */
+  depthBefore: number;
+  depthShare: number;
+  /** Whether disparities are kept within a degree. */
+  depthComfort: boolean;
+  swapEyes: boolean;
+  /** Millimetres of the screen per device pixel, as measured; 0: not measured. */
+  pixelSize: number;
   theme: 'system' | 'light' | 'dark' | 'contrast';
 }
 
@@ -39,13 +57,26 @@ export const defaults: Preferences = {
   vibration: true,
   gamepads: false,
   speech: false,
+  depthMode: 'plain',
+  eyeDistance: 63,
+  screenDistance: 600,
+  depthBefore: 40,
+  depthShare: 100,
+  depthComfort: true,
+  swapEyes: false,
+  pixelSize: 0,
   theme: 'system',
 };
 
 const name = 'palpable_page';
-const choices = { surface: ['picture', 'unlit', 'clay', 'cells'], view: ['3d', 'flat'], theme: ['system', 'light', 'dark', 'contrast'] };
+const choices = {
+  surface: ['picture', 'unlit', 'clay', 'cells'],
+  view: ['3d', 'flat'],
+  depthMode: depthModes,
+  theme: ['system', 'light', 'dark', 'contrast'],
+};
 const percent = { min: 0, max: 100 };
-/** Degrees from above, and per cent. */
+/** Degrees from above, per cent, and millimetres. */
 export const ranges = {
   tilt: { min: 0, max: 80 },
   volume: percent,
@@ -55,6 +86,11 @@ export const ranges = {
   edgeVolume: percent,
   nameVolume: percent,
   findVolume: percent,
+  eyeDistance: { min: 40, max: 80 },
+  screenDistance: { min: 200, max: 4000 },
+  depthBefore: percent,
+  depthShare: { min: 10, max: 200 },
+  pixelSize: { min: 0, max: 5 },
 };
 
 /** The preferences in a document.cookie; defaults for missing or invalid values. */
@@ -75,7 +111,7 @@ export function readPreferences(cookies: string): Preferences {
 
 function isSensible(key: string, value: unknown): boolean {
   if (!Object.hasOwn(defaults, key)) return false;
-  if (key in choices) return (choices[key as keyof typeof choices] as unknown[]).includes(value);
+  if (key in choices) return (choices[key as keyof typeof choices] as readonly unknown[]).includes(value);
   const range = ranges[key as keyof typeof ranges];
   if (range !== undefined) return typeof value === 'number' && value >= range.min && value <= range.max;
   return typeof value === 'boolean';

@@ -17,6 +17,14 @@ const titles: Record<string, string> = {
   pitch_m: 'texture pitch',
   height_m: 'texture height',
   angle_deg: 'texture angle',
+  depthMode: 'depth mode',
+  eyeDistance: 'eye distance',
+  screenDistance: 'screen distance',
+  depthBefore: 'part before the screen',
+  depthShare: 'depth',
+  depthComfort: 'disparities within a degree',
+  swapEyes: 'exchanged eyes',
+  pixelSize: 'size of the screen',
 };
 
 export class SettingsStore {

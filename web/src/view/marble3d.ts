@@ -20,12 +20,13 @@ import type { ProbeView } from './view';
 /** Metres of arrow per newton. */
 const arrowScale = 0.008;
 const arrowMost = 0.04;
-const radius = 0.0022;
+/** In a scene of 0.1 m; metres. */
+export const marbleRadius = 0.0022;
 const badgePixels = 64;
 
 export class Marble3d {
   readonly group = new Group();
-  private readonly marble = new Mesh(new SphereGeometry(radius, 32, 16), new MeshStandardMaterial({ roughness: 0.25, depthTest: false }));
+  private readonly marble = new Mesh(new SphereGeometry(marbleRadius, 32, 16), new MeshStandardMaterial({ roughness: 0.25, depthTest: false }));
   private readonly arrow = new Group();
   private readonly arrowMaterial = new MeshBasicMaterial();
   private readonly shaft = new Mesh(new CylinderGeometry(0.0006, 0.0006, 1, 12), this.arrowMaterial);
@@ -46,7 +47,7 @@ export class Marble3d {
   /** `scale`: the scene's size in units of 0.1 m, which scales the marble and its arrow. */
   show(probe: ProbeView, several: boolean, scale: number): void {
     this.group.scale.setScalar(scale);
-    this.group.position.set(probe.x, probe.y, probe.z + radius * scale);
+    this.group.position.set(probe.x, probe.y, probe.z + marbleRadius * scale);
     const force = new Vector3(...probe.force);
     const length = Math.min(arrowMost, force.length() * arrowScale);
     this.arrow.visible = length > 0.0015;

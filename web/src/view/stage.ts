@@ -7,6 +7,9 @@ import { defaults, type Preferences } from '../settings/preferences';
 import { themeOf } from '../settings/theme';
 import type { Place, Surface } from '../surface';
 import { Camera, cameraTilt, shiftWords, turnWords } from './camera';
+import type { Fit } from './depth/fit';
+import type { ScreenPoint } from './depth/frustum';
+import { clampHead, headStep, headWords, restingHead } from './depth/head';
 import { bindGestures } from './gestures';
 import type { ProbeView, View } from './view';
 import { View3d } from './view3d';
@@ -27,7 +30,12 @@ export interface StageTarget {
 /** Degrees per pixel of a drag, and per press of an arrow key. */
 const dragRate = 0.4;
 const keyTurn = 10;
+/** Metres per pixel of a drag that moves the head. */
+const headRate = 0.001;
 const tilts = { least: 0, most: 80 };
+
+/** What drags, pinches and arrow keys move. */
+export type Moves = 'probe' | 'picture' | 'head';
 
 export class Stage {
   readonly element = element<HTMLDivElement>('stage');
@@ -40,7 +48,8 @@ export class Stage {
   private heightFactor = 1;
   private canDo3d = true;
   private offered = false;
-  private moving = false;
+  private moves: Moves = 'probe';
+  private headMoved = restingHead;
 
   constructor(
     private look: Preferences,
@@ -51,8 +60,8 @@ export class Stage {
       this.target.changed();
     }).observe(this.element);
     bindGestures(this.element, {
-      isMoving: () => this.moving,
-      turn: (right, down) => this.turn(-right * dragRate, -down * dragRate),
+      isMoving: () => this.moves !== 'probe',
+      turn: (right, down) => this.dragged(right, down),
       pan: (right, down) => this.pan(right, down),
       zoom: (factor, left, top) => this.zoom(factor, this.placeAt(left, top)),
     });
@@ -80,7 +89,7 @@ export class Stage {
     document.documentElement.dataset.theme = themeOf(look.theme);
     if (wanted !== this.kind) this.build(wanted);
     this.view?.set(heightFactor, look);
-    this.target.changed();
+    this.moveHead(this.headMoved);
   }
 
   probes(probes: readonly ProbeView[]): void {
@@ -106,16 +115,16 @@ export class Stage {
   get magnification(): number {
     return this.camera.pose.zoom;
   }
-  get isMovingView(): boolean {
-    return this.moving;
+  get moving(): Moves {
+    return this.moves;
   }
-  /** Whether drags, pinches and arrow keys move the picture instead of a probe. */
-  setViewMoving(moving: boolean): void {
-    this.moving = moving;
-    this.element.toggleAttribute('data-moving-view', moving);
+  setMoving(moves: Moves): void {
+    this.moves = moves;
+    this.element.toggleAttribute('data-moving-view', moves !== 'probe');
   }
   resetView(): void {
     this.camera.reset();
+    this.moveHead(restingHead);
     if (this.kind === '3d' && this.look.tilt !== defaults.tilt) this.target.tilted(defaults.tilt);
     this.aim();
   }
@@ -123,13 +132,18 @@ export class Stage {
     if (this.surface) this.camera.zoomBy(factor, about, this.surface);
     this.aim();
   }
-  /** Handles keys that move the picture, and says the new view; false for other keys. */
+  /** Handles keys that move the picture or the head, and says the new view; false for other keys. */
   moveViewBy({ key, shiftKey, ctrlKey, altKey, metaKey }: KeyboardEvent): boolean {
-    if (!this.moving || ctrlKey || altKey || metaKey) return false;
+    if (this.moves === 'probe' || ctrlKey || altKey || metaKey) return false;
     const arrows: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
     const way = arrows[key];
     if (way === undefined) return false;
     const [right, down] = way;
+    if (this.moves === 'head') {
+      this.moveHeadBy(headStep(right, down, shiftKey));
+      this.target.answer(headWords(this.headMoved));
+      return true;
+    }
     const tenth = Math.min(this.element.clientWidth, this.element.clientHeight) / 10;
     if (shiftKey) {
       this.pan(right * tenth, down * tenth);
@@ -141,6 +155,27 @@ export class Stage {
     return true;
   }
 
+  // True depth on the screen.
+
+  /** How the scene is shown on the screen in a depth mode; null: as a usual picture. */
+  get fit(): Fit | null {
+    return this.view?.fit ?? null;
+  }
+  /** Sets how far the head has moved from its resting place (depth/head.ts). */
+  moveHead(moved: ScreenPoint): void {
+    this.headMoved = clampHead(moved, this.look.screenDistance / 1000);
+    this.view?.head(this.headMoved);
+    this.target.changed();
+  }
+  private moveHeadBy({ x, y, z }: ScreenPoint): void {
+    const { headMoved } = this;
+    this.moveHead({ x: headMoved.x + x, y: headMoved.y + y, z: headMoved.z + z });
+  }
+
+  private dragged(right: number, down: number): void {
+    if (this.moves === 'head') this.moveHeadBy({ x: right * headRate, y: -down * headRate, z: 0 });
+    else this.turn(-right * dragRate, -down * dragRate);
+  }
   private turn(degrees: number, tilt: number): void {
     if (this.kind === 'flat') return;
     this.camera.turnBy(degrees);
@@ -183,6 +218,7 @@ export class Stage {
     this.view.resize();
     this.view.set(this.heightFactor, this.look);
     this.view.aim(this.camera.pose);
+    this.view.head(this.headMoved);
   }
 
   private giveUp3d(why: string): void {

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The interface of a view of the scene, in 3D (view3d.ts) or flat (view_flat.ts).
 import type { PictureFrame } from '../codec';
-import type { Preferences } from '../settings/preferences';
+import { defaults, type Preferences } from '../settings/preferences';
 import type { Place, Surface } from '../surface';
 import type { CameraPose } from './camera';
+import type { Fit } from './depth/fit';
+import type { ScreenPoint } from './depth/frustum';
 import type { Speed } from './pace';
 
 export interface ProbeView extends Place {
@@ -16,11 +18,22 @@ export interface ProbeView extends Place {
   chosen: boolean;
 }
 
+/** The preferences that views follow. */
+export type Look = Pick<
+  Preferences,
+  'surface' | 'tilt' | 'depthMode' | 'eyeDistance' | 'screenDistance' | 'depthBefore' | 'depthShare' | 'depthComfort' | 'swapEyes' | 'pixelSize'
+>;
+export const plainLook: Look = defaults;
+
 export interface View {
   readonly canvas: HTMLCanvasElement;
   show(surface: Surface, picture: PictureFrame | null): void;
   /** Sets the height factor and the look of the surface and the view. */
-  set(heightFactor: number, look: Pick<Preferences, 'surface' | 'tilt'>): void;
+  set(heightFactor: number, look: Look): void;
+  /** How the scene is shown on the screen in a depth mode; null: as a usual picture. */
+  readonly fit: Fit | null;
+  /** Sets how far the head has moved from its resting place (depth/head.ts). */
+  head(moved: ScreenPoint): void;
   /** Sets all probes; numbers are shown if there are several. True if the view has changed. */
   probes(probes: readonly ProbeView[]): boolean;
   /** Sets a line on the surface; empty for none. */

@@ -3,39 +3,41 @@
 // The scene as a block with its surface, and the probes (three.js).
 import {
   AmbientLight,
-  BufferAttribute,
   BufferGeometry,
   Color,
-  DataTexture,
   DirectionalLight,
   DoubleSide,
   Line,
   LineBasicMaterial,
-  LinearFilter,
-  LinearMipmapLinearFilter,
   Mesh,
   MeshBasicMaterial,
   MeshStandardMaterial,
   PerspectiveCamera,
+  Quaternion,
   Raycaster,
   Scene,
-  SRGBColorSpace,
   Vector2,
   Vector3,
   WebGLRenderer,
+  type DataTexture,
 } from 'three';
 import type { PictureFrame } from '../codec';
-import { cameraTilt, frontPose, type CameraPose } from './camera';
-import { Marble3d } from './marble3d';
-import { Pace, type Speed } from './pace';
-import type { Preferences } from '../settings/preferences';
+import { cssPixel } from '../settings/screen_size';
 import { Surface, type Place } from '../surface';
-import { lookAlike, themeColours, type ProbeView, type View } from './view';
+import { baseThickness, discard, groundOf, sizeOf, textureOf, wallsOf } from './block';
+import { cameraTilt, frontPose, type CameraPose } from './camera';
+import { DepthPicture, turnOf } from './depth/depth_picture';
+import { fitOf, type Fit } from './depth/fit';
+import type { ScreenPoint } from './depth/frustum';
+import { restingHead } from './depth/head';
+import { inWindow, layouts, windowOf, type Layout } from './depth/layout';
+import { Marble3d, marbleRadius } from './marble3d';
+import { Pace, type Speed } from './pace';
+import { lookAlike, plainLook, themeColours, type Look, type ProbeView, type View } from './view';
 
 const fieldOfView = 32;
 /** The picture's size relative to the block. */
 const margin = 1.07;
-const baseThickness = 0.002;
 /** Least pixel ratio (pixels per CSS pixel). */
 const coarsest = 0.5;
 
@@ -54,21 +56,29 @@ export class View3d implements View {
   /** What the middle of the picture shows. */
   private readonly target = new Vector3();
   private heightFactor = 1;
-  private look: Pick<Preferences, 'surface' | 'tilt'> = { surface: 'picture', tilt: 25 };
+  private look: Look = plainLook;
   private shown: readonly ProbeView[] = [];
   private pose: CameraPose = frontPose;
   private stale = true;
   private pixelRatio = Math.min(2, window.devicePixelRatio);
   private readonly pace = new Pace();
+  private readonly depth: DepthPicture;
+  private onScreen: Fit | null = null;
+  private headMoved = restingHead;
 
   /** Throws if the browser has no WebGL. */
   constructor(container: HTMLElement) {
     this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, powerPreference: 'low-power' });
     this.renderer.setPixelRatio(this.pixelRatio);
+    this.depth = new DepthPicture(this.renderer);
     this.scene.add(new AmbientLight(0xffffff, 0.75), this.sun, this.traced);
     this.traced.visible = false;
     this.traced.frustumCulled = false;
     container.append(this.canvas);
+  }
+
+  get fit(): Fit | null {
+    return this.onScreen;
   }
 
   show(surface: Surface, picture: PictureFrame | null): void {
@@ -78,13 +88,20 @@ export class View3d implements View {
     this.build();
   }
 
-  set(heightFactor: number, look: Pick<Preferences, 'surface' | 'tilt'>): void {
+  set(heightFactor: number, look: Look): void {
     const rebuild = heightFactor !== this.heightFactor || look.surface !== this.look.surface;
+    const resample = look.depthMode !== this.look.depthMode;
     this.heightFactor = heightFactor;
     this.look = { ...look };
     if (rebuild) this.build();
+    if (resample) this.resize();
     this.place();
     this.recolour();
+  }
+
+  head(moved: ScreenPoint): void {
+    this.headMoved = moved;
+    this.place();
   }
 
   aim(pose: CameraPose): void {
@@ -93,6 +110,8 @@ export class View3d implements View {
   }
 
   metresPerPixel(): number {
+    const { fit, layout } = this;
+    if (fit !== null && layout !== null) return (this.pixel() * (layout.stretched ? 1 : layout.columns)) / fit.scale;
     const distance = this.camera.position.distanceTo(this.target);
     return (2 * distance * Math.tan((fieldOfView * Math.PI) / 360)) / (Math.max(1, this.canvas.clientHeight) * this.camera.zoom);
   }
@@ -120,14 +139,19 @@ export class View3d implements View {
   placeAt(left: number, top: number): Place | null {
     if (this.surface === null) return null;
     const { clientWidth, clientHeight } = this.canvas;
+    const { layout } = this;
+    const share = { across: left / clientWidth, down: top / clientHeight };
+    const { across, down } = layout === null ? share : inWindow(layout, share.across, share.down);
     const caster = new Raycaster();
-    caster.setFromCamera(new Vector2((2 * left) / clientWidth - 1, 1 - (2 * top) / clientHeight), this.camera);
+    caster.setFromCamera(new Vector2(2 * across - 1, 1 - 2 * down), layout === null ? this.camera : this.depth.middle);
     return this.surface.hit(caster.ray.origin.toArray(), caster.ray.direction.toArray(), this.heightFactor);
   }
 
   resize(): void {
     const { clientWidth, clientHeight } = this.canvas;
     if (clientWidth === 0 || clientHeight === 0) return;
+    // Interleaved lines are those of the screen.
+    this.renderer.setPixelRatio(this.isInterleaved ? window.devicePixelRatio : this.pixelRatio);
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.camera.aspect = clientWidth / clientHeight;
     this.place();
@@ -137,12 +161,12 @@ export class View3d implements View {
   draw(waited: number): Speed {
     if (!this.stale) return 'fine';
     this.stale = false;
-    this.renderer.render(this.scene, this.camera);
+    if (this.layout === null) this.renderer.render(this.scene, this.camera);
+    else this.depth.draw(this.scene, this.layout, this.look.swapEyes, this.corner());
     const speed = this.pace.drawn(waited);
-    if (speed === 'fine' || this.pixelRatio <= coarsest) return speed === 'fine' ? 'fine' : 'too slow';
+    if (speed === 'fine' || this.pixelRatio <= coarsest || this.isInterleaved) return speed === 'fine' ? 'fine' : 'too slow';
     // On a slow machine (often without a GPU) fewer pixels are better than fewer frames.
     this.pixelRatio = Math.max(coarsest, 0.7 * this.pixelRatio);
-    this.renderer.setPixelRatio(this.pixelRatio);
     this.resize();
     return speed;
   }
@@ -153,6 +177,7 @@ export class View3d implements View {
     for (const marble of this.marbles) marble.dispose();
     this.traced.geometry.dispose();
     this.traced.material.dispose();
+    this.depth.dispose();
     this.renderer.dispose();
     this.canvas.remove();
   }
@@ -176,28 +201,57 @@ export class View3d implements View {
     this.stale = true;
   }
 
-  /** Places the camera at the tilt angle so that the whole block is visible, then applies the pose. */
+  private get layout(): Layout | null {
+    return this.look.depthMode === 'plain' ? null : layouts[this.look.depthMode];
+  }
+  private get isInterleaved(): boolean {
+    const by = this.layout?.mixing?.by;
+    return by === 'rows' || by === 'columns';
+  }
+
+  /** Metres of the screen per CSS pixel. */
+  private pixel(): number {
+    return cssPixel(this.look.pixelSize, window.devicePixelRatio) / 1000;
+  }
+
+  /** The device pixel of the screen at the canvas's upper left corner, if all of the browser's own bars are above the page. */
+  private corner(): { left: number; top: number } {
+    const { left, top } = this.canvas.getBoundingClientRect();
+    const onScreen = (place: number) => Math.round(place * window.devicePixelRatio);
+    return { left: onScreen(window.screenX + left), top: onScreen(window.screenY + window.outerHeight - window.innerHeight + top) };
+  }
+
+  /** Places the camera or the eyes at the tilt angle so that the whole block is visible, then applies the pose. */
   private place(): void {
     if (this.surface === null) return;
     const tilt = (cameraTilt(this.look.tilt, this.surface) * Math.PI) / 180;
     const turn = (this.pose.turn * Math.PI) / 180;
-    const size = sizeOf(this.surface);
     const upright = new Vector3(0, 0, 1);
     const { lowest, highest } = this.surface.range();
+    const low = Math.min(lowest * this.heightFactor, highest * this.heightFactor);
     const top = Math.max(0, lowest * this.heightFactor, highest * this.heightFactor);
     this.target.set(this.pose.centre.x, this.pose.centre.y, top / 2);
-    const outwards = new Vector3(0, -Math.sin(tilt), Math.cos(tilt)).applyAxisAngle(upright, turn);
-    const upwards = new Vector3(0, Math.cos(tilt), Math.sin(tilt)).applyAxisAngle(upright, turn);
-    const sideways = new Vector3(1, 0, 0).applyAxisAngle(upright, turn);
+    const axes = {
+      sideways: new Vector3(1, 0, 0).applyAxisAngle(upright, turn),
+      upwards: new Vector3(0, Math.cos(tilt), Math.sin(tilt)).applyAxisAngle(upright, turn),
+      outwards: new Vector3(0, -Math.sin(tilt), Math.cos(tilt)).applyAxisAngle(upright, turn),
+    };
+    if (this.layout === null) this.placeCamera(this.surface, axes, top);
+    else this.placeEyes(this.surface, axes, this.layout, low, top);
+    this.sun.position.set(-0.5, 0.55, 0.75);
+    this.stale = true;
+  }
+
+  private placeCamera(surface: Surface, { sideways, upwards, outwards }: Axes, top: number): void {
+    const size = sizeOf(surface);
     const half = Math.tan((fieldOfView * Math.PI) / 360) / margin;
+    const beyond = (top + 2 * baseThickness * size) / 2;
     let distance = 0;
-    for (const x of [-0.5, 0.5])
-      for (const y of [-0.5, 0.5])
-        for (const z of [-0.5, 0.5]) {
-          const corner = new Vector3(x * this.surface.sizeX, y * this.surface.sizeY, z * (top + 2 * baseThickness * size));
-          const needed = Math.max(Math.abs(corner.dot(sideways)) / this.camera.aspect, Math.abs(corner.dot(upwards))) / half;
-          distance = Math.max(distance, corner.dot(outwards) + needed);
-        }
+    for (const corner of cornersOf(surface, -beyond, beyond)) {
+      const needed = Math.max(Math.abs(corner.dot(sideways)) / this.camera.aspect, Math.abs(corner.dot(upwards))) / half;
+      distance = Math.max(distance, corner.dot(outwards) + needed);
+    }
+    this.onScreen = null;
     this.camera.near = 0.005 * size;
     this.camera.far = 10 * size;
     this.camera.zoom = this.pose.zoom;
@@ -206,8 +260,34 @@ export class View3d implements View {
     this.camera.lookAt(this.target);
     this.camera.updateProjectionMatrix();
     this.camera.updateMatrixWorld();
-    this.sun.position.set(-0.5, 0.55, 0.75);
-    this.stale = true;
+  }
+
+  /** The screen is a plane of the scene, at right angles to `outwards`; the block with a marble on it is in view. */
+  private placeEyes(surface: Surface, { sideways, upwards, outwards }: Axes, layout: Layout, low: number, top: number): void {
+    const size = sizeOf(surface);
+    const [eyeDistance, distance] = [this.look.eyeDistance / 1000, this.look.screenDistance / 1000];
+    const head = { ...this.headMoved, z: distance + this.headMoved.z };
+    const pixel = this.pixel();
+    const window = windowOf(layout, { width: pixel * this.canvas.clientWidth, height: pixel * this.canvas.clientHeight });
+    const corners = cornersOf(surface, low - baseThickness * size - top / 2, top / 2 + 2 * marbleRadius * size);
+    const fit = fitOf(
+      corners.map((corner) => ({ x: corner.dot(sideways), y: corner.dot(upwards), z: corner.dot(outwards) })),
+      window,
+      { distance, eyeDistance },
+      {
+        before: this.look.depthBefore / 100,
+        depth: this.look.depthShare / 100,
+        comfort: this.look.depthComfort,
+        zoom: this.pose.zoom,
+        headDistance: head.z,
+      },
+    );
+    this.onScreen = fit;
+    // Shifted pictures keep their plane in the screen's.
+    const shift = this.pose.centre.x * outwards.x + this.pose.centre.y * outwards.y;
+    const origin = this.target.clone().addScaledVector(outwards, fit.plane - shift);
+    const turn = turnOf(sideways, upwards, outwards, new Quaternion());
+    this.depth.aim({ origin, turn, fit, window, sceneSize: size }, head, eyeDistance);
   }
 
   private recolour(): void {
@@ -240,80 +320,14 @@ export class View3d implements View {
   }
 }
 
-/** The scene's longer side in units of 0.1 m, which scales marbles, lines and the camera's range. */
-function sizeOf({ sizeX, sizeY }: Surface): number {
-  return Math.max(sizeX, sizeY) / 0.1;
+/** The view's axes in the scene; outwards: towards the person. */
+interface Axes {
+  sideways: Vector3;
+  upwards: Vector3;
+  outwards: Vector3;
 }
 
-function discard(mesh: Mesh | null): void {
-  mesh?.geometry.dispose();
-  (mesh?.material as MeshBasicMaterial | undefined)?.dispose();
-}
-
-function textureOf({ columns, rows, rgb }: PictureFrame, anisotropy: number): DataTexture {
-  const rgba = new Uint8Array(columns * rows * 4);
-  // Rows go upwards in a texture.
-  for (let j = 0; j < rows; ++j)
-    for (let i = 0; i < columns; ++i) {
-      const from = 3 * (j * columns + i);
-      rgba.set([rgb[from]!, rgb[from + 1]!, rgb[from + 2]!, 255], 4 * ((rows - 1 - j) * columns + i));
-    }
-  const texture = new DataTexture(rgba, columns, rows);
-  texture.colorSpace = SRGBColorSpace;
-  texture.magFilter = LinearFilter;
-  texture.minFilter = LinearMipmapLinearFilter;
-  texture.generateMipmaps = true;
-  texture.anisotropy = anisotropy;
-  texture.needsUpdate = true;
-  return texture;
-}
-
-function groundOf(surface: Surface, heightFactor: number): BufferGeometry {
-  const { columns, rows } = surface;
-  const position = new Float32Array(columns * rows * 3);
-  const uv = new Float32Array(columns * rows * 2);
-  const index = new Uint32Array((columns - 1) * (rows - 1) * 6);
-  for (let j = 0; j < rows; ++j)
-    for (let i = 0; i < columns; ++i) {
-      const k = j * columns + i;
-      position.set([surface.xOf(i), surface.yOf(j), surface.at(i, j) * heightFactor], 3 * k);
-      uv.set([(i + 0.5) / columns, 1 - (j + 0.5) / rows], 2 * k);
-    }
-  let at = 0;
-  for (let j = 0; j + 1 < rows; ++j)
-    for (let i = 0; i + 1 < columns; ++i) {
-      const k = j * columns + i;
-      index.set([k, k + columns, k + 1, k + 1, k + columns, k + columns + 1], at);
-      at += 6;
-    }
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(position, 3));
-  geometry.setAttribute('uv', new BufferAttribute(uv, 2));
-  geometry.setIndex(new BufferAttribute(index, 1));
-  geometry.computeVertexNormals();
-  return geometry;
-}
-
-/** The sides of the block, from the surface's rim down to the base. */
-function wallsOf(surface: Surface, heightFactor: number): BufferGeometry {
-  const { columns, rows } = surface;
-  const rim: [number, number][] = [];
-  for (let i = 0; i < columns - 1; ++i) rim.push([i, rows - 1]);
-  for (let j = rows - 1; j > 0; --j) rim.push([columns - 1, j]);
-  for (let i = columns - 1; i > 0; --i) rim.push([i, 0]);
-  for (let j = 0; j < rows; ++j) rim.push([0, j]);
-  const { lowest, highest } = surface.range();
-  const floor = Math.min(lowest * heightFactor, highest * heightFactor) - baseThickness * sizeOf(surface);
-  const position = new Float32Array(rim.length * 6);
-  const index: number[] = [];
-  rim.forEach(([i, j], k) => {
-    const [x, y] = [surface.xOf(i), surface.yOf(j)];
-    position.set([x, y, surface.at(i, j) * heightFactor, x, y, floor], 6 * k);
-    if (k > 0) index.push(2 * k - 2, 2 * k - 1, 2 * k, 2 * k, 2 * k - 1, 2 * k + 1);
-  });
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(position, 3));
-  geometry.setIndex(index);
-  geometry.computeVertexNormals();
-  return geometry;
+/** The corners of a block over the surface's rectangle. */
+function cornersOf({ sizeX, sizeY }: Surface, low: number, high: number): Vector3[] {
+  return [-0.5, 0.5].flatMap((x) => [-0.5, 0.5].flatMap((y) => [low, high].map((z) => new Vector3(x * sizeX, y * sizeY, z))));
 }

@@ -6,13 +6,14 @@ import type { Preferences } from '../settings/preferences';
 import { Surface, type Place } from '../surface';
 import { frontPose, type CameraPose } from './camera';
 import type { Speed } from './pace';
-import { lookAlike, themeColours, type ProbeView, type View } from './view';
+import { lookAlike, themeColours, type Look, type ProbeView, type View } from './view';
 
 const lightFrom = { x: -0.5, y: 0.6, z: 0.62 };
 const newtonPixels = 30;
 
 export class FlatView implements View {
   readonly canvas = document.createElement('canvas');
+  readonly fit = null;
   private surface: Surface | null = null;
   private picture: PictureFrame | null = null;
   private heightFactor = 1;
@@ -30,11 +31,15 @@ export class FlatView implements View {
     this.stale = true;
   }
 
-  set(heightFactor: number, look: Pick<Preferences, 'surface' | 'tilt'>): void {
+  set(heightFactor: number, look: Look): void {
     this.heightFactor = heightFactor;
     this.look = look.surface;
     this.ground = null;
     this.stale = true;
+  }
+
+  head(): void {
+    // Seen from above there is no depth.
   }
 
   probes(probes: readonly ProbeView[]): boolean {

@@ -1,0 +1,73 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// True depth on the screen in the settings: what is shown of the depth in words, measuring the screen, and full screen.
+import { element } from '../dom';
+import { Calibration } from '../settings/calibration';
+import type { Preferences } from '../settings/preferences';
+import { cssPixel } from '../settings/screen_size';
+import type { Fit } from '../view/depth/fit';
+import { depthWords } from '../view/depth/words';
+import type { Stage } from '../view/stage';
+
+export interface DepthTarget {
+  page(): Preferences;
+  change(page: Partial<Preferences>, what: string): void;
+  say(words: string): void;
+}
+
+export class DepthPanel {
+  private shown: Fit | null = null;
+
+  constructor(
+    private readonly stage: Stage,
+    private readonly target: DepthTarget,
+  ) {
+    const calibration = new Calibration((pixelSize) => {
+      target.change({ pixelSize }, 'pixelSize');
+      target.say(this.screenWords());
+    });
+    element('measure-screen').addEventListener('click', () => calibration.open(target.page().pixelSize));
+    element('full-screen').hidden = !document.fullscreenEnabled;
+    element('full-screen').addEventListener('click', () => this.fillScreen());
+  }
+
+  /** Call it for each frame. */
+  frame(): void {
+    if (this.stage.fit !== this.shown) this.show();
+  }
+
+  /** Shows what is shown of the depth. */
+  show(): void {
+    this.shown = this.stage.fit;
+    element('depth-words').textContent = this.words();
+    element('screen-words').textContent = this.screenWords();
+  }
+
+  /** The depth mode and what it shows, in words. */
+  say(): void {
+    const option = element<HTMLSelectElement>('depth-mode').selectedOptions[0];
+    const group = option?.parentElement instanceof HTMLOptGroupElement ? `${option.parentElement.label}: ` : '';
+    this.target.say(`${group}${option?.text ?? ''}. ${this.words()}`);
+  }
+
+  private words(): string {
+    if (element<HTMLSelectElement>('view').disabled) return 'True depth needs WebGL, which this browser does not offer.';
+    const page = this.target.page();
+    return page.view === 'flat' ? 'True depth needs the view in 3D.' : depthWords(this.stage.fit, page);
+  }
+
+  private screenWords(): string {
+    const { pixelSize } = this.target.page();
+    const pixel = cssPixel(pixelSize, window.devicePixelRatio);
+    const width = Math.round((window.screen.width * pixel) / 10);
+    return pixelSize > 0 ? `The screen is ${width} centimetres wide, as measured.` : `The screen was not measured: it is taken to be ${width} centimetres wide.`;
+  }
+
+  private fillScreen(): void {
+    const { element: stage } = this.stage;
+    stage.requestFullscreen().then(
+      () => stage.focus({ preventScroll: true }),
+      () => this.target.say('This browser refuses full screen.'),
+    );
+  }
+}

@@ -1,0 +1,33 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+import { describe, expect, it } from 'vitest';
+import { clampHead, headStep, headWords, restingHead } from './head';
+import { depthWords } from './words';
+
+describe('the head', () => {
+  it('moves by a centimetre, with Shift nearer and farther', () => {
+    expect(headStep(1, 0, false)).toEqual({ x: 0.01, y: -0, z: 0 });
+    expect(headStep(0, -1, false)).toEqual({ x: 0, y: 0.01, z: 0 });
+    expect(headStep(0, -1, true)).toEqual({ x: 0, y: 0, z: -0.05 });
+  });
+  it('stays before the screen', () => {
+    expect(clampHead({ x: 3, y: -3, z: -3 }, 0.6)).toEqual({ x: 0.4, y: -0.4, z: -0.3 });
+    expect(clampHead({ x: 0, y: 0, z: 9 }, 0.6).z).toBe(0.6);
+  });
+  it('is said in centimetres', () => {
+    expect(headWords(restingHead)).toBe('Your head is straight before the picture.');
+    expect(headWords({ x: -0.01, y: 0.03, z: -0.1 })).toBe('Your head is 1 centimetre left, 3 centimetres up, 10 centimetres nearer.');
+  });
+});
+
+describe('the depth in words', () => {
+  const fit = { scale: 1, plane: 0, depth: 0.641, nearest: 1, farthest: -0.8 };
+  it('says how much of it is shown, and whether that tires', () => {
+    expect(depthWords(null, { depthMode: 'plain', depthShare: 100 })).toBe('A usual picture, the same for both eyes.');
+    expect(depthWords(fit, { depthMode: 'rows', depthShare: 100 })).toBe(
+      '64 % of the true depth, so that it is easy on the eyes: disparities up to 1.0° before the screen and 0.8° behind it.',
+    );
+    expect(depthWords({ ...fit, depth: 1, nearest: 2 }, { depthMode: 'rows', depthShare: 100 })).toMatch(/^The true depth: .* tires the eyes\.$/);
+    expect(depthWords(fit, { depthMode: 'head', depthShare: 100 })).toMatch(/one eye/);
+  });
+});

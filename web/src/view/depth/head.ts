@@ -1,0 +1,32 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// Where the head is: metres in the frame of the screen, from its resting place straight before the middle of the picture.
+// Keys and drags move it.
+import type { ScreenPoint } from './frustum';
+
+export const restingHead: ScreenPoint = { x: 0, y: 0, z: 0 };
+
+const aside = 0.4;
+const step = 0.01;
+const largeStep = 0.05;
+
+/** Within an arm's length to the sides, not nearer than half of the resting place's distance, nor farther than twice. */
+export function clampHead({ x, y, z }: ScreenPoint, screenDistance: number): ScreenPoint {
+  const within = (value: number, least: number, most: number) => Math.min(most, Math.max(least, value));
+  return { x: within(x, -aside, aside), y: within(y, -aside, aside), z: within(z, -screenDistance / 2, screenDistance) };
+}
+
+/** The head's motion by an arrow key, `right` and `down` being -1, 0 or 1; with Shift up and down lead nearer and away. */
+export function headStep(right: number, down: number, shift: boolean): ScreenPoint {
+  return shift ? { x: right * largeStep, y: 0, z: down * largeStep } : { x: right * step, y: -down * step, z: 0 };
+}
+
+/** The head's place in a sentence. */
+export function headWords({ x, y, z }: ScreenPoint): string {
+  const of = (metres: number, more: string, less: string) => {
+    const rounded = Math.round(100 * Math.abs(metres));
+    return rounded === 0 ? [] : [`${rounded} ${rounded === 1 ? 'centimetre' : 'centimetres'} ${metres > 0 ? more : less}`];
+  };
+  const parts = [...of(x, 'right', 'left'), ...of(y, 'up', 'down'), ...of(z, 'farther away', 'nearer')];
+  return parts.length === 0 ? 'Your head is straight before the picture.' : `Your head is ${parts.join(', ')}.`;
+}
