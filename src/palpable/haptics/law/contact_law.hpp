@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <utility>
 
@@ -31,6 +32,21 @@ class ContactLaw {
   std::shared_ptr<const Surface> surface_;
   MaterialMap materials_;
 };
+
+/// The output of a law with a proxy, before its force. Every member by name: to clear the whole first takes
+/// as long as a surface evaluation.
+inline LawOutput output_with(Vec3 proxy_m, bool in_contact, std::uint16_t label) noexcept {
+  return {.force_N = {},
+          .proxy = {proxy_m},
+          .stored_J = 0.0,
+          .spring_N = {},
+          .torque_Nm = {},
+          .spring_torque_Nm = {},
+          .guide_N = {},
+          .contact = in_contact,
+          .has_proxy = true,
+          .label = label};
+}
 
 /// The force of a spring of magnitude `spring_N` along `outward` (unit vector) with a damper; never a pull
 /// (Park & Howard 2012, eq. 6, corrected).

@@ -31,21 +31,21 @@ class FieldProxyLaw : public ContactLaw<Surface> {
         textures_(std::move(textures)) {}
 
   LawOutput evaluate(const Hand& hand, State& state) const noexcept {
+    FoundInField found;
+    return evaluate(hand, state, found);
+  }
+  /// The same. `found`: as the last tick of this touch on this surface left it.
+  [[gnu::flatten]] LawOutput evaluate(const Hand& hand, State& state, FoundInField& found) const noexcept {
     FieldProxy& proxy = state.proxy;
     const bool is_new = proxy.phase == FieldProxy::Phase::fresh;
     const ProxyBefore before{proxy.place_m, proxy.holds_the_hand(), proxy.hand_m};
     // The material at the proxy is used, wherever the hand is below the surface.
     const Contact contact = eased_contact(this->materials(), is_new ? hand.position.v : proxy.place_m,
                                           before.touching, hand.dt_s, state.memory);
-    const DilatedSolid<Surface> solid(this->surface(), radius_m_);
+    const DilatedSolid<Surface> solid(this->surface(), radius_m_, found);
     FieldFollower<Surface>(solid, {contact.static_friction, contact.dynamic_friction})
         .follow(hand.position.v, proxy);
-    LawOutput output;
-    output.has_proxy = true;
-    output.proxy.v = proxy.place_m;
-    output.label = state.memory.label;
-    output.contact = proxy.holds_the_hand();
-    output.stored_J = 0.0;
+    LawOutput output = output_with(proxy.place_m, proxy.holds_the_hand(), state.memory.label);
     if (!output.contact) {
       state.memory.texture.share = 0.0;
       if (proxy.crossed_m > 0.0) add_crossing(hand, contact, proxy, output);
@@ -74,7 +74,8 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     const Contact& here = this->materials().contact(this->materials().label_at(at.x, at.y));
     if (touches)
       return {true, {at}, {state.proxy.normal}, state.memory.is_known ? state.memory.contact : here};
-    const DilatedSolid<Surface> solid(this->surface(), radius_m_);
+    FoundInField found;
+    const DilatedSolid<Surface> solid(this->surface(), radius_m_, found);
     const models::DistanceSample s = solid.sample(at);
     const double length = norm(s.gradient);
     // Where a field has no direction there is no surface near.
@@ -87,7 +88,8 @@ class FieldProxyLaw : public ContactLaw<Surface> {
   /// FieldFollower::take_over().
   void take_over(const HandOver& from, State& state) const noexcept {
     if (!from.has_proxy) return;
-    const DilatedSolid<Surface> solid(this->surface(), radius_m_);
+    FoundInField found;
+    const DilatedSolid<Surface> solid(this->surface(), radius_m_, found);
     FieldFollower<Surface>(solid, {}).take_over(from, state.proxy);
     if (from.touching) state.memory = from.memory;
   }

@@ -55,7 +55,8 @@ std::uint64_t content_hash(const models::DenseField& field) {
 
 std::uint64_t content_hash(const models::DistanceField& field) {
   std::uint64_t hash = mixed(std::bit_cast<std::uint64_t>(field.cell_m()), norm(field.grid().origin_m));
-  for (const std::uint32_t word : field.tree().words) hash = mixed(hash, std::uint64_t{word});
+  for (const auto* numbers : {&field.tree().roots, &field.tree().nodes, &field.tree().words})
+    for (const std::uint32_t number : *numbers) hash = mixed(hash, std::uint64_t{number});
   return hash;
 }
 

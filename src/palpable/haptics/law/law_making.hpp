@@ -75,7 +75,10 @@ class LawTouchable final : public Touchable {
  public:
   LawTouchable(L law, std::uint64_t family) : law_(std::move(law)), family_(family) {}
   LawOutput evaluate(const Hand& hand, TouchState& state) const noexcept override {
-    return law_.evaluate(hand, state_as<typename L::State>(state));
+    if constexpr (requires(typename L::State & s) { law_.evaluate(hand, s, state.found); })
+      return law_.evaluate(hand, state_as<typename L::State>(state), state.found);
+    else
+      return law_.evaluate(hand, state_as<typename L::State>(state));
   }
   std::uint64_t state_family() const noexcept override { return family_; }
   EnergyModel energy_model() const noexcept override { return law_.energy_model(); }

@@ -106,18 +106,8 @@ class ProxyLaw : public ContactLaw<Surface> {
     return output;
   }
 
-  /// Every member by name: to clear the whole first takes as long as a surface evaluation.
   static LawOutput output_of(const State& state) noexcept {
-    return {.force_N = {},
-            .proxy = {state.proxy.place_m},
-            .stored_J = 0.0,
-            .spring_N = {},
-            .torque_Nm = {},
-            .spring_torque_Nm = {},
-            .guide_N = {},
-            .contact = state.proxy.holds_the_hand(),
-            .has_proxy = true,
-            .label = state.memory.label};
+    return output_with(state.proxy.place_m, state.proxy.holds_the_hand(), state.memory.label);
   }
 
   Textures textures_;

@@ -5,6 +5,7 @@
 #include "palpable/haptics/effect/law_output.hpp"
 #include "palpable/haptics/effect/material_map.hpp"
 #include "palpable/haptics/effect/route_pull.hpp"
+#include "palpable/haptics/proxy/found_in_field.hpp"
 #include "palpable/haptics/proxy/hand_over.hpp"
 
 #include <array>
@@ -33,6 +34,7 @@ struct TouchState {
   alignas(16) std::array<std::byte, 240> bytes{};
   /// That of a pull along a way, which any law can have beside it.
   PullTouch pull{};
+  FoundInField found{};
 };
 
 /// A law's State inside a TouchState. State must be trivially copyable and at most 240 bytes; all zero is its

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/haptics/proxy/found_in_field.hpp"
 #include "palpable/models/field/distance_sample.hpp"
 #include "palpable/models/field/distance_surface.hpp"
 #include "palpable/models/field/outside_box.hpp"
@@ -12,7 +13,7 @@
 namespace palpable::haptics {
 
 /// The solid that the centre of a probe's ball cannot enter: a place's distance is that of the field less the
-/// ball's radius. Refers to the field. Tick path.
+/// ball's radius. Refers to the field and to what its queries find. One thread. Tick path.
 template <models::DistanceSurface Surface>
 class DilatedSolid {
  public:
@@ -24,11 +25,25 @@ class DilatedSolid {
   /// Evaluations to find the surface from a place near it, once.
   static constexpr int kSettling = 12;
 
-  DilatedSolid(const Surface& field, double radius_m) noexcept : field_(field), radius_m_(radius_m) {}
+  DilatedSolid(const Surface& field, double radius_m, FoundInField& found) noexcept
+      : field_(field), radius_m_(radius_m), found_(found) {}
 
-  models::DistanceSample sample(Vec3 place_m) const noexcept {
-    const models::FieldSample s = field_.sample({place_m});
-    return {s.distance_m - radius_m_, s.gradient.v};
+  models::DistanceSample sample(Vec3 place_m) const noexcept { return sample(place_m, found_.window); }
+
+  /// Whether a hand is known to be inside, by an earlier sample_at_hand().
+  bool is_known_inside(Vec3 hand_m) const noexcept {
+    const double reach_m = kSafe * found_.inside_m;
+    return squared_norm(hand_m - found_.inside_at_m) < reach_m * reach_m;
+  }
+
+  /// The sample at the hand. Remembers how far that is inside.
+  models::DistanceSample sample_at_hand(Vec3 hand_m) const noexcept {
+    // The hand is mostly not near the proxy, whose window is kept.
+    models::FieldWindow window;
+    const models::DistanceSample s = sample(hand_m, window);
+    found_.inside_at_m = hand_m;
+    found_.inside_m = std::max(0.0, -s.distance_m);
+    return s;
   }
 
   /// A lower bound of the distance `distance_m` that sample() gave at a place. Outside a field's box what it
@@ -76,8 +91,20 @@ class DilatedSolid {
   /// A last correction of at most this many cells is accepted.
   static constexpr double kOff = 0.05;
 
+  models::DistanceSample sample(Vec3 place_m, models::FieldWindow& window) const noexcept {
+    const models::FieldSample s = asked(place_m, window);
+    return {s.distance_m - radius_m_, s.gradient.v};
+  }
+  models::FieldSample asked(Vec3 place_m, models::FieldWindow& window) const noexcept {
+    if constexpr (requires { field_.sample({place_m}, window); })
+      return field_.sample({place_m}, window);
+    else
+      return field_.sample({place_m});
+  }
+
   const Surface& field_;
   double radius_m_;
+  FoundInField& found_;
 };
 
 }  // namespace palpable::haptics

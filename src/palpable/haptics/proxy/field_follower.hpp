@@ -158,8 +158,8 @@ class FieldFollower {
   /// inside and came out elsewhere, while the proxy, which slides by a bounded way in a tick, is still on its
   /// way there; or one that the proxy saw from its place before the tick, and slid away from.
   void let_go_in_air(const Before& before, FieldProxy& proxy, Tick& tick) const noexcept {
-    if (Slide::is_known_inside(tick.hand_m, proxy)) return;
-    const models::DistanceSample s = Slide::sample_at_hand(solid_, tick.hand_m, proxy);
+    if (solid_.is_known_inside(tick.hand_m)) return;
+    const models::DistanceSample s = solid_.sample_at_hand(tick.hand_m);
     if (s.distance_m <= 0.0) return;
     const Look hand{0.0, solid_.certain_m(tick.hand_m, s.distance_m), s.gradient};
     const bool is_seen = sees(tick.hand_m, hand, proxy.place_m, proxy.normal) ||

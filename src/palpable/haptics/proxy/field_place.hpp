@@ -29,9 +29,6 @@ struct FieldProxy {
   /// The last step of the tick was rejected, as in a crease, where the proxy is held by more than one face
   /// and the force does not point along the normal of one of them.
   bool blocked = false;
-  /// A ball that is inside the solid: the hand in it needs no evaluation to know that it is not in the air.
-  Vec3 inside_at_m;
-  double inside_m = 0.0;
   /// As SurfaceProxy::crossed_m and crossed_at_m: a solid that the hand cut within this tick, around which
   /// the proxy slid to the hand.
   double crossed_m = 0.0;

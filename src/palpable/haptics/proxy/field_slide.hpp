@@ -53,7 +53,7 @@ class FieldSlide {
       const Step step = stepped(proxy, (step_m / along_m) * along, evaluations);
       // With friction, a proxy that is led beyond its place ahead of the hand stays there and pushes the hand
       // on.
-      if (bent < 1.0 && held_m > 0.0 && dot(hand_m_ - step.place_m, along) < 0.0) {
+      if (dot(hand_m_ - step.place_m, along) < 0.0 && bent < 1.0 && held_m > 0.0) {
         proxy.bend_per_m = 0.0;
         continue;
       }
@@ -85,23 +85,9 @@ class FieldSlide {
     return true;
   }
 
-  /// Whether the hand is known to be inside the solid, by an earlier evaluation.
-  static bool is_known_inside(Vec3 hand_m, const FieldProxy& proxy) noexcept {
-    return norm(hand_m - proxy.inside_at_m) < DilatedSolid<Surface>::kSafe * proxy.inside_m;
-  }
-
   /// Whether a place in the air, with the distance's gradient there, is not on the far side of a wall whose
   /// near face has a normal.
   static bool is_beside(Vec3 gradient, Vec3 normal) noexcept { return dot(gradient, normal) > kFarFace; }
-
-  /// The sample at the hand; the proxy remembers how far that is inside.
-  static models::DistanceSample sample_at_hand(const DilatedSolid<Surface>& solid, Vec3 hand_m,
-                                               FieldProxy& proxy) noexcept {
-    const models::DistanceSample s = solid.sample(hand_m);
-    proxy.inside_at_m = hand_m;
-    proxy.inside_m = std::max(0.0, -s.distance_m);
-    return s;
-  }
 
  private:
   static constexpr double kOn_m = DilatedSolid<Surface>::kOn_m;
@@ -136,9 +122,10 @@ class FieldSlide {
     // The correction led out of the solid in the direction of movement: the step ended behind the middle of a
     // wall.
     const Vec3 out = next.place_m - aimed;
-    if (dot(out, next.normal) > kOn_m && dot(out, step) > 0.0) return next;
+    if (std::min(dot(out, next.normal) - kOn_m, dot(out, step)) > 0.0) return next;
+    // What mostly holds comes first: a processor predicts it.
     next.is_valid =
-        at_aimed.distance_m <= 0.0 || dot(next.normal, proxy.normal) > kTurned || !passes_wall(proxy, aimed);
+        dot(next.normal, proxy.normal) > kTurned || at_aimed.distance_m <= 0.0 || !passes_wall(proxy, aimed);
     return next;
   }
 
@@ -151,9 +138,9 @@ class FieldSlide {
 
   /// Whether the hand left the solid beside the proxy, as from a thin crest: friction must not hold it there,
   /// in the air. A hand on the far side of a thin wall is not beside the proxy.
-  bool has_slipped_off(FieldProxy& proxy) const noexcept {
-    if (is_known_inside(hand_m_, proxy)) return false;
-    const models::DistanceSample s = sample_at_hand(solid_, hand_m_, proxy);
+  bool has_slipped_off(const FieldProxy& proxy) const noexcept {
+    if (solid_.is_known_inside(hand_m_)) return false;
+    const models::DistanceSample s = solid_.sample_at_hand(hand_m_);
     return s.distance_m > 0.0 && is_beside(s.gradient, proxy.normal);
   }
 

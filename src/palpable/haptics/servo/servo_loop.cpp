@@ -90,7 +90,7 @@ struct ServoLoop::Impl {
   void serve();
   void tick_once(const Pacer::Wake& wake, double dt_s);
   /// TickPipeline::rehearse() of every probe.
-  void rehearse(double dt_s) const;
+  void rehearse(double dt_s);
   void tick_further(double dt_s);
   void note_missed(const Pacer::Wake& wake);
   bool may_rest() const;
@@ -216,7 +216,7 @@ void ServoLoop::Impl::tick_once(const Pacer::Wake& wake, double dt_s) {
   if (const HapticScene* old = tick.take_retired()) retired.put(old);
 }
 
-void ServoLoop::Impl::rehearse(double dt_s) const {
+void ServoLoop::Impl::rehearse(double dt_s) {
   tick.rehearse(dt_s);
   for (const auto& probe : further) probe->tick.rehearse(dt_s);
 }

@@ -42,8 +42,8 @@ class TickPipeline {
   const TouchSample& step(double t_s, double dt_s) noexcept;
 
   /// Computes the law's part of the step() that is to be expected next and discards the result: for the time
-  /// in which a loop waits, after which step() is faster (rehearsal.hpp). Changes nothing. Tick path.
-  void rehearse(double dt_s) const noexcept;
+  /// in which a loop waits, after which step() is faster (rehearsal.hpp). Changes no result. Tick path.
+  void rehearse(double dt_s) noexcept;
 
   bool fading() const noexcept { return coming_.scene != nullptr; }
   /// Starts a cross-fade to `scene`; only while not fading(). It takes fade_s, whatever the device's status

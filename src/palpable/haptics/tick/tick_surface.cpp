@@ -63,7 +63,7 @@ device::LocalSurface TickPipeline::local_surface() const noexcept {
   return is_valid(surface) ? surface : LocalSurface{};
 }
 
-void TickPipeline::rehearse(double dt_s) const noexcept {
+void TickPipeline::rehearse(double dt_s) noexcept {
   if (counts_.ticks == 0) return;
   haptics::rehearse(*now_.scene->touchable, hand_in(now_, dt_s), now_.state);
   if (fading()) haptics::rehearse(*coming_.scene->touchable, hand_in(coming_, dt_s), coming_.state);

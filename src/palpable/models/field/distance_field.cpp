@@ -79,22 +79,17 @@ Result<std::size_t> checked_leaves(const FieldGrid& grid, const FieldTree& tree)
   return leaves;
 }
 
-/// The share of the window above a face, and its derivative per cell. The window reaches 0.5 finest cells to
-/// each side.
-struct Share {
-  double upper = 0.0;
-  double slope = 0.0;
-};
-Share share_above(double place_over_face) {
-  const double t = 2.0 * place_over_face;
-  const double rest = 1.0 - std::abs(t);
-  return {t < 0.0 ? 0.5 * rest * rest : 1.0 - 0.5 * rest * rest, 2.0 * rest};
-}
-
 /// Prefetches a leaf's words; a compact leaf may span two cache lines.
 void prefetch(const std::uint32_t* words) {
   __builtin_prefetch(words);
   __builtin_prefetch(words + LeafHead::kCompactWords - 1);
+}
+
+/// Whether one of eight numbers is a certain one: without a branch for each.
+bool is_any_of(const std::array<std::uint32_t, 8>& numbers, std::uint32_t wanted) {
+  bool is_any = false;
+  for (const std::uint32_t number : numbers) is_any |= number == wanted;
+  return is_any;
 }
 
 std::size_t root_index(const FieldGrid& grid, int x, int y, int z) {
@@ -102,62 +97,6 @@ std::size_t root_index(const FieldGrid& grid, int x, int y, int z) {
   return static_cast<std::size_t>((z >> level) * grid.roots[1] + (y >> level)) *
              static_cast<std::size_t>(grid.roots[0]) +
          static_cast<std::size_t>(x >> level);
-}
-
-/// The part of the window on one side of the nearest face: its finest cell, share, and derivative per cell.
-struct WindowSide {
-  int cell = 0;
-  double share = 0.0, slope = 0.0;
-};
-/// The part of the window within a leaf along one axis: its share, derivative per cell, and the octants of
-/// the window that lie on its sides, one bit each.
-struct WindowShare {
-  double share = 0.0, slope = 0.0;
-  unsigned octants = 0;
-};
-/// Below and above that face along one axis: the window crosses at most one.
-struct WindowSides {
-  std::array<WindowSide, 2> side;
-
-  WindowSides(double place, int cells) {
-    const int face = static_cast<int>(place + 0.5);
-    const Share share = share_above(place - face);
-    side[0] = {std::max(face - 1, 0), 1.0 - share.upper, -share.slope};
-    side[1] = {std::min(face, cells - 1), share.upper, share.slope};
-  }
-  bool is_in(const DistanceField::Leaf& leaf, std::size_t axis) const {
-    return side[0].cell >= leaf.corner[axis] && side[1].cell < leaf.corner[axis] + leaf.side;
-  }
-  WindowShare within(const DistanceField::Leaf& leaf, std::size_t axis) const {
-    constexpr std::array kBelow{0x55U, 0x33U, 0x0FU};
-    if (is_in(leaf, axis)) return {1.0, 0.0, 0xFFU};
-    const bool is_below = side[0].cell >= leaf.corner[axis] && side[0].cell < leaf.corner[axis] + leaf.side;
-    const WindowSide& one = side[is_below ? 0 : 1];
-    return {one.share, one.slope, is_below ? kBelow[axis] : ~kBelow[axis]};
-  }
-  /// The side that is not in a leaf that holds the other.
-  const WindowSide& out_of(const DistanceField::Leaf& leaf, std::size_t axis) const {
-    return side[1].cell >= leaf.corner[axis] + leaf.side ? side[1] : side[0];
-  }
-};
-
-/// The only axis along which the window leaves a leaf; 3 if there is none or more than one.
-std::size_t only_axis_out_of(const DistanceField::Leaf& leaf, const std::array<WindowSides, 3>& sides) {
-  const bool x = sides[0].is_in(leaf, 0), y = sides[1].is_in(leaf, 1), z = sides[2].is_in(leaf, 2);
-  if (!x && y && z) return 0;
-  if (x && !y && z) return 1;
-  return x && y && !z ? 2 : 3;
-}
-
-/// The samples of the only two leaves under the window, that of the second weighted with `side`.
-DistanceSample blended(const DistanceSample& a, const DistanceSample& b, const WindowSide& side,
-                       std::size_t axis, double cells_per_m) {
-  const double difference_m = b.distance_m - a.distance_m;
-  DistanceSample sample{a.distance_m + side.share * difference_m,
-                        a.gradient + side.share * (b.gradient - a.gradient)};
-  const double along = side.slope * difference_m * cells_per_m;
-  (axis == 0 ? sample.gradient.x : axis == 1 ? sample.gradient.y : sample.gradient.z) += along;
-  return sample;
 }
 
 }  // namespace
@@ -194,7 +133,7 @@ struct DistanceField::Descent {
   int last = kMostLevels + 1;
 };
 
-DistanceField::Leaf DistanceField::down_to(int x, int y, int z, Descent& path) const noexcept {
+inline std::uint32_t DistanceField::down_to(int x, int y, int z, Descent& path) const noexcept {
   const auto differing = static_cast<unsigned>((x ^ path.cell[0]) | (y ^ path.cell[1]) | (z ^ path.cell[2]));
   int level = std::max(path.last, static_cast<int>(std::bit_width(differing)));
   if (level > grid_.levels) {
@@ -210,96 +149,149 @@ DistanceField::Leaf DistanceField::down_to(int x, int y, int z, Descent& path) c
   }
   path.cell = {x, y, z};
   path.last = level;
-  const int mask = -(1 << level);
-  return {{x & mask, y & mask, z & mask}, 1 << level, entry & ~FieldTree::kLeaf};
+  return entry & ~FieldTree::kLeaf;
 }
 
 DistanceField::Leaf DistanceField::leaf_of(int x, int y, int z) const noexcept {
   Descent path;
-  return down_to(x, y, z, path);
-}
-
-DistanceSample DistanceField::leaf_sample(const Leaf& leaf, Vec3 cells) const noexcept {
-  const double half = 0.5 * leaf.side;
-  const double per_half = 1.0 / half;
-  const Vec3 u{(cells.x - leaf.corner[0]) * per_half - 1.0, (cells.y - leaf.corner[1]) * per_half - 1.0,
-               (cells.z - leaf.corner[2]) * per_half - 1.0};
-  return leaf_at(&tree_.words[leaf.words], grid_.cell_m * cells, u, half * grid_.cell_m, round_m_);
+  const std::uint32_t words = down_to(x, y, z, path);
+  const int mask = -(1 << path.last);
+  return {{x & mask, y & mask, z & mask}, 1 << path.last, words};
 }
 
 FieldSample DistanceField::sample(Point<SceneFrame> place) const noexcept {
+  FieldWindow window;
+  return sample(place, window);
+}
+
+FieldSample DistanceField::sample(Point<SceneFrame> place, FieldWindow& window) const noexcept {
   const Vec3 wanted = cells_per_m_ * (place.v - grid_.origin_m);
-  const auto within = [](double v, int n) { return v >= 0.0 && v <= n; };
-  if (within(wanted.x, grid_.cells(0)) && within(wanted.y, grid_.cells(1)) &&
-      within(wanted.z, grid_.cells(2))) {
-    const DistanceSample s = inside(wanted);
-    return {s.distance_m, {s.gradient}};
+  if (!window.is_of(wanted)) {
+    const auto within = [](double v, int n) { return v >= 0.0 && v <= n; };
+    if (!within(wanted.x, grid_.cells(0)) || !within(wanted.y, grid_.cells(1)) ||
+        !within(wanted.z, grid_.cells(2)))
+      return sample_outside(place, window);
+    find_leaves(wanted, window);
   }
-  const auto at = [this](Vec3 held_m) noexcept { return inside(cells_per_m_ * held_m); };
+  const DistanceSample s = averaged(wanted, window);
+  return {s.distance_m, {s.gradient}};
+}
+
+FieldSample DistanceField::sample_outside(Point<SceneFrame> place, FieldWindow& window) const noexcept {
+  const auto at = [&](Vec3 held_m) noexcept {
+    const Vec3 cells = cells_per_m_ * held_m;
+    find_leaves(cells, window);
+    return averaged(cells, window);
+  };
   const DistanceSample s = outside_box(place.v - grid_.origin_m, grid_.size_m(), at);
   return {s.distance_m, {s.gradient}};
 }
 
-DistanceSample DistanceField::inside(Vec3 cells) const noexcept {
-  const int nx = grid_.cells(0), ny = grid_.cells(1), nz = grid_.cells(2);
-  const auto cell = [](double v, int n) { return std::min(static_cast<int>(v), n - 1); };
-  Descent path;
-  const Leaf home = down_to(cell(cells.x, nx), cell(cells.y, ny), cell(cells.z, nz), path);
-  prefetch(&tree_.words[home.words]);
-  const auto alone = [&](double v, std::size_t axis) {
-    return v - 0.5 >= home.corner[axis] && v + 0.5 <= home.corner[axis] + home.side;
-  };
-  return alone(cells.x, 0) && alone(cells.y, 1) && alone(cells.z, 2) ? leaf_sample(home, cells)
-                                                                     : mixed(cells, home, path);
-}
-
-DistanceSample DistanceField::mixed(Vec3 cells, const Leaf& home, Descent& path) const noexcept {
-  const std::array<WindowSides, 3> sides{WindowSides(cells.x, grid_.cells(0)),
-                                         WindowSides(cells.y, grid_.cells(1)),
-                                         WindowSides(cells.z, grid_.cells(2))};
-  // Most windows that leave their leaf leave it along one axis, to one other leaf.
-  if (const std::size_t axis = only_axis_out_of(home, sides); axis < 3) {
-    const WindowSide& side = sides[axis].out_of(home, axis);
-    std::array<int, 3> cell = path.cell;
-    cell[axis] = side.cell;
-    const Leaf other = down_to(cell[0], cell[1], cell[2], path);
-    if (sides[(axis + 1) % 3].is_in(other, (axis + 1) % 3) &&
-        sides[(axis + 2) % 3].is_in(other, (axis + 2) % 3))
-      return blended(leaf_sample(home, cells), leaf_sample(other, cells), side, axis, cells_per_m_);
+void DistanceField::find_leaves(Vec3 cells, FieldWindow& window) const noexcept {
+  const auto nearest = [](double v) { return static_cast<std::int32_t>(v + 0.5); };
+  window.corner = {nearest(cells.x), nearest(cells.y), nearest(cells.z)};
+  // The finest cells below and above the corner, and the bits in which they differ.
+  std::array<std::array<int, 2>, 3> sides;
+  std::array<int, 3> differing;
+  bool is_inner = true;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int corner = window.corner[axis], cells_along = grid_.cells(axis);
+    sides[axis] = {std::max(corner - 1, 0), std::min(corner, cells_along - 1)};
+    differing[axis] = sides[axis][0] ^ sides[axis][1];
+    is_inner = is_inner && corner > 0 && corner < cells_along;
   }
-  // A leaf is a box: its share is the product of the shares of the sides that it covers along each axis.
-  struct Part {
-    Leaf leaf;
-    double share;
-    Vec3 along;
-  };
-  std::array<Part, 8> parts;
-  std::size_t count = 0;
+  window.is_inner = is_inner;
+  window.words.fill(FieldTree::kLeaf);
+  Descent path;
+  std::size_t count = 0, different = 0;
   for (unsigned left = 0xFFU; left != 0;) {
     const auto octant = static_cast<unsigned>(std::countr_zero(left));
-    const auto cell = [&](std::size_t axis) { return sides[axis].side[octant >> axis & 1U].cell; };
-    const Leaf leaf = down_to(cell(0), cell(1), cell(2), path);
-    prefetch(&tree_.words[leaf.words]);
-    const WindowShare x = sides[0].within(leaf, 0), y = sides[1].within(leaf, 1),
-                      z = sides[2].within(leaf, 2);
-    left &= ~(x.octants & y.octants & z.octants);
-    const double xy = x.share * y.share;
-    const double share = xy * z.share;
-    const Vec3 along{x.slope * y.share * z.share, x.share * y.slope * z.share, xy * z.slope};
+    const unsigned x = octant & 1U, y = octant >> 1U & 1U, z = octant >> 2U;
+    const std::uint32_t words = down_to(sides[0][x], sides[1][y], sides[2][z], path);
+    prefetch(&tree_.words[words]);
+    const int level = path.last;
+    // The octants on its side along each axis, and those on the other side where it holds both; without a
+    // branch, which could not be predicted.
+    const auto covered = [&](std::size_t axis, unsigned side, unsigned below) {
+      const unsigned both = (differing[axis] >> level) == 0 ? 0xFFU : 0U;
+      return (below ^ (0U - side)) | both;
+    };
+    const unsigned octants = covered(0, x, 0x55U) & covered(1, y, 0x33U) & covered(2, z, 0x0FU) & 0xFFU;
+    left &= ~octants;
     // Planes do not depend on the leaf's position, so leaves with the same planes are evaluated once.
-    std::size_t k = 0;
-    while (k < count && !(parts[k].leaf.words == leaf.words && LeafHead{tree_.words[leaf.words]}.flat())) ++k;
-    if (k == count) parts[count++] = {leaf, 0.0, {}};
-    parts[k].share += share;
-    parts[k].along += along;
+    std::size_t same = count;
+    if (is_any_of(window.words, words)) [[unlikely]]
+      if (LeafHead{tree_.words[words]}.flat())
+        same = static_cast<std::size_t>(std::find(window.words.begin(), window.words.end(), words) -
+                                        window.words.begin());
+    different += same == count ? 1U : 0U;
+    window.words[count] = words;
+    window.octants[count] = static_cast<std::uint8_t>(octants);
+    window.level[count] = static_cast<std::uint8_t>(level);
+    window.same[count] = static_cast<std::uint8_t>(same);
+    ++count;
   }
-  if (count == 1) return leaf_sample(parts[0].leaf, cells);
+  window.count = static_cast<std::uint8_t>(count);
+  window.different = static_cast<std::uint8_t>(different);
+}
+
+inline DistanceSample DistanceField::leaf_sample(const FieldWindow& window, std::size_t k,
+                                                 Vec3 cells) const noexcept {
+  const int side = 1 << window.level[k];
+  const double half = 0.5 * side;
+  const double per_half = 1.0 / half;
+  const unsigned octants = window.octants[k];
+  const auto u = [&](double place, std::size_t axis) {
+    const int below = (sides_of(octants, axis) & 1U) != 0 ? 1 : 0;
+    return (place - (std::max(window.corner[axis] - below, 0) & -side)) * per_half - 1.0;
+  };
+  return leaf_at(&tree_.words[window.words[k]], grid_.cell_m * cells,
+                 {u(cells.x, 0), u(cells.y, 1), u(cells.z, 2)}, half * grid_.cell_m, round_m_);
+}
+
+inline DistanceSample DistanceField::average_of_two(Vec3 cells, const FieldWindow& window,
+                                                    const std::array<double, 3>& over_corner) const noexcept {
+  // By arithmetic, as nothing here can be predicted: the axis is 0, 1 or 2 with the same probability.
+  const unsigned octants = window.octants[0];
+  const bool is_y = octants == 0x33U, is_z = octants == 0x0FU;
+  const std::size_t axis = std::size_t{is_y} + 2U * std::size_t{is_z};
+  const Vec3 unit_axis{static_cast<double>(!is_y && !is_z), static_cast<double>(is_y),
+                       static_cast<double>(is_z)};
+  const WindowShares shares(over_corner[axis]);
+  // The leaf that contains the place comes first.
+  const std::size_t home{over_corner[axis] >= 0.0};
+  const std::size_t side = 2 - home;
+  const DistanceSample a = leaf_sample(window, home, cells), b = leaf_sample(window, 1 - home, cells);
+  const double difference_m = b.distance_m - a.distance_m;
+  const double along = shares.slope[side] * difference_m * cells_per_m_;
+  return {a.distance_m + shares.share[side] * difference_m,
+          a.gradient + shares.share[side] * (b.gradient - a.gradient) + along * unit_axis};
+}
+
+DistanceSample DistanceField::averaged(Vec3 cells, const FieldWindow& window) const noexcept {
+  if (window.different == 1) return leaf_sample(window, 0, cells);
+  const std::array<double, 3> over_corner{cells.x - window.corner[0], cells.y - window.corner[1],
+                                          cells.z - window.corner[2]};
+  // Most windows that leave their leaf leave it along one axis, to one other leaf.
+  if (window.count == 2) return average_of_two(cells, window, over_corner);
+  const std::array<WindowShares, 3> shares{WindowShares(over_corner[0]), WindowShares(over_corner[1]),
+                                           WindowShares(over_corner[2])};
+  std::array<WindowWeight, 8> weights;
+  for (std::size_t k = 0; k < window.count; ++k) {
+    const WindowWeight weight = weight_of(window.octants[k], shares);
+    if (window.same[k] == k) {
+      weights[k] = weight;
+    } else {
+      weights[window.same[k]].share += weight.share;
+      weights[window.same[k]].along += weight.along;
+    }
+  }
   DistanceSample sample;
-  for (std::size_t k = 0; k < count; ++k) {
-    const Part& part = parts[k];
-    const DistanceSample s = leaf_sample(part.leaf, cells);
-    sample.distance_m += part.share * s.distance_m;
-    sample.gradient += part.share * s.gradient + (s.distance_m * cells_per_m_) * part.along;
+  for (std::size_t k = 0; k < window.count; ++k) {
+    if (window.same[k] != k) continue;
+    const DistanceSample s = leaf_sample(window, k, cells);
+    sample.distance_m += weights[k].share * s.distance_m;
+    sample.gradient += weights[k].share * s.gradient + (s.distance_m * cells_per_m_) * weights[k].along;
   }
   return sample;
 }

@@ -6,6 +6,7 @@
 #include "palpable/models/field/distance_sample.hpp"
 #include "palpable/models/field/distance_surface.hpp"
 #include "palpable/models/field/field_errors.hpp"
+#include "palpable/models/field/field_window.hpp"
 
 #include <array>
 #include <cstddef>
@@ -55,6 +56,9 @@ class DistanceField {
 
   /// At any finite position; outside the grid by outside_box(). Tick path.
   FieldSample sample(Point<SceneFrame> place) const noexcept;
+  /// The same, to the last bit. The leaves are those in `window` if that is the window of the place, else
+  /// they are searched and left there: for places that follow each other.
+  FieldSample sample(Point<SceneFrame> place, FieldWindow& window) const noexcept;
 
   bool contains(Point<SceneFrame> place) const noexcept;
   const FieldGrid& grid() const noexcept { return grid_; }
@@ -81,15 +85,19 @@ class DistanceField {
 
  private:
   DistanceField() = default;
-  /// The sample in the grid, at a position in cells.
-  DistanceSample inside(Vec3 cells) const noexcept;
-  DistanceSample leaf_sample(const Leaf& leaf, Vec3 cells) const noexcept;
   /// The path down to a finest cell: the entry at each level.
   struct Descent;
-  /// The leaf that contains a finest cell; reuses the entries that its path shares with the previous one.
-  Leaf down_to(int x, int y, int z, Descent& path) const noexcept;
-  /// The sample where the window reaches beyond the leaf `home`, whose descent is `path`.
-  DistanceSample mixed(Vec3 cells, const Leaf& home, Descent& path) const noexcept;
+  /// The words of the leaf that contains a finest cell, and in `path` its level; reuses the entries that its
+  /// path shares with the previous one.
+  std::uint32_t down_to(int x, int y, int z, Descent& path) const noexcept;
+  /// The leaves under the window of a place in the grid, in finest cells.
+  void find_leaves(Vec3 cells, FieldWindow& window) const noexcept;
+  DistanceSample leaf_sample(const FieldWindow& window, std::size_t k, Vec3 cells) const noexcept;
+  DistanceSample average_of_two(Vec3 cells, const FieldWindow& window,
+                                const std::array<double, 3>& over_corner) const noexcept;
+  /// The average under the window of a place.
+  DistanceSample averaged(Vec3 cells, const FieldWindow& window) const noexcept;
+  FieldSample sample_outside(Point<SceneFrame> place, FieldWindow& window) const noexcept;
 
   FieldGrid grid_;
   FieldTree tree_;

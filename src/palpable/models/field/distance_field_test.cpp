@@ -156,6 +156,28 @@ TEST(DistanceField, RefusesTreesWithInvalidIndices) {
   EXPECT_FALSE(DistanceField::from_tree(flat, valid, {}));
 }
 
+TEST(DistanceField, AKeptWindowChangesNoBit) {
+  const auto field = *DistanceField::from_tree(small_grid(), inconsistent_tree(), {});
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  FieldWindow window;
+  Vec3 place{-0.005, 0.004, 0.006};
+  int kept_windows = 0;
+  for (int i = 0; i < 20000; ++i) {
+    // Mostly a walk of a fifth of a cell a step, with jumps, also out of the grid and onto its faces.
+    if (i % 50 == 0)
+      place = field.origin_m() + Vec3{0.008, 0.004, 0.004} +
+              Vec3{0.01 * uniform(random), 0.006 * uniform(random), 0.006 * uniform(random)};
+    place += 2e-4 * Vec3{uniform(random), uniform(random), uniform(random)};
+    if (i % 7 == 0) place.y = 0.001 * std::round(1000.0 * place.y);
+    kept_windows += window.is_of(1000.0 * (place - field.origin_m())) ? 1 : 0;
+    const FieldSample kept = field.sample({place}, window), anew = field.sample({place});
+    ASSERT_EQ(kept.distance_m, anew.distance_m) << i;
+    ASSERT_EQ(kept.gradient, anew.gradient) << i;
+  }
+  EXPECT_GT(kept_windows, 3000);
+}
+
 TEST(FieldLeaf, JoinsPlanesInAnExactEdge) {
   // A right-angled convex edge: inside the nearer face, outside the faces or the edge itself.
   const HalfAngle right{static_cast<float>(std::sqrt(0.5)), static_cast<float>(std::sqrt(0.5))};

@@ -3,20 +3,17 @@
 #include "palpable/models/relief/relief_distance.hpp"
 
 #include "palpable/models/relief/nearest_step.hpp"
+#include "palpable/models/relief/spline_patch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace palpable::models {
 namespace {
-
-/// A starting point for Newton's method, and the squared distance of the surface there.
-struct Start {
-  double x_m;
-  double y_m;
-  double distance2;
-};
 
 Vec3 surface_at(const CurvedSample& s, double x_m, double y_m) { return {x_m, y_m, s.z_m}; }
 
@@ -44,42 +41,104 @@ Vec3 descend(const Relief& relief, Vec3 p, double x_m, double y_m) {
   return surface_at(s, x_m, y_m);
 }
 
-/// Surface points at samples within `reach_m` that are nearer to p than their eight neighbours, nearest
-/// first.
-std::vector<Start> local_minima(const Relief& relief, Vec3 p, double reach_m) {
-  const Raster<float>& z = relief.samples_m();
-  const double pixel = relief.pixel_m();
-  const double centre_x = 0.5 * (z.width() - 1);
-  const double centre_y = 0.5 * (z.height() - 1);
-  const auto held = [](double v, int count) { return static_cast<int>(std::clamp(v, 0.0, count - 1.0)); };
-  const int left = held(std::floor((p.x - reach_m) / pixel + centre_x), z.width());
-  const int right = held(std::ceil((p.x + reach_m) / pixel + centre_x), z.width());
-  const int top = held(std::floor(centre_y - (p.y + reach_m) / pixel), z.height());
-  const int bottom = held(std::ceil(centre_y - (p.y - reach_m) / pixel), z.height());
-  const auto place = [&](int i, int j) {
-    const double x = (i - centre_x) * pixel;
-    const double y = (centre_y - j) * pixel;
-    return Vec3{x, y, relief.sample(x, y).z_m};
-  };
-  const auto distance2 = [&](int i, int j) { return squared_norm(place(i, j) - p); };
-
-  Raster<double> far2(right - left + 1, bottom - top + 1);
-  for (int j = top; j <= bottom; ++j)
-    for (int i = left; i <= right; ++i) far2(i - left, j - top) = distance2(i, j);
-  std::vector<Start> starts;
-  for (int j = 0; j < far2.height(); ++j)
-    for (int i = 0; i < far2.width(); ++i) {
-      bool lowest = true;
-      for (int b = -1; b <= 1 && lowest; ++b)
-        for (int a = -1; a <= 1 && lowest; ++a)
-          lowest = !far2.contains(i + a, j + b) || far2(i, j) <= far2(i + a, j + b);
-      const Vec3 at = place(i + left, j + top);
-      if (lowest) starts.push_back({at.x, at.y, far2(i, j)});
+/// The search for the nearest point of one relief: by bounds over its cells and their parts, so that no part
+/// that may be nearer is left out.
+class Search {
+ public:
+  Search(const Relief& relief, Vec3 p)
+      : relief_(relief),
+        p_(p),
+        middle_x_m_(0.5 * (relief.samples_m().width() - 1) * relief.pixel_m()),
+        middle_y_m_(0.5 * (relief.samples_m().height() - 1) * relief.pixel_m()) {
+    try_from(p.x, p.y);
+    const std::vector<Cell> cells = cells_within(best_m_);
+    for (const Cell& cell : cells) {
+      if (!may_be_nearer(cell.least_m)) break;
+      try_parts(patch_of(cell.column, cell.row), cell.least_m);
     }
-  std::sort(starts.begin(), starts.end(),
-            [](const Start& a, const Start& b) { return a.distance2 < b.distance2; });
-  return starts;
-}
+  }
+
+  Vec3 best() const { return best_; }
+
+ private:
+  struct Cell {
+    int column, row;
+    /// A lower bound of the distance.
+    double least_m;
+  };
+  /// A point that is not nearer by more than this is not searched for.
+  static constexpr double kEnough_m = 1e-9;
+  /// Parts of a cell's side: Newton's method is tried from the first on, and the last is not divided.
+  static constexpr double kTried = 0.25, kLast = 1.0 / 65536.0;
+
+  bool may_be_nearer(double least_m) const { return least_m < best_m_ - kEnough_m; }
+
+  void try_from(double x_m, double y_m) {
+    const Vec3 found = descend(relief_, p_, x_m, y_m);
+    const double distance_m = norm(p_ - found);
+    if (distance_m >= best_m_) return;
+    best_m_ = distance_m;
+    best_ = found;
+  }
+
+  /// The place in the axes of patches: x to the right and y down from the first sample.
+  Vec3 place() const { return {p_.x + middle_x_m_, middle_y_m_ - p_.y, p_.z}; }
+
+  /// The cell between two columns and two rows. The surface continues beyond the border.
+  SplinePatch patch_of(int column, int row) const {
+    const Raster<float>& z = relief_.samples_m();
+    std::array<double, 16> control;
+    for (int j = 0; j < 4; ++j)
+      for (int i = 0; i < 4; ++i)
+        control[static_cast<std::size_t>(4 * j + i)] =
+            z(std::clamp(column - 1 + i, 0, z.width() - 1), std::clamp(row - 1 + j, 0, z.height() - 1));
+    return {column * relief_.pixel_m(), row * relief_.pixel_m(), relief_.pixel_m(), control};
+  }
+
+  /// The cells that may have a point within a distance, those first that may have the nearest. Two cells
+  /// beyond the border the surface is level.
+  std::vector<Cell> cells_within(double reach_m) const {
+    const double pixel_m = relief_.pixel_m();
+    const Vec3 at = place();
+    const auto held = [&](double v_m, int samples) {
+      return static_cast<int>(std::clamp(std::floor(v_m / pixel_m), -2.0, samples + 0.0));
+    };
+    const int right = held(at.x + reach_m, relief_.samples_m().width());
+    const int bottom = held(at.y + reach_m, relief_.samples_m().height());
+    const double above_m = std::max({0.0, p_.z - relief_.highest_m(), relief_.lowest_m() - p_.z});
+    const auto beside_m = [&](double v_m, int cell) {
+      return std::max({0.0, cell * pixel_m - v_m, v_m - (cell + 1) * pixel_m});
+    };
+    std::vector<Cell> cells;
+    for (int row = held(at.y - reach_m, relief_.samples_m().height()); row <= bottom; ++row)
+      for (int column = held(at.x - reach_m, relief_.samples_m().width()); column <= right; ++column) {
+        if (!may_be_nearer(norm(Vec3{beside_m(at.x, column), beside_m(at.y, row), above_m}))) continue;
+        const double least_m = patch_of(column, row).least_distance_m(at);
+        if (may_be_nearer(least_m)) cells.push_back({column, row, least_m});
+      }
+    std::sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) { return a.least_m < b.least_m; });
+    return cells;
+  }
+
+  void try_parts(const SplinePatch& patch, double least_m) {
+    if (!may_be_nearer(least_m)) return;
+    if (patch.side_m() <= kTried * relief_.pixel_m())
+      try_from(patch.middle_x_m() - middle_x_m_, middle_y_m_ - patch.middle_y_m());
+    if (patch.side_m() <= kLast * relief_.pixel_m()) return;
+    const Vec3 at = place();
+    for (std::size_t which = 0; which < 4; ++which) {
+      const SplinePatch part = patch.quarter(which);
+      try_parts(part, part.least_distance_m(at));
+    }
+  }
+
+  const Relief& relief_;
+  Vec3 p_;
+  /// The scene's origin from the first sample.
+  double middle_x_m_, middle_y_m_;
+  Vec3 best_;
+  double best_m_ = std::numeric_limits<double>::infinity();
+};
 
 }  // namespace
 
@@ -87,19 +146,8 @@ std::optional<ClosestPoint> closest_point(const Relief& relief, Point<SceneFrame
   const Vec3 p = point.v;
   if (!is_finite(p) || std::abs(p.x) > 0.5 * relief.size_x_m() || std::abs(p.y) > 0.5 * relief.size_y_m())
     return std::nullopt;
-  // The vertical distance is an upper bound, which also bounds the horizontal distance.
   const double height_m = relief.sample(p.x, p.y).z_m;
-  Vec3 best = descend(relief, p, p.x, p.y);
-  const double reach_m = norm(p - best);
-  // A sample differs from the spline by less than its pixel times the slope; farther samples cannot lead to a
-  // nearer point.
-  const double slack_m = relief.pixel_m() * (1.5 + relief.steepest_slope());
-  if (reach_m > 0.0)
-    for (const Start& start : local_minima(relief, p, reach_m)) {
-      if (std::sqrt(start.distance2) > norm(p - best) + slack_m) break;
-      const Vec3 found = descend(relief, p, start.x_m, start.y_m);
-      if (squared_norm(p - found) < squared_norm(p - best)) best = found;
-    }
+  const Vec3 best = Search(relief, p).best();
   const HeightSample s = relief.sample(best.x, best.y);
   ClosestPoint closest;
   closest.surface = {best};

@@ -18,8 +18,8 @@ struct ClosestPoint {
   Vector<SceneFrame> normal;
 };
 
-/// The point of the relief's surface nearest to `p`, by a search over candidate samples and Newton's method
-/// on the spline: accurate to 1e-9 m. Not for the tick: it takes about 10 us, more for distant points.
+/// The point of the relief's surface nearest to `p`, by bounds over the spline's cells and Newton's method:
+/// accurate to 1e-8 m. Not for the tick: it takes tens of microseconds, more for distant points.
 /// nullopt if `p` is not finite or is outside the relief's rectangle (seen from above).
 std::optional<ClosestPoint> closest_point(const Relief& relief, Point<SceneFrame> p);
 

@@ -58,6 +58,32 @@ TEST(ClosestPoint, IsNoFartherThanADenseSearch) {
   }
 }
 
+/// A sample need not be nearer than its neighbours for the nearest point to be beside it: a search from such
+/// samples was up to 150 um too far here.
+TEST(ClosestPoint, IsNoFartherThanADenseSearchAboveStepsAndNoise) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> noise_m(0.0F, 0.001F);
+  std::uniform_real_distribution<double> beside_m(-0.004, 0.004);
+  for (const bool steps : {true, false}) {
+    Raster<float> samples(60, 60);
+    for (int j = 0; j < 60; ++j)
+      for (int i = 0; i < 60; ++i) samples(i, j) = steps ? (i % 20 < 10 ? 0.004F : 0.0F) : noise_m(random);
+    const Relief relief = *Relief::from_samples(std::move(samples), 0.0002);
+    for (int k = 0; k < 60; ++k) {
+      Vec3 p{beside_m(random), beside_m(random), 0.0};
+      p.z = relief.sample(p.x, p.y).z_m + (k % 2 == 0 ? 0.0003 : 0.0012);
+      const auto found = closest_point(relief, {p});
+      ASSERT_TRUE(found);
+      const double reach_m = found->distance_m;
+      double dense_m = reach_m;
+      for (double v = p.y - reach_m; v <= p.y + reach_m; v += 0.00001)
+        for (double u = p.x - reach_m; u <= p.x + reach_m; u += 0.00001)
+          dense_m = std::min(dense_m, norm(Vec3{u, v, relief.sample(u, v).z_m} - p));
+      EXPECT_LE(found->distance_m, dense_m + 1e-8);
+    }
+  }
+}
+
 TEST(ClosestPoint, IsEmptyOutsideTheRectangle) {
   const Relief relief = rough(5);
   EXPECT_FALSE(closest_point(relief, {{0.016, 0, 0}}));

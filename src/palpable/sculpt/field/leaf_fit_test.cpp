@@ -4,6 +4,7 @@
 
 #include "palpable/models/field/distance_field.hpp"
 #include "palpable/models/field/field_leaf.hpp"
+#include "palpable/sculpt/field/leaf_quadratic.hpp"
 
 #include <algorithm>
 #include <array>
@@ -65,6 +66,32 @@ TEST(LeafFit, StaysNearTheTruthWhereManyFacesMeetInAFinestCell) {
   }
   EXPECT_LT(sum_m, 0.25 * bounds.cell_m);
   EXPECT_LT(most_m, 0.5 * bounds.cell_m);
+}
+
+/// One of two pieces may hold the samples of one face of a cell only, which do not tell how it bends away
+/// from that face.
+TEST(LeafFit, AQuadraticThroughOneFaceStaysStraightAwayFromIt) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  std::array<bool, kFitPlaces> on_face{};
+  for (std::size_t k = 18; k < kFitPlaces; ++k) on_face[k] = true;
+  double most = 0.0;
+  for (int i = 0; i < 300; ++i) {
+    const double x = normal(random), y = normal(random), z = normal(random);
+    const Vec3 face = unit(Vec3{x, y, z});
+    CellSamples samples;
+    samples.half_m = 1e-4;
+    for (std::size_t k = 0; k < kFitPlaces; ++k) {
+      // Facets differ a little from a plane, in height and direction.
+      samples.at[k].distance_m = samples.half_m * (dot(face, fit_place(k)) + 0.01 * normal(random));
+      samples.at[k].gradient = unit(face + 0.02 * Vec3{normal(random), normal(random), normal(random)});
+    }
+    const Quadratic c = quadratic_through(samples, on_face);
+    // Opposite the face, in its middle.
+    const double there = c[0] - c[3] + c[6];
+    most = std::max(most, std::abs(there + face.z));
+  }
+  EXPECT_LT(most, 0.1);
 }
 
 }  // namespace
