@@ -28,9 +28,9 @@ struct VideoDepthOptions {
   /// Surfaces that are parallel to these planes are favoured, such as the ground and what lies level on it:
   /// their normal in the world, either way; zero: none are.
   Vec3 favoured_normal = {};
-  /// 1: planes that face the camera are tried too, for twice the time and 0.2 to 0.5 % more right pixels
+  /// 1: planes that face the camera are tried too, for twice the time; without them slanted walls are worse
   /// (docs/history/2026-11-26-third-video.md). They always are where no others are favoured.
-  int facing_too = 0;
+  int facing_too = 1;
   /// The planes are turned towards the camera until the line of sight of no pixel is so close to them, the
   /// product with the normal as a share of that in the middle, 0.01 … 1.
   double least_incidence = 0.2;
