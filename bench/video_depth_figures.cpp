@@ -99,4 +99,27 @@ DepthFigures depth_figures(const std::vector<vision::FrameDepth>& maps,
           100 * trimmed_rms(std::move(distances)) / norm(box.most - box.least)};
 }
 
+Raster<Rgb8> depth_errors_of(const vision::FrameDepth& map, const Raster<Rgb8>& picture,
+                             const RenderedVideo& video, const measure::CameraPathScore& path,
+                             const Work& work) {
+  const Raster<float> truth = video.depth(map.frame, work);
+  const auto grey = vision::luma8(picture);
+  Raster<Rgb8> out(grey.width(), grey.height());
+  for (int y = 0; y < grey.height(); ++y)
+    for (int x = 0; x < grey.width(); ++x) {
+      const std::uint8_t level = grey(x, y);
+      out(x, y) = {level, level, level};
+      const double z = static_cast<double>(truth(x, y));
+      if (!(z > 0)) continue;
+      const double error = path.true_from_found.scale * static_cast<double>(map.filled.depth_m(x, y)) / z - 1;
+      const auto other =
+          static_cast<std::uint8_t>(has_texture_around(grey, x, y) ? level / 3 : level / 2 + 64);
+      if (std::isnan(error))
+        out(x, y) = {other, other, 255};
+      else if (std::abs(error) >= 0.01)
+        out(x, y) = error > 0 ? Rgb8{255, other, other} : Rgb8{other, 255, other};
+    }
+  return out;
+}
+
 }  // namespace palpable::bench

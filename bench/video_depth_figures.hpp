@@ -29,4 +29,11 @@ DepthFigures depth_figures(const std::vector<vision::FrameDepth>& maps,
                            const std::vector<Raster<Rgb8>>& pictures, const RenderedVideo& video,
                            const measure::CameraPathScore& path, const Work& work);
 
+/// One map beside the truth, for looking at: the frame in grey; red and green where it is known, has texture
+/// and is too far and too near by more than 1 %, blue where it is unknown and has texture; weaker where there
+/// is no texture.
+Raster<Rgb8> depth_errors_of(const vision::FrameDepth& map, const Raster<Rgb8>& picture,
+                             const RenderedVideo& video, const measure::CameraPathScore& path,
+                             const Work& work);
+
 }  // namespace palpable::bench

@@ -12,6 +12,7 @@
 #include "palpable/vision/motion/structure/moving_points.hpp"
 #include "palpable/vision/motion/tracks/usable_frames.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -19,8 +20,10 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "rendered_video.hpp"
@@ -33,14 +36,16 @@
 // Structure, motion and depth of rendered videos (rendered_video.hpp) with their exact truth:
 //
 //   palpable_video_set [--seeds N] [--first SEED] [--frames N] [--threads N] [--no-depth] [--set NAME=VALUE]…
-//                      [--marker MM] [--hand PERCENT] [--defocus PX] [--surfaces] [--steps] [--true-depth]
-//                      [--write FOLDER] [--read FOLDER]
+//                      [--marker MM] [--hand PERCENT] [--defocus PX] [--filter] [--fused] [--surfaces]
+//                      [--steps]
+//                      [--true-depth] [--write FOLDER] [--read FOLDER] [--errors FOLDER]
 //
 // Names are those of `palpable make --set video.…`: tracks.…, motion.…, depth.… --write writes the frames,
 // poses.csv in metres, and intrinsics.json; --read
-// takes them from there, which is faster than rendering. --surfaces compares the model's surface with the
-// truth, fused and corrected;
+// takes them from there, which is faster than rendering. --errors writes where each depth map is wrong.
+// --fused compares the model's fused surface with the truth, --surfaces also the corrected one;
 // --steps prints each step of the correction; --true-depth makes them of the true poses and depth with noise.
+// --filter finds the path by the Kalman filter.
 // --hand lets a hand that covers so much of the picture wander through the view, --defocus blurs all frames:
 // the columns of moving points and edges show what the advice's limits divide.
 // --marker lays a printed marker of this side on the board, and the table then states the error of the scale
@@ -54,19 +59,27 @@ using vision::FrameDepth;
 struct Arguments {
   int seeds = 12, first = 1, frames = 60;
   unsigned threads = 2;
-  bool depth = true, surfaces = false, steps = false, true_depth = false;
+  bool depth = true, steps = false, true_depth = false;
+  Surfaces surfaces = Surfaces::none;
   /// Side of a printed marker on the board; 0 = none.
   int marker_mm = 0;
   int hand_percent = 0, defocus_px = 0;
-  std::string folder, written;
+  std::string folder, written, errors;
   recipes::VideoRecipe recipe;
+};
+
+// Processor time of each stage, s.
+struct StageSeconds {
+  double tracks = 0, motion = 0, depth = 0, surfaces = 0;
 };
 
 struct Figures {
   int posed = 0;
   double position_percent = 0, rotation_deg = 0, reprojection_px = 0;
+  /// By which the found points are too far, median, % of their depth.
+  double too_far_percent = 0;
   DepthFigures depth;
-  double seconds = 0;
+  StageSeconds seconds;
   /// Share of the points that move by themselves, %, of which there are none; width of the sharpest edges,
   /// px.
   double moving_percent = 0, edge_width_px = 0;
@@ -74,6 +87,26 @@ struct Figures {
   double scale_error_percent = std::numeric_limits<double>::quiet_NaN();
   std::vector<NamedSurface> surfaces;
 };
+
+// Of the points in every tenth frame, where the path's scale is the true one.
+double too_far_percent(std::span<const vision::PointTrack> tracks, const CameraMotion& motion,
+                       const RenderedVideo& video, double scale, const Work& work) {
+  constexpr int kStep = 10;
+  std::vector<double> errors;
+  for (int frame = 0; frame < video.frames(); frame += kStep) {
+    const auto& pose = motion.poses[static_cast<std::size_t>(frame)];
+    if (!pose) continue;
+    const Raster<float> truth = video.depth(frame, work);
+    for (const vision::StructurePoint& point : motion.points) {
+      if (!tracks[point.track].in_frame(frame)) continue;
+      const auto place = tracks[point.track].in(frame);
+      const auto z = static_cast<double>(
+          truth(static_cast<int>(std::lround(place.x)), static_cast<int>(std::lround(place.y))));
+      if (z > 0) errors.push_back(100 * (scale * (pose->inverse() * point.position).v.z / z - 1));
+    }
+  }
+  return errors.empty() ? 0.0 : quantile_of(errors, 0.5);
+}
 
 struct PathErrors {
   Figures figures;
@@ -106,11 +139,21 @@ double peak_memory_MB() {
   return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
-double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+// The processor time since it was last asked, s.
+class Stopwatch {
+ public:
+  double next() {
+    const std::clock_t before = std::exchange(last_, std::clock());
+    return static_cast<double>(last_ - before) / CLOCKS_PER_SEC;
+  }
+
+ private:
+  std::clock_t last_ = std::clock();
+};
 
 // Surfaces from the true poses and depth maps with noise of 0.2 %: the correction alone, in seconds.
 Result<Figures> run_on_true_depth(const RenderedVideo& video, Arguments& arguments, const Work& work) {
-  const double begin = processor_seconds();
+  Stopwatch watch;
   std::vector<FrameDepth> maps;
   std::vector<Raster<Rgb8>> pictures(static_cast<std::size_t>(video.frames()));
   const int count = arguments.recipe.depth.maps;
@@ -128,12 +171,25 @@ Result<Figures> run_on_true_depth(const RenderedVideo& video, Arguments& argumen
     maps.push_back(std::move(map));
   }
   pictures[static_cast<std::size_t>(maps.front().frame)] = video.picture(maps.front().frame, work);
-  auto surfaces = surfaces_of(video, std::move(maps), pictures, {}, arguments.recipe, work);
+  auto surfaces =
+      surfaces_of(video, std::move(maps), pictures, {}, arguments.surfaces, arguments.recipe, work);
   if (!surfaces) return surfaces.error();
   Figures out;
   out.surfaces = std::move(*surfaces);
-  out.seconds = processor_seconds() - begin;
+  out.seconds.surfaces = watch.next();
   return out;
+}
+
+void write_errors(const std::vector<FrameDepth>& maps, const std::vector<Raster<Rgb8>>& pictures,
+                  const RenderedVideo& video, const measure::CameraPathScore& path, const std::string& folder,
+                  const Work& work) {
+  const std::filesystem::path own = std::filesystem::path(folder) / fmt::format("seed_{:02}", video.seed());
+  std::filesystem::create_directories(own);
+  for (const FrameDepth& map : maps) {
+    const auto& picture = pictures[static_cast<std::size_t>(map.frame)];
+    const auto errors = depth_errors_of(map, picture, video, path, work);
+    if (!formats::write_png(own / fmt::format("{:04}.png", map.frame), errors)) return;
+  }
 }
 
 // From what --write wrote, else rendered.
@@ -146,6 +202,14 @@ Raster<Rgb8> picture_of(const RenderedVideo& video, int frame, const std::string
   return video.picture(frame, work);
 }
 
+Result<CameraMotion> motion_of(const std::vector<vision::PointTrack>& tracks, const RenderedVideo& video,
+                               const recipes::VideoRecipe& recipe, const Work& work) {
+  const vision::VideoCamera camera{video.camera(), true};
+  return recipe.motion_method == recipes::VideoMotion::filter
+             ? vision::motion_by_filter(tracks, video.frames(), camera, recipe.filter, work)
+             : vision::motion_from_tracks(tracks, video.frames(), camera, recipe.motion, work);
+}
+
 Result<Figures> run(const RenderedVideo& video, Arguments& arguments, const Work& work) {
   std::vector<Raster<Rgb8>> pictures;
   std::vector<Raster<std::uint8_t>> greys;
@@ -155,17 +219,21 @@ Result<Figures> run(const RenderedVideo& video, Arguments& arguments, const Work
     pictures.back() = defocused(pictures.back(), arguments.defocus_px);
     greys.push_back(vision::luma8(pictures.back()));
   }
-  const double begin = processor_seconds();
+  Stopwatch watch;
   const auto usable = vision::usable_frames(greys, arguments.recipe.frames, work);
   if (!usable) return usable.error();
   const auto tracks = vision::track_points(greys, arguments.recipe.tracks, work);
   if (!tracks) return tracks.error();
-  const auto motion = vision::motion_from_tracks(*tracks, video.frames(), {video.camera(), true},
-                                                 arguments.recipe.motion, work);
+  StageSeconds seconds;
+  seconds.tracks = watch.next();
+  const auto motion = motion_of(*tracks, video, arguments.recipe, work);
   if (!motion) return motion.error();
+  seconds.motion = watch.next();
   const auto path = path_errors(*motion, video);
   if (!path) return path.error();
   Figures out = path->figures;
+  out.seconds = seconds;
+  out.too_far_percent = too_far_percent(*tracks, *motion, video, path->score.true_from_found.scale, work);
   out.moving_percent = 100 * vision::moving_points(*tracks, *motion, arguments.recipe.moving).share();
   out.edge_width_px = usable->edge_width_px;
   if (arguments.marker_mm > 0)
@@ -174,16 +242,23 @@ Result<Figures> run(const RenderedVideo& video, Arguments& arguments, const Work
   if (arguments.depth) {
     std::vector<const Raster<Rgb8>*> views;
     for (const auto& picture : pictures) views.push_back(&picture);
-    const auto maps = vision::depth_of_video(views, *motion, motion->camera, arguments.recipe.depth, work);
+    watch.next();
+    vision::VideoDepthOptions options = arguments.recipe.depth;
+    options.favoured_normal = recipes::ground_normal(*motion, arguments.recipe.model.axes, work.seed);
+    const auto maps = vision::depth_of_video(views, *motion, motion->camera, options, work);
     if (!maps) return maps.error();
+    out.seconds.depth = watch.next();
     out.depth = depth_figures(*maps, pictures, video, path->score, work);
-    if (arguments.surfaces) {
-      auto surfaces = surfaces_of(video, *maps, pictures, path->score, arguments.recipe, work);
+    if (!arguments.errors.empty()) write_errors(*maps, pictures, video, path->score, arguments.errors, work);
+    if (arguments.surfaces != Surfaces::none) {
+      watch.next();
+      auto surfaces =
+          surfaces_of(video, *maps, pictures, path->score, arguments.surfaces, arguments.recipe, work);
       if (!surfaces) return surfaces.error();
+      out.seconds.surfaces = watch.next();
       out.surfaces = std::move(*surfaces);
     }
   }
-  out.seconds = processor_seconds() - begin;
   return out;
 }
 
@@ -214,22 +289,37 @@ bool set_one(Arguments& arguments, const std::string& name, double value) {
   return false;
 }
 
+bool read_switch(std::string_view word, Arguments& out) {
+  const auto at_least = [&](Surfaces surfaces) { out.surfaces = std::max(out.surfaces, surfaces); };
+  if (word == "--no-depth")
+    out.depth = false;
+  else if (word == "--filter")
+    out.recipe.motion_method = recipes::VideoMotion::filter;
+  else if (word == "--fused")
+    at_least(Surfaces::fused);
+  else if (word == "--surfaces")
+    at_least(Surfaces::corrected);
+  else if (word == "--steps")
+    at_least(Surfaces::corrected), out.steps = true;
+  else if (word == "--true-depth")
+    at_least(Surfaces::corrected), out.true_depth = true;
+  else
+    return false;
+  return true;
+}
+
 bool read(int count, char** words, Arguments& out) {
   for (int i = 1; i < count; ++i) {
     const std::string_view word = words[i];
-    if (word == "--no-depth" || word == "--surfaces" || word == "--steps" || word == "--true-depth") {
-      out.true_depth = out.true_depth || word == "--true-depth";
-      out.depth = out.depth && word != "--no-depth";
-      out.surfaces = out.surfaces || word != "--no-depth";
-      out.steps = out.steps || word == "--steps";
-      continue;
-    }
+    if (read_switch(word, out)) continue;
     if (i + 1 >= count) return false;
     const std::string value = words[++i];
     if (word == "--write") {
       out.folder = value;
     } else if (word == "--read") {
       out.written = value;
+    } else if (word == "--errors") {
+      out.errors = value;
     } else if (word == "--set") {
       const auto sign = value.find('=');
       if (sign == std::string::npos ||
@@ -260,19 +350,24 @@ bool read(int count, char** words, Arguments& out) {
 
 void print_row(const std::string& name, const Figures& f, int frames, bool steps) {
   fmt::print(
-      "| {} | {} of {} | {:.3f} | {:.3f} | {:.2f} | {:.2f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.2f} | "
-      "{:.1f} | {:.1f} | {:.0f} | {:.0f} |\n",
-      name, f.posed, frames, f.position_percent, f.rotation_deg, f.reprojection_px, f.depth.structure,
-      f.depth.known, f.depth.good_of_known, f.depth.good_of_all, f.depth.good_of_textured,
-      f.scale_error_percent, f.moving_percent, f.edge_width_px, f.seconds, peak_memory_MB());
+      "| {} | {} of {} | {:.3f} | {:.3f} | {:.3f} | {:.2f} | {:.2f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | "
+      "{:.2f} | "
+      "{:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.0f} |\n",
+      name, f.posed, frames, f.position_percent, f.rotation_deg, f.too_far_percent, f.reprojection_px,
+      f.depth.structure, f.depth.known, f.depth.good_of_known, f.depth.good_of_all, f.depth.good_of_textured,
+      f.scale_error_percent, f.moving_percent, f.edge_width_px, f.seconds.tracks, f.seconds.motion,
+      f.seconds.depth, f.seconds.surfaces, peak_memory_MB());
   for (std::size_t i = 0; i < f.surfaces.size(); ++i) {
     const NamedSurface& s = f.surfaces[i];
     const bool last_of_kind =
         i == 0 || i + 1 == f.surfaces.size() || s.name.substr(0, 4) != f.surfaces[i + 1].name.substr(0, 4);
     if (steps || last_of_kind)
-      fmt::print("    {}: median {:.2f} mm, mean {:.2f} mm, {:.1f} % within 1 %, {:.1f} % in air, {:.1f} s\n",
-                 s.name, s.figures.median_mm, s.figures.mean_mm, s.figures.within_percent,
-                 s.figures.in_air_percent, s.seconds);
+      fmt::print(
+          "    {}: median {:.2f} mm ({:.2f} % of the diagonal), mean {:.2f} mm, {:.1f} % within 1 %, {:.1f} "
+          "% in "
+          "air, {:.1f} s\n",
+          s.name, s.figures.median_mm, 100 * s.figures.median_mm / s.figures.diagonal_mm, s.figures.mean_mm,
+          s.figures.within_percent, s.figures.in_air_percent, s.seconds);
   }
   std::fflush(stdout);
 }
@@ -281,10 +376,11 @@ int run_all(Arguments& arguments) {
   Work work;
   work.threads = arguments.threads;
   fmt::print(
-      "| video | frames | position, % of path | rotation, deg | reprojection, px | structure, % of diagonal "
+      "| video | frames | position, % of path | rotation, deg | points too far, % | reprojection, px | "
+      "structure, % of diagonal "
       "| depth known, % | within 1 %, % of known | of all | of those with texture | scale error, % "
-      "| moving points, % | edges, px | processor s | most memory, MB |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+      "| moving points, % | edges, px | processor s: points | path | depth | surfaces | most memory, MB |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   std::vector<double> position, rotation, good;
   for (int seed = arguments.first; seed < arguments.first + arguments.seeds; ++seed) {
     RenderedVideo video(static_cast<std::uint32_t>(seed), arguments.frames);
@@ -322,8 +418,9 @@ int main(int count, char** words) {
   if (!palpable::bench::read(count, words, arguments)) {
     fmt::print(stderr,
                "palpable_video_set [--seeds N] [--first SEED] [--frames N] [--threads N] [--no-depth] "
-               "[--set NAME=VALUE]... [--marker MM] [--hand PERCENT] [--defocus PX] [--surfaces] [--steps] "
-               "[--true-depth] [--write FOLDER] [--read FOLDER]\n");
+               "[--set NAME=VALUE]... [--marker MM] [--hand PERCENT] [--defocus PX] [--filter] [--fused] "
+               "[--surfaces] "
+               "[--steps] [--true-depth] [--write FOLDER] [--read FOLDER] [--errors FOLDER]\n");
     return 2;
   }
   return palpable::bench::run_all(arguments);

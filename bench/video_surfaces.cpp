@@ -6,6 +6,7 @@
 #include "palpable/recipes/video/corrected_model.hpp"
 #include "palpable/sculpt/field/level_set_surface.hpp"
 #include "palpable/sculpt/points/depth_fusion.hpp"
+#include "palpable/sculpt/triangles/small_parts.hpp"
 #include "palpable/sculpt/triangles/triangle_tree.hpp"
 
 #include <algorithm>
@@ -64,6 +65,7 @@ class TrueModel {
       out.mean_mm += 1000 * distances.back() / static_cast<double>(places_.size());
       out.within_percent += distances.back() < within_m_ ? 100.0 / static_cast<double>(places_.size()) : 0;
     }
+    out.diagonal_mm = 1000 * within_m_ / 0.01;
     out.median_mm = 1000 * quantile_of(distances, 0.5);
     const auto air = std::count_if(surface.vertices_m.begin(), surface.vertices_m.end(),
                                    [&](const Vec3& v) { return is_in_air(v); });
@@ -102,7 +104,7 @@ std::string name_of(const recipes::ModelStep& step, const std::vector<vision::Fr
 Result<std::vector<NamedSurface>> surfaces_of(const RenderedVideo& video,
                                               std::vector<vision::FrameDepth> maps,
                                               const std::vector<Raster<Rgb8>>& pictures,
-                                              const measure::CameraPathScore& path,
+                                              const measure::CameraPathScore& path, Surfaces which,
                                               recipes::VideoRecipe& recipe, const Work& work) {
   TrueModel truth(video, work);
   const recipes::VideoModel model = recipes::video_model(maps, recipe.model, work.seed);
@@ -115,11 +117,15 @@ Result<std::vector<NamedSurface>> surfaces_of(const RenderedVideo& video,
   double begin = processor_seconds_now();
   std::vector<sculpt::DepthView> views;
   for (const auto& map : maps) views.push_back({&map.map.depth, axes_from_world * map.map.pose});
-  const auto set = sculpt::fused_depth(views, recipe.fusion, work);
+  sculpt::FusionOptions fusion = recipe.fusion;
+  fusion.unseen = sculpt::Unseen::solid_below_surfaces;
+  const auto set = sculpt::fused_depth(views, fusion, work);
   if (!set) return set.error();
   auto fused = sculpt::surface_of_level_set(*set, work);
   if (!fused) return fused.error();
+  *fused = sculpt::without_small_parts(*fused, recipe.fused.least_part);
   out.push_back({"fused", truth.compare(*std::move(fused), true_from_axes), processor_seconds_now() - begin});
+  if (which == Surfaces::fused) return out;
   begin = processor_seconds_now();
   double own = 0;
   const auto observe = [&](const recipes::ModelStep& step, const Mesh& surface) {

@@ -20,6 +20,8 @@ struct SurfaceFigures {
   double median_mm = 0, mean_mm = 0, within_percent = 0;
   /// Vertices of the surface that a camera would see in front of the true surface by more than that, %.
   double in_air_percent = 0;
+  /// Diagonal of the box around the visible true places of the objects.
+  double diagonal_mm = 0;
 };
 
 /// A surface of a video's model, or a step on the way to it.
@@ -29,12 +31,15 @@ struct NamedSurface {
   double seconds = 0;
 };
 
+/// Which surfaces are made: the fused one, or also the corrected one.
+enum class Surfaces { none, fused, corrected };
+
 /// Makes the surfaces of a video's model from its depth maps, fused and corrected step by step, and compares
 /// each with the truth. `maps`: in the unit of the poses. `pictures`: of all frames.
 Result<std::vector<NamedSurface>> surfaces_of(const RenderedVideo& video,
                                               std::vector<vision::FrameDepth> maps,
                                               const std::vector<Raster<Rgb8>>& pictures,
-                                              const measure::CameraPathScore& path,
+                                              const measure::CameraPathScore& path, Surfaces which,
                                               recipes::VideoRecipe& recipe, const Work& work);
 
 }  // namespace palpable::bench

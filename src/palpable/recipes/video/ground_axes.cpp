@@ -93,4 +93,15 @@ GroundAxes ground_axes(const PointCloud& structure, std::span<const vision::Came
   return {{x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z}, {}};
 }
 
+Vec3 ground_normal(const vision::CameraMotion& motion, const GroundAxesOptions& options, std::uint64_t seed) {
+  PointCloud structure;
+  for (const vision::StructurePoint& point : motion.points) structure.places_m.push_back(point.position.v);
+  std::vector<vision::CameraPose> poses;
+  for (const auto& pose : motion.poses)
+    if (pose) poses.push_back(*pose);
+  if (structure.places_m.empty() || poses.empty()) return {};
+  const auto world_from_axes = ground_axes(structure, poses, options, seed).axes_from_world().inverse();
+  return world_from_axes.rotate({0, 0, 1});
+}
+
 }  // namespace palpable::recipes

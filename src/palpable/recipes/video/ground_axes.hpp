@@ -42,4 +42,8 @@ struct GroundAxes {
 GroundAxes ground_axes(const PointCloud& structure, std::span<const vision::CameraPose> poses,
                        const GroundAxesOptions& options, std::uint64_t seed);
 
+/// The normal of the ground from the points of a reconstruction, in its world, towards the cameras; zero if
+/// there are none.
+Vec3 ground_normal(const vision::CameraMotion& motion, const GroundAxesOptions& options, std::uint64_t seed);
+
 }  // namespace palpable::recipes

@@ -42,5 +42,14 @@ TEST(GroundAxes, OfGroundSeenFromStraightAboveHaveThePicturesUpAsY) {
   EXPECT_NEAR(towards.z, 1.0, 1e-9);
 }
 
+TEST(GroundNormal, IsThatOfTheReconstructionsGroundTowardsTheCameras) {
+  vision::CameraMotion motion;
+  EXPECT_EQ(norm(ground_normal(motion, {}, 1)), 0.0);
+  motion.poses = {std::nullopt, vision::CameraPose{}};
+  for (int i = 0; i < 100; ++i)
+    motion.points.push_back({{{0.1 * (i % 10), 0.1 * (i / 10), 2.0 + (i % 7 == 0 ? -0.3 : 0.0)}}, 0});
+  EXPECT_NEAR(ground_normal(motion, {}, 1).z, -1.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace palpable::recipes

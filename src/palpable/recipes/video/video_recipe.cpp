@@ -259,6 +259,7 @@ Result<ScaledDepth> scaled_depth(const Frames& frames, const VideoRecipe& recipe
   std::vector<const Raster<Rgb8>*> pictures;
   for (const VideoFrame* frame : frames.frames) pictures.push_back(&frame->picture);
   vision::VideoDepthOptions depth = recipe.depth;
+  depth.favoured_normal = ground_normal(motion, recipe.model.axes, work.seed);
   if (frames.of_length >= 0) depth.also.push_back(frames.of_length);
   auto maps = vision::depth_of_video(pictures, motion, motion.camera, depth, work);
   if (!maps) return maps.error();

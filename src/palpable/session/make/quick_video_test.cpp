@@ -40,5 +40,10 @@ TEST(QuickRecipe, OfACorrectedSurfaceIsItsSuperquadricsAlone) {
   EXPECT_FALSE(quick.grown);
 }
 
+TEST(QuickRecipe, SearchesDepthOnOneFamilyOfPlanes) {
+  EXPECT_EQ(quick_recipe({}, {}).depth.facing_too, 0);
+  EXPECT_EQ(recipes::VideoRecipe{}.depth.facing_too, 1);
+}
+
 }  // namespace
 }  // namespace palpable::session

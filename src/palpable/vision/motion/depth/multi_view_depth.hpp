@@ -22,10 +22,14 @@ struct PosedFrame {
   CameraPose pose;
 };
 
-/// The range of depths of a scene, in the unit of the poses; 0 < near < far.
-struct DepthSpan {
+/// The parallel planes that are tried as surfaces of a scene: dot(normal, p) = distance in the camera's
+/// frame, distances from near to far, in the unit of the poses; 0 < near < far. The normal is a unit vector
+/// that has a positive product with the line of sight of every pixel; (0, 0, 1) gives planes of constant
+/// depth.
+struct SweptPlanes {
   double near = 0.0;
   double far = 0.0;
+  Vec3 normal{0, 0, 1};
 };
 
 struct MultiViewOptions {
@@ -42,13 +46,15 @@ struct MultiViewOptions {
 };
 std::vector<Parameter> parameters_of(MultiViewOptions& options);
 
-/// Computes the depth of `reference` by plane sweep over planes of constant depth (Collins 1996) with
-/// AD-Census costs and semi-global aggregation. Every pixel gets a depth, even a wrong one; see
-/// consistent_depth(). All pictures have the camera's size. Long work, on all threads. Errors: usage for
-/// options out of range, no other frame, or an empty range; interrupted.
+/// Computes the depth of `reference` by plane sweep (Collins 1996) with AD-Census costs and semi-global
+/// aggregation, which favours surfaces that are parallel to the planes. `sweeps`: one or more families of
+/// planes; each pixel gets the depth of the family in which its aggregated cost is least (Gallup et al.
+/// 2007). Every pixel gets a depth, even a wrong one; see consistent_depth(). All pictures have the camera's
+/// size. Long work, on all threads. Errors: usage for options out of range, no other frame, no planes, an
+/// empty range, or planes that some lines of sight do not meet; interrupted.
 Result<DepthMap> multi_view_depth(const PosedFrame& reference, std::span<const PosedFrame> others,
-                                  const Pinhole& camera, DepthSpan span, const MultiViewOptions& options,
-                                  const Work& work);
+                                  const Pinhole& camera, std::span<const SweptPlanes> sweeps,
+                                  const MultiViewOptions& options, const Work& work);
 
 /// A depth map and the pose of its camera.
 struct PosedDepthMap {

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/motion/depth/multi_view_depth.hpp"
 
+#include "palpable/vision/motion/depth/video_depth.hpp"
+
 #include <cmath>
+#include <random>
 
 #include <gmock/gmock.h>
 
@@ -19,6 +22,10 @@ Rgb8 texture(double u, double v) {
 }
 
 constexpr double kSlope = 0.3;  // z = 1 + kSlope x
+
+constexpr SweptPlanes kFacing[] = {{0.6, 2.0}}, kNoRange[] = {{2.0, 0.6}}, kFromZero[] = {{0.0, 1.0}};
+// Parallel to the slanted plane.
+const SweptPlanes kParallel[] = {{0.6, 2.0, unit({-kSlope, 0, 1})}};
 
 // The intersection of a pixel's ray with the plane, in the world frame.
 Vec3 on_plane(const CameraPose& pose, int x, int y) {
@@ -38,6 +45,20 @@ Raster<Rgb8> picture_from(const CameraPose& pose) {
   return out;
 }
 
+// The picture with a small part of its contrast, and noise.
+Raster<Rgb8> faint(const Raster<Rgb8>& picture, std::mt19937& random) {
+  std::normal_distribution<double> noise(0, 3);
+  const auto level = [&](std::uint8_t c) {
+    return static_cast<std::uint8_t>(std::lround(127 + 0.06 * (c - 127) + noise(random)));
+  };
+  Raster<Rgb8> out(picture.width(), picture.height());
+  for (std::size_t i = 0; i < picture.count(); ++i) {
+    const Rgb8 p = picture.values()[i];
+    out.values()[i] = {level(p.r), level(p.g), level(p.b)};
+  }
+  return out;
+}
+
 CameraPose moved(double x, double y) {
   CameraPose pose;
   pose.translation_m = {x, y, 0};
@@ -50,6 +71,17 @@ double true_depth(const CameraPose& pose, int x, int y) {
 
 class MultiViewDepth : public testing::Test {
  protected:
+  // Of the pixels in the middle of here_'s map, those whose error is less than a share of their depth.
+  double share_within(const DepthMap& map, double tolerance) const {
+    int good = 0, all = 0;
+    for (int y = 40; y < 140; ++y)
+      for (int x = 40; x < 200; ++x, ++all) {
+        const double truth = true_depth(here_, x, y);
+        good += std::abs(static_cast<double>(map.depth_m(x, y)) - truth) < tolerance * truth ? 1 : 0;
+      }
+    return static_cast<double>(good) / all;
+  }
+
   CameraPose here_ = moved(0, 0), right_ = moved(0.15, 0), up_ = moved(0, -0.15), left_ = moved(-0.15, 0.02);
   Raster<Rgb8> here_picture_ = picture_from(here_), right_picture_ = picture_from(right_),
                up_picture_ = picture_from(up_), left_picture_ = picture_from(left_);
@@ -57,20 +89,51 @@ class MultiViewDepth : public testing::Test {
 
 TEST_F(MultiViewDepth, OfASlantedPlaneIsWithinOnePercent) {
   const PosedFrame others[] = {{&right_picture_, right_}, {&up_picture_, up_}, {&left_picture_, left_}};
-  const auto depth = multi_view_depth({&here_picture_, here_}, others, kCamera, {0.6, 2.0}, {}, {});
+  const auto depth = multi_view_depth({&here_picture_, here_}, others, kCamera, kFacing, {}, {});
   ASSERT_TRUE(depth);
-  int good = 0, all = 0;
-  for (int y = 40; y < 140; ++y)
-    for (int x = 40; x < 200; ++x, ++all)
-      if (std::abs(depth->depth_m(x, y) - true_depth(here_, x, y)) < 0.01 * true_depth(here_, x, y)) ++good;
-  EXPECT_GT(good, 0.95 * all);
+  EXPECT_GT(share_within(*depth, 0.01), 0.95);
+}
+
+TEST_F(MultiViewDepth, OfASlantedPlaneWithFaintTextureIsBetterOverPlanesParallelToIt) {
+  std::mt19937 random(3);
+  const auto here = faint(here_picture_, random), right = faint(right_picture_, random),
+             up = faint(up_picture_, random), left = faint(left_picture_, random);
+  const PosedFrame others[] = {{&right, right_}, {&up, up_}, {&left, left_}};
+  const auto facing = multi_view_depth({&here, here_}, others, kCamera, kFacing, {}, {});
+  const auto parallel = multi_view_depth({&here, here_}, others, kCamera, kParallel, {}, {});
+  const SweptPlanes two[] = {kFacing[0], kParallel[0]};
+  const auto both = multi_view_depth({&here, here_}, others, kCamera, two, {}, {});
+  ASSERT_TRUE(facing && parallel && both);
+  EXPECT_GT(share_within(*parallel, 0.01), share_within(*facing, 0.01) + 0.1);
+  EXPECT_GT(share_within(*both, 0.01), share_within(*facing, 0.01) + 0.05);
+}
+
+TEST_F(MultiViewDepth, NeedsPlanesThatAllLinesOfSightMeet) {
+  const PosedFrame others[] = {{&right_picture_, right_}};
+  const SweptPlanes edge_on[] = {{0.6, 2.0, unit({1, 0, 0.1})}};
+  EXPECT_FALSE(multi_view_depth({&here_picture_, here_}, others, kCamera, edge_on, {}, {}));
+  EXPECT_FALSE(multi_view_depth({&here_picture_, here_}, others, kCamera, {}, {}, {}));
+}
+
+// The normal lies across the view, so that half of the lines of sight would meet such planes behind the
+// camera.
+TEST_F(MultiViewDepth, OfAVideoTurnsFavouredPlanesUntilAllLinesOfSightMeetThem) {
+  const Raster<Rgb8>* const pictures[] = {&here_picture_, &right_picture_, &up_picture_, &left_picture_};
+  CameraMotion motion{kCamera, {here_, right_, up_, left_}, {}, 0};
+  for (int x = 10; x < kCamera.width; x += 20)
+    for (int y = 10; y < kCamera.height; y += 20) motion.points.push_back({{on_plane(here_, x, y)}, 0});
+  VideoDepthOptions options;
+  options.favoured_normal = {1, 0, 0};
+  const auto maps = depth_of_video(pictures, motion, kCamera, options, {});
+  ASSERT_TRUE(maps) << maps.error().message;
+  EXPECT_GT(share_within(maps->front().map.depth, 0.01), 0.8);
 }
 
 TEST_F(MultiViewDepth, NeedsAnotherFrameAndASpan) {
   const PosedFrame others[] = {{&right_picture_, right_}};
-  EXPECT_FALSE(multi_view_depth({&here_picture_, here_}, {}, kCamera, {0.6, 2.0}, {}, {}));
-  EXPECT_FALSE(multi_view_depth({&here_picture_, here_}, others, kCamera, {2.0, 0.6}, {}, {}));
-  EXPECT_FALSE(multi_view_depth({&here_picture_, here_}, others, kCamera, {0.0, 1.0}, {}, {}));
+  EXPECT_FALSE(multi_view_depth({&here_picture_, here_}, {}, kCamera, kFacing, {}, {}));
+  EXPECT_FALSE(multi_view_depth({&here_picture_, here_}, others, kCamera, kNoRange, {}, {}));
+  EXPECT_FALSE(multi_view_depth({&here_picture_, here_}, others, kCamera, kFromZero, {}, {}));
 }
 
 PosedDepthMap exact_map(const CameraPose& pose) {

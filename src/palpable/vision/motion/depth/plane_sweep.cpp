@@ -137,13 +137,15 @@ std::uint16_t saturating_cost(double difference, double scale) {
 }
 
 double longest_line_px(std::span<const PosedFrame> others, const PosedFrame& reference, const Pinhole& camera,
-                       DepthSpan span) {
+                       const SweptPlanes& planes) {
   double longest = 0.0;
   for (const PosedFrame& other : others) {
     const EpipolarLine line(reference, other, camera);
     for (const int x : {0, camera.width / 2, camera.width - 1})
       for (const int y : {0, camera.height / 2, camera.height - 1}) {
-        const auto near = line.place(x, y, 1 / span.near), far = line.place(x, y, 1 / span.far);
+        const double per_distance = dot(planes.normal, line_of_sight(camera, x, y));
+        const auto near = line.place(x, y, per_distance / planes.near),
+                   far = line.place(x, y, per_distance / planes.far);
         longest = std::max(longest, std::hypot(near[0] - far[0], near[1] - far[1]));
       }
   }
@@ -175,9 +177,10 @@ std::array<double, 2> EpipolarLine::place(int x, int y, double inverse_depth) co
 }
 
 PlaneSweep::PlaneSweep(const PosedFrame& reference, std::span<const PosedFrame> others, const Pinhole& camera,
-                       DepthSpan span, const MultiViewOptions& options, const Work& work)
+                       const SweptPlanes& planes, const MultiViewOptions& options, const Work& work)
     : reference_(match_view(*reference.picture, luma8(*reference.picture), options.volume.census, work)),
-      span_(span),
+      camera_(camera),
+      planes_(planes),
       seen_share_(options.seen_share) {
   for (const PosedFrame& other : others) {
     OtherView view{census_9x7(luma8(*other.picture), work),
@@ -191,14 +194,14 @@ PlaneSweep::PlaneSweep(const PosedFrame& reference, std::span<const PosedFrame> 
     colour_cost_[i] = saturating_cost(static_cast<double>(i), options.volume.colour_scale);
   for (std::size_t i = 0; i < census_cost_.size(); ++i)
     census_cost_[i] = saturating_cost(static_cast<double>(i), options.volume.census_scale);
-  const double steps = std::ceil(longest_line_px(others, reference, camera, span) / options.step_px) + 1;
+  const double steps = std::ceil(longest_line_px(others, reference, camera, planes) / options.step_px) + 1;
   steps_ = static_cast<int>(std::clamp(steps, 16.0, static_cast<double>(options.most_steps)));
 }
 
 void PlaneSweep::costs_in(const OtherView& other, int x, int y, std::int32_t* places,
                           std::uint16_t* out) const {
   const auto start = other.line.start(x, y);
-  const double first = inverse_depth(0), step = inverse_depth(1) - first;
+  const double first = inverse_depth(x, y, 0), step = inverse_depth(x, y, 1) - first;
   PixelLine line{{}, {}, other.census.width(), other.census.height(), steps_};
   for (std::size_t i = 0; i < 3; ++i) {
     line.start[i] = static_cast<float>(start[i] + first * other.line.per_inverse_depth[i]);

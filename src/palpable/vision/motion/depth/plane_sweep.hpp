@@ -29,19 +29,27 @@ struct EpipolarLine {
   std::array<double, 2> place(int x, int y, double inverse_depth) const;
 };
 
-/// The costs of planes of constant depth: the reference and the pictures that it is compared with.
+/// The line of sight of a pixel, of depth 1.
+inline Vec3 line_of_sight(const Pinhole& camera, double x, double y) {
+  return {(x - camera.cx) / camera.fx, (y - camera.cy) / camera.fy, 1.0};
+}
+
+/// The costs of parallel planes: the reference and the pictures that it is compared with.
 class PlaneSweep {
  public:
   static constexpr std::size_t kMostOthers = 16;
 
   /// 1 to kMostOthers other frames. The pictures need not outlive it.
   PlaneSweep(const PosedFrame& reference, std::span<const PosedFrame> others, const Pinhole& camera,
-             DepthSpan span, const MultiViewOptions& options, const Work& work);
+             const SweptPlanes& planes, const MultiViewOptions& options, const Work& work);
 
-  /// Number of depths that are tried.
+  /// Number of planes that are tried.
   int steps() const { return steps_; }
-  double inverse_depth(double step) const {
-    return 1 / span_.far + step / (steps_ - 1) * (1 / span_.near - 1 / span_.far);
+  /// Of a plane at a pixel.
+  double inverse_depth(int x, int y, double step) const {
+    const double inverse_distance =
+        1 / planes_.far + step / (steps_ - 1) * (1 / planes_.near - 1 / planes_.far);
+    return dot(planes_.normal, line_of_sight(camera_, x, y)) * inverse_distance;
   }
   const MatchView& reference() const { return reference_; }
   /// The matching cost of each pixel at each step: the mean of the least costs over the counted share of the
@@ -59,7 +67,8 @@ class PlaneSweep {
 
   MatchView reference_;
   std::vector<OtherView> others_;
-  DepthSpan span_;
+  Pinhole camera_;
+  SweptPlanes planes_;
   int steps_ = 0;
   double seen_share_ = 0.5;
   /// Costs of colour differences of 0 … 255 levels and of 0 … 63 census bits.

@@ -3,6 +3,7 @@
 #include "palpable/vision/motion/depth/video_depth.hpp"
 
 #include "palpable/core/numbers/quantile.hpp"
+#include "palpable/vision/motion/depth/plane_sweep.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,23 +24,60 @@ const CameraPose& pose_of(const CameraMotion& motion, int frame) {
   return *motion.poses[static_cast<std::size_t>(frame)];
 }
 
-// The range of depths of the structure in the cameras of all frames, without outliers, with a margin.
-struct Depths {
-  DepthSpan span;
-  double middle = 0.0;
-};
-Depths depths_of(const CameraMotion& motion, const std::vector<int>& frames,
-                 const VideoDepthOptions& options) {
+// The median depth of the structure in the cameras of all frames; 0 without points.
+double middle_depth(const CameraMotion& motion, const std::vector<int>& frames) {
   std::vector<double> depths;
   for (const int frame : frames) {
     const auto camera_from_world = pose_of(motion, frame).inverse();
     for (const StructurePoint& point : motion.points)
       if (const double z = (camera_from_world * point.position).v.z; z > 0) depths.push_back(z);
   }
-  if (depths.empty()) return {};
-  const double near = quantile_of(depths, options.range_outliers),
-               far = quantile_of(depths, 1 - options.range_outliers);
-  return {{near * (1 - options.range_margin), far * (1 + options.range_margin)}, quantile_of(depths, 0.5)};
+  return depths.empty() ? 0.0 : quantile_of(depths, 0.5);
+}
+
+// The normal of the favoured planes in a camera's frame, turned towards its axis until all pixels meet them.
+Vec3 swept_normal(const CameraPose& pose, const Pinhole& camera, const VideoDepthOptions& options) {
+  constexpr Vec3 kAxis{0, 0, 1};
+  Vec3 favoured = unit(pose.inverse().rotate(options.favoured_normal));
+  if (favoured.z < 0) favoured = -favoured;
+  const auto is_met = [&](const Vec3& normal) {
+    for (const int x : {0, camera.width - 1})
+      for (const int y : {0, camera.height - 1})
+        if (dot(normal, line_of_sight(camera, x, y)) < options.least_incidence * normal.z) return false;
+    return normal.z > 0;
+  };
+  constexpr int kTurns = 32;
+  for (int i = 0; i < kTurns; ++i) {
+    const double turned = static_cast<double>(i) / kTurns;
+    if (const Vec3 normal = unit((1 - turned) * favoured + turned * kAxis); is_met(normal)) return normal;
+  }
+  return kAxis;
+}
+
+// Planes with this normal through the structure, without its outliers, with a margin.
+SweptPlanes planes_through(const CameraMotion& motion, const CameraPose& pose, const Vec3& normal,
+                           double margin_beyond, const VideoDepthOptions& options) {
+  const auto camera_from_world = pose.inverse();
+  std::vector<double> distances;
+  for (const StructurePoint& point : motion.points)
+    if (const Vec3 p = (camera_from_world * point.position).v; p.z > 0 && dot(normal, p) > 0)
+      distances.push_back(dot(normal, p));
+  if (distances.empty()) return {};
+  const double near = quantile_of(distances, options.range_outliers),
+               far = quantile_of(distances, 1 - options.range_outliers);
+  return {near * (1 - options.range_margin), far * (1 + margin_beyond), normal};
+}
+
+std::vector<SweptPlanes> sweeps_of(const CameraMotion& motion, const CameraPose& pose, const Pinhole& camera,
+                                   const VideoDepthOptions& options) {
+  std::vector<SweptPlanes> out;
+  const bool favoured = norm(options.favoured_normal) > 0;
+  if (favoured)
+    out.push_back(
+        planes_through(motion, pose, swept_normal(pose, camera, options), options.favoured_margin, options));
+  if (!favoured || options.facing_too == 1)
+    out.push_back(planes_through(motion, pose, {0, 0, 1}, options.range_margin, options));
+  return out;
 }
 
 // The nearest frame in one direction (+1, -1) in which the scene's centre is seen under the angle; -1 if the
@@ -96,7 +134,19 @@ std::vector<Parameter> parameters_of(VideoDepthOptions& o) {
        {0, 0.2},
        "",
        "Share of the points at each end left out of the depths"},
-      {"range_margin", &o.range_margin, {0, 0.9}, "", "Share by which the searched depths reach farther"}};
+      {"range_margin", &o.range_margin, {0, 0.9}, "", "Share by which the searched depths reach farther"},
+      {"facing_too", &o.facing_too, {0, 1}, "", "1: planes that face the camera are tried too"},
+      {"favoured_margin",
+       &o.favoured_margin,
+       {0, 0.9},
+       "",
+       "The same beyond the structure, in planes that are parallel to the ground"},
+      {"least_incidence",
+       &o.least_incidence,
+       {0.01, 1},
+       "",
+       "Least product of lines of sight with the normal of the favoured planes, share of that in the "
+       "middle"}};
   append_parameters(out, "sweep", parameters_of(o.sweep));
   append_parameters(out, "consistency", parameters_of(o.consistency));
   append_parameters(out, "filling", parameters_of(o.filling));
@@ -108,19 +158,20 @@ Result<std::vector<FrameDepth>> depth_of_video(std::span<const Raster<Rgb8>* con
                                                const VideoDepthOptions& options, const Work& work) {
   if (auto checked = check_ranges(options); !checked) return checked.error();
   const std::vector<int> frames = posed_frames(motion);
-  const Depths depths = depths_of(motion, frames, options);
+  const double middle = middle_depth(motion, frames);
   const std::set<std::size_t> wanted = references(frames, options);
   std::vector<FrameDepth> maps;
   std::size_t done = 0;
   for (const std::size_t from : wanted) {
     work.report(static_cast<double>(done++) / static_cast<double>(wanted.size()), "computing depth");
     std::vector<PosedFrame> others;
-    for (const int other : compared_frames(motion, frames, from, depths.middle, options))
+    for (const int other : compared_frames(motion, frames, from, middle, options))
       others.push_back({pictures[static_cast<std::size_t>(other)], pose_of(motion, other)});
     if (others.empty()) continue;
     const PosedFrame reference{pictures[static_cast<std::size_t>(frames[from])],
                                pose_of(motion, frames[from])};
-    auto depth = multi_view_depth(reference, others, camera, depths.span, options.sweep, work);
+    auto depth = multi_view_depth(reference, others, camera,
+                                  sweeps_of(motion, reference.pose, camera, options), options.sweep, work);
     if (!depth) return depth.error();
     maps.push_back({frames[from], {std::move(*depth), reference.pose}});
   }

@@ -21,8 +21,19 @@ struct VideoDepthOptions {
   double far_angle_deg = 7.0;
   /// Depths are searched between those of the structure without this share at each end, 0 … 0.2 …
   double range_outliers = 0.005;
-  /// … and this share of them nearer and farther, 0 … 0.9.
+  /// … and this share of them nearer and farther, 0 … 0.9 …
   double range_margin = 0.2;
+  /// … and beyond the structure in favoured planes, under which a scene that stands on the ground ends.
+  double favoured_margin = 0.05;
+  /// Surfaces that are parallel to these planes are favoured, such as the ground and what lies level on it:
+  /// their normal in the world, either way; zero: none are.
+  Vec3 favoured_normal = {};
+  /// 1: planes that face the camera are tried too, for twice the time; without them slanted walls are worse
+  /// (docs/history/2026-11-26-third-video.md). They always are where no others are favoured.
+  int facing_too = 1;
+  /// The planes are turned towards the camera until the line of sight of no pixel is so close to them, the
+  /// product with the normal as a share of that in the middle, 0.01 … 1.
+  double least_incidence = 0.2;
   /// Frames whose depth is computed in addition, indices.
   std::vector<int> also = {};
   MultiViewOptions sweep = {};
