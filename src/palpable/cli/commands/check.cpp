@@ -63,12 +63,18 @@ Result<void> make_sample(const std::string& word, Scenes& scenes, const Work& wo
   if (auto resolved = resolve_sample(sample.make, sample.title, sample.material); !resolved) return resolved;
   const auto options = make_options(sample.make);
   if (!options) return options.error();
-  return session::make_scenes(
+  Result<void> labelled;
+  auto done = session::make_scenes(
       *options,
       [&](recipes::MadeScene made) {
-        scenes.push_back(std::make_shared<const models::Scene>(std::move(made.scene)));
+        // A sample's labels and materials are felt too.
+        if (auto applied = apply_materials(sample.material, made.scene); !applied)
+          labelled = std::move(applied);
+        else
+          scenes.push_back(std::make_shared<const models::Scene>(std::move(made.scene)));
       },
       work);
+  return labelled ? std::move(done) : std::move(labelled);
 }
 
 Result<Scenes> read_scenes(const std::vector<std::string>& files, const Work& work) {

@@ -44,7 +44,7 @@ class ProxyLaw : public ContactLaw<Surface> {
             .follow(hand.position, proxy);
     // Apart from the other cases, so that the place and the surface are still in registers.
     if (rests) [[likely]]
-      return pushed(hand, contact, before, state);
+      return pushed(hand, contact, before, upward(state.proxy), state);
     return output_after(hand, contact, before, state);
   }
 
@@ -79,25 +79,38 @@ class ProxyLaw : public ContactLaw<Surface> {
   /// The output after any tick.
   [[gnu::noinline]] LawOutput output_after(const Hand& hand, const Contact& contact,
                                            const ProxyBefore& before, State& state) const noexcept {
-    if (state.proxy.holds_the_hand()) return pushed(hand, contact, before, state);
+    if (state.proxy.holds_the_hand()) return pushed(hand, contact, before, outward(state.proxy), state);
     LawOutput output = output_of(state);
     state.memory.texture.share = 0.0;
     if (state.proxy.crossed_m > 0.0) add_crossing(hand, contact, state.proxy, output);
     return output;
   }
 
-  /// The output with a proxy in contact.
+  /// Along the normal.
+  static Outward upward(const SurfaceProxy& proxy) noexcept {
+    const models::CurvedSample& s = proxy.surface;
+    return {{-s.dzdx, -s.dzdy, 1.0}, 1.0 / (1.0 + (s.dzdx * s.dzdx + s.dzdy * s.dzdy))};
+  }
+  /// The direction in which the surface pushes. A proxy that waits in front of a wall, from which the hand is
+  /// on the outer side of its tangent plane, is held by the wall: the direction is that of the spring.
+  static Outward outward(const SurfaceProxy& proxy) noexcept {
+    const Outward up = upward(proxy);
+    const Vec3 stretched = proxy.place_m - proxy.hand_m;
+    const double square = squared_norm(stretched);
+    return dot(stretched, up.v) < 0.0 && square > 0.0 ? Outward{stretched, 1.0 / square} : up;
+  }
+
+  /// The output with a proxy in contact whose surface pushes along `out`.
   [[gnu::always_inline]] LawOutput pushed(const Hand& hand, const Contact& contact, const ProxyBefore& before,
-                                          State& state) const noexcept {
+                                          const Outward& out, State& state) const noexcept {
     const SurfaceProxy& proxy = state.proxy;
     LawOutput output = output_of(state);
     const Vec3 stretched = proxy.place_m - hand.position.v;
-    const models::CurvedSample& s = proxy.surface;
-    const Outward up{{-s.dzdx, -s.dzdy, 1.0}, 1.0 / (1.0 + (s.dzdx * s.dzdx + s.dzdy * s.dzdy))};
-    output.force_N.v = proxy_force(hand, contact, proxy.place_m, before, up);
+    output.force_N.v = proxy_force(hand, contact, proxy.place_m, before, out);
     output.spring_N.v = contact.stiffness_N_per_m * stretched;
     output.stored_J = 0.5 * contact.stiffness_N_per_m * squared_norm(stretched);
     if (textures_.any()) {
+      const Outward up = upward(proxy);
       const Vec3 normal = std::sqrt(up.per_length2) * up.v;
       add_texture(hand, textures_.of(state.memory.label),
                   {proxy.place_m, normal, dot(stretched, normal), contact.stiffness_N_per_m}, on_plan,

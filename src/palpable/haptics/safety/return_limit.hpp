@@ -11,9 +11,12 @@ namespace palpable::haptics {
 /// The first tick inside a surface stores energy that the hand did not give, since there was no force yet. A
 /// hand that turns back has given it by then. One that grazes a bump within a tick or two does not turn: the
 /// force on the far side pushes it on, and returns what nobody gave. On the next bump the spring may be
-/// short again: what the hand gave to the first one is lost. So a force that pushes the hand the way it goes
-/// is reduced such that, until the next tick, it gives no more than is left. A force against the movement, a
-/// hand at rest, and a contact that has lasted longer than 10 ms are not affected. Tick path; no allocation.
+/// short again: what the hand gave to the first one is lost. The same happens in the middle of a contact: a
+/// fast hand leaves a small spring within a tick, and its held force gives more than the spring stores. So a
+/// force that pushes the hand the way it goes is reduced such that, until the next tick, it gives no more
+/// than is left. A force against the movement and a hand at rest are not affected; nor, below the stiffness
+/// limit, is a hand on a smooth surface, whose damper takes what the held force gives too much. Tick path; no
+/// allocation.
 class ReturnLimit {
  public:
   /// A force and a torque that are about to be sent, on the hand as it will move when they act.
@@ -23,7 +26,8 @@ class ReturnLimit {
     double force_N = 0.0;
     /// What the forces that were sent before but do not act yet will give, J.
     double on_the_way_J = 0.0;
-    /// How much less than known the hand may have given, within the sensor's step, J.
+    /// How much less than known the hand may have given, and how much more it may get, within the sensor's
+    /// step, J.
     double unsure_J = 0.0;
     /// How long they act, s; and the mass that they accelerate meanwhile, kg; 0: not known.
     double dt_s = 0.001;
@@ -31,12 +35,10 @@ class ReturnLimit {
   };
 
   /// The hand is in free air and no force is on its way to it: the next contact begins with this.
-  void begin() noexcept { given_J_ = age_s_ = 0.0; }
-  /// What the hand received since the last call, `dt_s` ago, J; negative: it gave. And what the spring
-  /// stores now, J.
-  void account(double received_J, double stored_J, double dt_s) noexcept {
+  void begin() noexcept { given_J_ = 0.0; }
+  /// What the hand received since the last call, J; negative: it gave. And what the spring stores now, J.
+  void account(double received_J, double stored_J) noexcept {
     given_J_ = std::min(given_J_ - received_J, stored_J);
-    age_s_ += dt_s;
   }
   /// The contact may return at least this.
   void raise_to(double given_J) noexcept { given_J_ = std::max(given_J_, given_J); }
@@ -45,7 +47,7 @@ class ReturnLimit {
 
   /// The share of force and torque that may be sent, 0 ... 1.
   double share(const Sending& sending) const noexcept {
-    if (sending.power_W <= 0.0 || age_s_ > kGrazing_s) return 1.0;
+    if (sending.power_W <= 0.0) return 1.0;
     const double by_speed_J = sending.power_W * sending.dt_s;
     const double gained_Ns = sending.force_N * sending.dt_s;
     const double by_gain_J = sending.mass_kg > 0.0 ? 0.5 * gained_Ns * gained_Ns / sending.mass_kg : 0.0;
@@ -60,12 +62,7 @@ class ReturnLimit {
   /// contact.
   static constexpr double kNegligible_J = 1e-7;
 
-  /// A longer contact is no graze: there dampers, stiffness limit and passivity controller bound the energy.
-  /// On a wall that is too stiff this limit would keep an oscillation going that the controller ends.
-  static constexpr double kGrazing_s = 0.01;
-
   double given_J_ = 0.0;
-  double age_s_ = 0.0;
 };
 
 }  // namespace palpable::haptics

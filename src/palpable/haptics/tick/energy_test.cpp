@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The energy that the laws generate with different hands, at the stiffness limit and far above it. The limit
-// on growing forces is active, the passivity controller is off.
+// The energy that the laws generate with different hands, at the stiffness limit, and far above it without
+// the return limit. The limit on growing forces is active, the passivity controller is off.
 #include "palpable/haptics/law/rolling.hpp"
 #include "palpable/haptics/law/test_scenes.hpp"
 #include "palpable/haptics/safety/stability.hpp"
@@ -35,6 +35,7 @@ double made_by(Law law, const device::HandOptions& options, double times_the_lim
   program.touchable = made(scene, parameters);
   TickOptions observed;
   observed.passivity = Passivity::observe;
+  observed.returns = times_the_limit > 1.0 ? Returns::free : Returns::limited;
   Ring<TouchEvent> events(1024);
   TickPipeline tick(hand, program, observed, events);
   constexpr int kTicks = 5000;

@@ -82,7 +82,7 @@ using MakeTouchable = std::function<std::shared_ptr<const Touchable>(const SafeC
 
 /// A hand that explores for so long at the stiffness limit of its device, without the controller.
 inline TouchedEnergy touched_energy(const device::HandOptions& options, const MakeTouchable& touchable,
-                                    int ticks = 10000) {
+                                    int ticks = 10000, Returns returns = Returns::limited) {
   CountedHand hand(options);
   const auto kept =
       std::make_shared<KeptOutput>(touchable(safe_contact(hand.traits(), options.rate_hz, 1.0, 1e5, 0.5)));
@@ -90,6 +90,7 @@ inline TouchedEnergy touched_energy(const device::HandOptions& options, const Ma
   scene.touchable = kept;
   TickOptions observed;
   observed.passivity = Passivity::observe;
+  observed.returns = returns;
   Ring<TouchEvent> events(1024);
   TickPipeline tick(hand, scene, observed, events);
   IntervalAccount intervals(options.delay_samples);

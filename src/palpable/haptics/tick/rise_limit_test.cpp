@@ -22,12 +22,13 @@ struct Impact {
   double withheld_J = 0.0;
 };
 Impact thrown(double mass_kg, double speed_m_per_s, double stiffness, double damping, double cap_N,
-              Passivity passivity) {
+              Passivity passivity, Returns returns = Returns::limited) {
   ScriptedDevice device;
   device.mutable_traits().max_force_N = cap_N;
   const HapticScene scene{std::make_shared<SpringSurface>(flat, stiffness, damping), {}, 1};
   TickOptions options;
   options.passivity = passivity;
+  options.returns = returns;
   Ring<TouchEvent> events(64);
   TickPipeline tick(device, scene, options, events);
   double z = 0.005;
@@ -141,14 +142,18 @@ TEST(Ramp, GivesARestingHandTheWholeSpring) {
 }
 
 TEST(PassivityController, NeverLetsASpringReturnAHandFaster) {
-  // Without damping, the held spring generates energy; this is visible without the controller.
+  // Without damping, the held spring generates energy; this is visible without the controller and the return
+  // limit.
+  constexpr double kSpeed = 0.3;
   double without = 0.0;
   for (const double mass_kg : {0.05, 0.15, 0.5}) {
-    const double speed = 0.3;
-    without =
-        std::max(without, thrown(mass_kg, speed, 960.0, 0.0, 20.0, Passivity::observe).out_m_per_s / speed);
-    EXPECT_LE(thrown(mass_kg, speed, 960.0, 0.0, 20.0, Passivity::control).out_m_per_s / speed, 1.06)
-        << mass_kg;
+    const auto faster = [&](Passivity passivity, Returns returns) {
+      return thrown(mass_kg, kSpeed, 960.0, 0.0, 20.0, passivity, returns).out_m_per_s / kSpeed;
+    };
+    without = std::max(without, faster(Passivity::observe, Returns::free));
+    EXPECT_LE(faster(Passivity::control, Returns::free), 1.06) << mass_kg;
+    EXPECT_LE(faster(Passivity::observe, Returns::limited), 1.06) << mass_kg;
+    EXPECT_LE(faster(Passivity::control, Returns::limited), 1.06) << mass_kg;
   }
   EXPECT_GT(without, 1.1);
 }

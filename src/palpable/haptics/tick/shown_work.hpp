@@ -72,9 +72,7 @@ class ShownWork {
     step.stored_J = std::numeric_limits<double>::quiet_NaN();
     step.contact = (tick.flags & flag::kContact) != 0;
     observer_.update(step);
-    const bool pushed = held.force_N != Vector<DeviceFrame>{};
-    since_zero_J_ = pushed ? since_zero_J_ + dot(held.force_N - held.guide_N, moved_m) : 0.0;
-    since_zero_max_J_ = std::max(since_zero_max_J_, since_zero_J_);
+    count_since_zero(held, moved_m, step.moved_m);
   }
 
   /// Ticks are missing before the next one.
@@ -86,8 +84,10 @@ class ShownWork {
   /// the most of it, J.
   double made_J() const noexcept { return observer_.made_J(); }
   double made_max_J() const noexcept { return observer_.made_max_J(); }
-  /// The plain sum of forces times movements, the most of it since the force was last zero, J. It is an upper
-  /// bound: whole movements count in a stall, and a hand gets back after a stall what it delivered before it.
+  /// The sum of forces times movements, the most of it since the force was last zero, J. It is an upper
+  /// bound, never below made_max_J(): of a stall the part of the movement counts that gives the hand more, a
+  /// hand gets back after a stall what it delivered before it, and a force that the controller reduced to
+  /// zero ends no sum that is above zero.
   double since_zero_max_J() const noexcept { return since_zero_max_J_; }
 
  private:
@@ -108,6 +108,14 @@ class ShownWork {
     Vector<DeviceFrame> guide_N;
     bool weakened = false;
   };
+  /// `held` acted during the whole movement, or, in a stall, during a part of it.
+  void count_since_zero(const Sent& held, Vector<DeviceFrame> moved_m, Vector<DeviceFrame> part_m) noexcept {
+    const Vector<DeviceFrame> force_N = held.force_N - held.guide_N;
+    const bool ends = held.force_N == Vector<DeviceFrame>{} && !(held.weakened && since_zero_J_ > 0.0);
+    since_zero_J_ = ends ? 0.0 : since_zero_J_ + std::max(dot(force_N, moved_m), dot(force_N, part_m));
+    since_zero_max_J_ = std::max(since_zero_max_J_, since_zero_J_);
+  }
+
   double stall_s_;
   std::array<Sent, kSent> sent_{};
   std::size_t newest_ = 0;

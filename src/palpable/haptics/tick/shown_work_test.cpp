@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/tick/shown_work.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -46,6 +48,38 @@ TEST(ShownWork, CountsAMovementInAStallUntilTheWatchdogEndsTheForce) {
   EXPECT_EQ(pressed(2.0, 0.05, flag::kStalled).made_max_J(), 0.0);
   EXPECT_NEAR(pressed(20.0, 0.05, flag::kStalled).made_max_J(), 3e-3, 1e-12);
   EXPECT_NEAR(pressed(2.0, 0.05, flag::kStalled).since_zero_max_J(), 3e-3, 1e-12) << "the plain sum";
+}
+
+TEST(ShownWork, IsNeverAboveTheSumSinceTheForceWasZero) {
+  std::mt19937 random(5);
+  const auto uniform = [&](double least, double most) {
+    return std::uniform_real_distribution<double>(least, most)(random);
+  };
+  const std::uint32_t kinds[]{flag::kContact,
+                              flag::kContact | flag::kPassivityActed,
+                              flag::kContact | flag::kStalled,
+                              flag::kContact | flag::kRamping,
+                              0U,
+                              flag::kNewTouch,
+                              flag::kFading};
+  double most_J = 0.0;
+  for (int hand = 0; hand < 200; ++hand) {
+    device::Traits device = without_delay();
+    device.delay_samples = hand % 3;
+    ShownWork work(device, {});
+    double z_m = 0.0;
+    for (int n = 0; n < 100; ++n) {
+      const std::uint32_t flags = kinds[std::min<std::size_t>(random() % 20U, 6U)];
+      ShownWork::Tick tick =
+          at(z_m += uniform(-1e-3, 1e-3), random() % 3U == 0 ? 0.0 : uniform(-1.0, 2.0), flags);
+      tick.dt_s = (flags & flag::kStalled) != 0 ? uniform(0.001, 0.05) : 0.001;
+      work.take(tick);
+      ASSERT_LE(work.made_max_J(), work.since_zero_max_J() * (1.0 + 1e-12))
+          << "hand " << hand << ", tick " << n;
+    }
+    most_J = std::max(most_J, work.made_max_J());
+  }
+  EXPECT_GT(most_J, 1e-3);
 }
 
 TEST(ShownWork, KnowsNothingOfLawsThatAreNoContactAndOfReadingsThatAreNone) {

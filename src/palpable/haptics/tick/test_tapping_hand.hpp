@@ -46,9 +46,9 @@ inline SafeContact stiffest_wall(const device::HandOptions& hand) {
   return safe_contact(device::SimulatedHand(hand).traits(), hand.rate_hz, 1.0, kFarTooStiff_N_per_m, 0.0);
 }
 
-/// The most energy that this hand receives in one contact with a level wall beyond what it gave, without
-/// controller. It taps the wall at 1 to 7 Hz with goals 2 to 10 mm deep, presses it for a while, leaves, and
-/// does that again, for so many seconds.
+/// The most energy that this hand receives in one contact with a level wall beyond what it gave, by the
+/// wall's spring and damper alone, without return limit and controller. It taps the wall at 1 to 7 Hz with
+/// goals 2 to 10 mm deep, presses it for a while, leaves, and does that again, for so many seconds.
 inline double most_received_J(const device::HandOptions& options, double stiffness_N_per_m,
                               double damping_Ns_per_m, double seconds, std::uint64_t seed) {
   constexpr double kT_s = 0.001;
@@ -72,6 +72,7 @@ inline double most_received_J(const device::HandOptions& options, double stiffne
   };
   TickOptions tick_options;
   tick_options.passivity = Passivity::observe;
+  tick_options.returns = Returns::free;
   Ring<TouchEvent> events(1024);
   TickPipeline tick(hand, touched, tick_options, events);
   // Goals without jumps: a hand does not accelerate like that.

@@ -85,7 +85,7 @@ const TouchSample& TickPipeline::step(double clock_t_s, double clock_dt_s) noexc
   if (fading()) fade(dt_s);
   const bool valid = good && evaluate_laws(dt_s);
   if (!is_glitch) account_spring(dt_s, valid && !is_paused());
-  account_returns(dt_s);
+  account_returns();
   if (fading() && faded_ >= 1.0) end_fade();
   observe(dt_s);
   if (!is_glitch) make_force(dt_s);

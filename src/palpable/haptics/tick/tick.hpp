@@ -101,14 +101,15 @@ class TickPipeline {
   void account_stall(RiseLimit::Input in, double dt_s) noexcept;
   void make_torque(double risen_s) noexcept;
   void begin_returns() noexcept;
-  void account_returns(double dt_s) noexcept;
+  void account_returns() noexcept;
   struct Sent;
   struct Forces {
     Vector<DeviceFrame> force_N;
     Vector<DeviceFrame> torque_Nm;
   };
   /// A share 0 ... 1 to which an account of energy reduces the forces, raised so that their step
-  /// is no longer than the rise limit allows, or than the law's own.
+  /// is no longer than the rise limit allows, or than the law's own, or takes no more than the rise limit
+  /// from what the law wants.
   double without_step(double share, const Forces& wanted, const Forces& before, double dt_s) const noexcept;
   double returned_share(const ReturnLimit& limit, const Forces& wanted, Forces (*sent_as)(const Sent&),
                         double dt_s) const noexcept;

@@ -182,12 +182,13 @@ void TickPipeline::count_shown_work() noexcept {
   counts_.work_since_zero_force_max_J = shown_.counts() ? shown_.since_zero_max_J() : kUnknown;
 }
 
-void TickPipeline::account_returns(double dt_s) noexcept {
+void TickPipeline::account_returns() noexcept {
   const double stored_J = is_accounted() ? stored_J_ : std::numeric_limits<double>::infinity();
-  returns_.account(received_.written_J, stored_J, dt_s);
-  uncontrolled_returns_.account(received_.uncontrolled_J, stored_J, dt_s);
-  // What a change of scene or of parameters brings is not the law's.
-  if (is_changing()) {
+  returns_.account(received_.written_J, stored_J);
+  uncontrolled_returns_.account(received_.uncontrolled_J, stored_J);
+  // What a change of scene or of parameters brings is not the law's. A spring that is ramped up under a hand
+  // returns what the rise limit says.
+  if (is_changing() || ramp_.value() < 1.0) {
     returns_.raise_to(stored_J_);
     uncontrolled_returns_.raise_to(stored_J_);
   }
@@ -216,7 +217,9 @@ double TickPipeline::without_step(double share, const Forces& wanted, const Forc
     const double most = std::max(most_step * most_step, squared_norm(of - from));
     const double along = dot(of, from);
     const double root = std::sqrt(std::max(0.0, along * along - square * (squared_norm(from) - most)));
-    return std::clamp((along - root) / square, 0.0, 1.0);
+    // Where the law makes a long step itself, that share may be 1: at most so much less than the law wants.
+    const double less = 1.0 - most_step / std::sqrt(square);
+    return std::clamp(std::min((along - root) / square, less), 0.0, 1.0);
   };
   return std::max({share, least(wanted.force_N.v, before.force_N.v, options_.max_force_rate_N_per_s * dt_s),
                    least(wanted.torque_Nm.v, before.torque_Nm.v, options_.max_torque_rate_Nm_per_s * dt_s)});
@@ -235,7 +238,9 @@ double TickPipeline::returned_share(const ReturnLimit& limit, const Forces& want
     sending.on_the_way_J += dt_s * std::max(0.0, dot(sent.force_N, v) + dot(sent.torque_Nm, w));
   }
   const auto sum = [](Vec3 of) { return std::abs(of.x) + std::abs(of.y) + std::abs(of.z); };
-  sending.unsure_J = fine_.half_step_m() * std::max(sum(wanted.force_N.v), sum(sent_as(held()).force_N.v));
+  // The place is known to half a step, and the way in a tick, by two readings, to a whole one.
+  sending.unsure_J =
+      3.0 * fine_.half_step_m() * std::max(sum(wanted.force_N.v), sum(sent_as(held()).force_N.v));
   sending.force_N = norm(wanted.force_N);
   sending.dt_s = dt_s;
   sending.mass_kg = device_.traits().mass_kg;
@@ -243,7 +248,7 @@ double TickPipeline::returned_share(const ReturnLimit& limit, const Forces& want
 }
 
 void TickPipeline::limit_returns(double dt_s) noexcept {
-  if (!is_accounted() || is_changing()) return;
+  if (options_.returns == Returns::free || !is_accounted() || is_changing()) return;
   const auto reduce = [&](const ReturnLimit& limit, RiseLimit& rise, Vector<DeviceFrame>& force_N,
                           Vector<DeviceFrame>& torque_Nm, Forces (*sent_as)(const Sent&)) {
     const double share = returned_share(limit, {force_N, torque_Nm}, sent_as, dt_s);

@@ -10,6 +10,10 @@ namespace palpable::haptics {
 
 enum class Passivity { observe, control };
 
+/// Whether ReturnLimit bounds what a contact returns. `free` is for measurements of what a law's springs and
+/// dampers return by themselves.
+enum class Returns { limited, free };
+
 /// Limits of a tick. All times and rates are above 0.
 struct TickOptions {
   /// Force cap, > 0; limited to the device's greatest force.
@@ -20,6 +24,7 @@ struct TickOptions {
   /// The same for torque: 0.1 m times the force's limit.
   double max_torque_rate_Nm_per_s = 30.0;
   Passivity passivity = Passivity::control;
+  Returns returns = Returns::limited;
   /// The amplitude of a contact transient is at most this fraction of the device's greatest force, 0 to 1;
   /// and the least speed at which a contact counts as an impact.
   double max_transient_of_force = 0.25;
