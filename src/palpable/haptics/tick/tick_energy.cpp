@@ -184,8 +184,10 @@ void TickPipeline::count_shown_work() noexcept {
 
 void TickPipeline::account_returns() noexcept {
   const double stored_J = is_accounted() ? stored_J_ : std::numeric_limits<double>::infinity();
-  returns_.account(received_.written_J, stored_J);
-  uncontrolled_returns_.account(received_.uncontrolled_J, stored_J);
+  // A guide's own reserve bounds what its pull gives.
+  const double guide_J = (flags_ & flag::kStalled) != 0 ? 0.0 : dot(held().guide_N, moved_);
+  returns_.account(received_.written_J - guide_J, stored_J);
+  uncontrolled_returns_.account(received_.uncontrolled_J - guide_J, stored_J);
   // What a change of scene or of parameters brings is not the law's. A spring that is ramped up under a hand
   // returns what the rise limit says.
   if (is_changing() || ramp_.value() < 1.0) {
@@ -251,17 +253,17 @@ void TickPipeline::limit_returns(double dt_s) noexcept {
   if (options_.returns == Returns::free || !is_accounted() || is_changing()) return;
   const auto reduce = [&](const ReturnLimit& limit, RiseLimit& rise, Vector<DeviceFrame>& force_N,
                           Vector<DeviceFrame>& torque_Nm, Forces (*sent_as)(const Sent&)) {
-    const double share = returned_share(limit, {force_N, torque_Nm}, sent_as, dt_s);
+    const double share = returned_share(limit, {force_N - guide_N_, torque_Nm}, sent_as, dt_s);
     if (share >= 1.0) return;
-    force_N = share * force_N;
+    force_N = guide_N_ + share * (force_N - guide_N_);
     torque_Nm = share * torque_Nm;
     rise.weakened_to(force_N);
   };
   reduce(returns_, rise_, written_N_, written_Nm_, [](const Sent& sent) {
-    return Forces{sent.written_N, sent.written_Nm};
+    return Forces{sent.written_N - sent.guide_N, sent.written_Nm};
   });
   reduce(uncontrolled_returns_, uncontrolled_rise_, uncontrolled_N_, uncontrolled_Nm_, [](const Sent& sent) {
-    return Forces{sent.uncontrolled_N, sent.uncontrolled_Nm};
+    return Forces{sent.uncontrolled_N - sent.guide_N, sent.uncontrolled_Nm};
   });
 }
 
