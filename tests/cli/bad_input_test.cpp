@@ -325,7 +325,7 @@ TEST_F(BadInput, ASmallStackIsEnoughForATouch) {
   rlimit before{};
   ASSERT_EQ(getrlimit(RLIMIT_STACK, &before), 0);
   rlimit limited = before;
-  limited.rlim_cur = 64 << 10;
+  limited.rlim_cur = 112 << 10;
   ASSERT_EQ(setrlimit(RLIMIT_STACK, &limited), 0);
   Running running({"touch", "sample:church", "--headless", "--seconds", "0.2", "--resolution", "48"});
   ASSERT_EQ(setrlimit(RLIMIT_STACK, &before), 0);

@@ -29,6 +29,8 @@ TouchHost::TouchHost(session::TouchSession& session, Options options)
       unsaved_(options_.save_as),
       worker_([this] { work(); }) {
   for (auto& sentence : session_.notices()) say("info", std::move(sentence));
+  if (const auto file = formats::UnsavedScene::of_earlier_touch(options_.save_as); !file.empty())
+    say("info", "Names of an earlier touch that were not saved are in " + file.string());
 }
 
 TouchHost::~TouchHost() {

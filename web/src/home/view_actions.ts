@@ -41,5 +41,7 @@ export class ViewActions {
     element('move-head').setAttribute('aria-pressed', String(now === 'head'));
     for (const one of ['probe', 'picture', 'head'] as const) element(`arrows-move-${one}`).hidden = one !== now;
     this.say(begins ? words : 'Arrows move the probe.');
+    // The arrows act there, not on the button.
+    if (begins && document.activeElement instanceof HTMLButtonElement) element('stage').focus();
   }
 }

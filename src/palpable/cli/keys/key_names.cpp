@@ -13,7 +13,10 @@
 namespace palpable::cli {
 
 std::shared_ptr<const models::Scene> KeyNames::named(const std::shared_ptr<const models::Scene>& touched) {
-  if (!edited_) return touched;
+  if (!edited_) {
+    touched_names_ = touched->names;
+    return touched;
+  }
   if (touched != touched_ || named_ == nullptr) {
     auto named = std::make_shared<models::Scene>(*touched);
     named->names = *edited_;
@@ -33,6 +36,10 @@ std::string KeyNames::taken(const models::Scene& scene, Result<describe::NamesEd
   if (!edit) return describe::capitalised(edit.error().message) + ".";
   edited_ = std::move(edit->names);
   named_.reset();
+  if (touched_names_ && *touched_names_ == *edited_) {
+    unsaved_.discard();
+    return edit->words;
+  }
   models::Scene named = scene;
   named.names = *edited_;
   if (const auto kept = unsaved_.keep(named); !kept)
@@ -88,7 +95,13 @@ std::string KeyNames::undo(const models::Scene& scene) { return taken(scene, his
 std::string KeyNames::save(const models::Scene& scene) {
   if (const auto written = formats::write_scene(save_as_, scene); !written) return written.error().sentence();
   unsaved_.discard();
+  touched_names_ = scene.names;
   return "The scene is saved as " + save_as_.string() + ".";
+}
+
+std::string KeyNames::left_over_words() const {
+  const auto file = formats::UnsavedScene::of_earlier_touch(save_as_);
+  return file.empty() ? "" : "Names of an earlier touch that were not saved are in " + file.string() + ".";
 }
 
 std::string KeyNames::unsaved_words() const {

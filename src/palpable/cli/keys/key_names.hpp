@@ -35,6 +35,8 @@ class KeyNames {
   std::string way(const models::Scene& scene, Place from);
   std::string undo(const models::Scene& scene);
   std::string save(const models::Scene& scene);
+  /// Where an earlier touch left names that were not saved; empty if it did not.
+  std::string left_over_words() const;
   /// Where names are kept that were not saved; empty if there are none.
   std::string unsaved_words() const;
 
@@ -46,6 +48,8 @@ class KeyNames {
   formats::UnsavedScene unsaved_;
   describe::NameHistory history_;
   std::optional<models::PlaceNames> edited_;
+  /// As they were last opened or saved.
+  std::optional<models::PlaceNames> touched_names_;
   std::shared_ptr<const models::Scene> touched_;
   std::shared_ptr<const models::Scene> named_;
   std::unique_ptr<const describe::PlaceGuide> guide_;

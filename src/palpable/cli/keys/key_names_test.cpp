@@ -71,6 +71,12 @@ TEST_F(NamesByKeys, AreKeptBesideTheSceneUntilTheyAreSaved) {
   const auto kept = formats::read_scene(folder / "plate-unsaved.palp");
   ASSERT_TRUE(kept);
   EXPECT_EQ(kept->scene.names, scene().names);
+  EXPECT_THAT(KeyNames(file).left_over_words(), EndsWith("plate-unsaved.palp."));
+  names.undo(scene());
+  names.undo(scene());
+  EXPECT_EQ(names.unsaved_words(), "") << "all is undone";
+  names.name(scene(), {0.01, 0.0}, "well");
+  EXPECT_THAT(names.unsaved_words(), EndsWith("plate-unsaved.palp."));
   names.save(scene());
   EXPECT_FALSE(std::filesystem::exists(folder / "plate-unsaved.palp"));
 }

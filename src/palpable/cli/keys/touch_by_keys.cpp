@@ -106,6 +106,7 @@ class NameKeys {
   std::shared_ptr<const models::Scene> named(const std::shared_ptr<const models::Scene>& touched) {
     return names_.named(touched);
   }
+  std::string left_over_words() const { return names_.left_over_words(); }
   std::string unsaved_words() const { return names_.unsaved_words(); }
   bool awaits_line() const { return awaited_ != Request::nothing; }
   /// A typed line; what to say.
@@ -154,6 +155,7 @@ Result<void> explore(session::TouchSession& session, session::MakerThread& maker
   zoom.begin(session.scene());
   TerminalKeys keys;
   mouth.say(describe::opening_words(*session.scene()), voice::Importance::news);
+  mouth.say(names.left_over_words(), voice::Importance::news);
   while (!interrupted() && !keys.ended()) {
     if (auto better = maker.take(std::chrono::milliseconds(0))) {
       if (auto changed = session.change_scene(better); !changed) return changed;

@@ -4,27 +4,43 @@
 
 #include "palpable/formats/scene/scene_file.hpp"
 
+#include <cerrno>
 #include <string>
 #include <system_error>
 #include <utility>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 namespace palpable::formats {
 namespace {
 
-std::filesystem::path free_copy(const std::filesystem::path& save_as) {
-  const std::string stem = save_as.stem().string() + "-unsaved";
-  auto copy = save_as.parent_path() / (stem + ".palp");
-  std::error_code ignored;
-  for (int k = 2; std::filesystem::exists(copy, ignored); ++k)
-    copy = save_as.parent_path() / (stem + "-" + std::to_string(k) + ".palp");
-  return copy;
+std::filesystem::path copy_number(int k, const std::filesystem::path& save_as) {
+  const std::string number = k == 1 ? "" : "-" + std::to_string(k);
+  return save_as.parent_path() / (save_as.stem().string() + "-unsaved" + number + ".palp");
+}
+
+/// Creates the first copy that does not exist, empty, so that no other touch takes it.
+std::filesystem::path taken_copy(const std::filesystem::path& save_as) {
+  constexpr int kMost = 1000;
+  for (int k = 1; k <= kMost; ++k) {
+    auto copy = copy_number(k, save_as);
+    const int file = ::open(copy.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file < 0 && errno == EEXIST) continue;
+    if (file >= 0) ::close(file);
+    return copy;
+  }
+  return copy_number(kMost, save_as);
 }
 
 }  // namespace
 
 Result<void> UnsavedScene::keep(const models::Scene& scene) {
-  const auto copy = file_.empty() ? free_copy(save_as_) : file_;
+  const auto copy = file_.empty() ? taken_copy(save_as_) : file_;
   if (auto written = write_scene(copy, scene); !written) {
+    std::error_code ignored;
+    if (file_.empty() && std::filesystem::file_size(copy, ignored) == 0)
+      std::filesystem::remove(copy, ignored);
     if (std::exchange(failed_, true)) return {};
     return written;
   }
@@ -36,6 +52,12 @@ void UnsavedScene::discard() {
   std::error_code ignored;
   if (!file_.empty()) std::filesystem::remove(file_, ignored);
   file_.clear();
+}
+
+std::filesystem::path UnsavedScene::of_earlier_touch(const std::filesystem::path& save_as) {
+  std::error_code ignored;
+  const auto copy = copy_number(1, save_as);
+  return std::filesystem::exists(copy, ignored) ? copy : std::filesystem::path();
 }
 
 }  // namespace palpable::formats

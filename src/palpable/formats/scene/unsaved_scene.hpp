@@ -22,6 +22,8 @@ class UnsavedScene {
   Result<void> keep(const models::Scene& scene);
   /// Removes the copy: the changes were saved or undone.
   void discard();
+  /// A copy that an earlier touch left; empty if there is none.
+  static std::filesystem::path of_earlier_touch(const std::filesystem::path& save_as);
   /// The copy; empty if there is none.
   const std::filesystem::path& file() const { return file_; }
 

@@ -55,6 +55,16 @@ TEST_F(Unsaved, ReplacesNoFileOfAnEarlierTouch) {
   EXPECT_EQ(std::filesystem::file_size(earlier), 7U);
 }
 
+TEST_F(Unsaved, TwoTouchesKeepTwoCopiesAndALaterOneFindsThem) {
+  EXPECT_TRUE(UnsavedScene::of_earlier_touch(folder / "hills.palp").empty());
+  UnsavedScene one(folder / "hills.palp"), other(folder / "hills.palp");
+  ASSERT_TRUE(one.keep(named("gate")));
+  ASSERT_TRUE(other.keep(named("well")));
+  EXPECT_NE(one.file(), other.file());
+  EXPECT_EQ(read_scene(one.file())->scene.names.front().name, "gate");
+  EXPECT_EQ(UnsavedScene::of_earlier_touch(folder / "hills.palp"), one.file());
+}
+
 TEST_F(Unsaved, SaysOnceThatItCannotBeKept) {
   UnsavedScene unsaved(folder / "none" / "hills.palp");
   EXPECT_FALSE(unsaved.keep(named("gate")));

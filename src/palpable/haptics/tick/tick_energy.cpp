@@ -271,7 +271,14 @@ void TickPipeline::control_energy(double dt_s) noexcept {
   if (options_.passivity != Passivity::control || now_.energy == EnergyModel::self_limited) return;
   const double gives_W =
       dot(written_N_, motion_.velocity_m_per_s()) + dot(written_Nm_, rotation_.velocity_rad_per_s());
-  const double wanted = passivity_factor(gives_W, observer_.made_J(), dt_s);
+  // Within a step of the sensor the work of a force is not known. A reading that goes to and fro by a step
+  // shows energy that nobody made, and a force that is reduced for it shows more: the force of a hand at rest
+  // would change by the rise limit in each tick. And less than a tenth of a microjoule cannot be felt.
+  constexpr double kUnfelt_J = 1e-7;
+  const double unsure_J = 2.0 * fine_.half_step_m() * norm(written_N_);
+  const double made_J = observer_.made_J();
+  const double wanted =
+      made_J > std::max(kUnfelt_J, unsure_J) ? passivity_factor(gives_W, made_J, dt_s) : 1.0;
   if (wanted >= 1.0) return;
   const Sent& before = sent_[newest_];
   const double factor = without_step(wanted, {written_N_, written_Nm_}, {before.written_N, before.written_Nm},

@@ -124,15 +124,15 @@ TEST_F(SceneCacheTest, RemovesWhatWasUsedLeastRecently) {
     options_.recipes.field.field.resolution = resolution;
     return was_cached(made());
   };
-  static_cast<void>(made_at(32));
+  static_cast<void>(made_at(48));
   const fs::path first = entries().at(0);
   fs::last_write_time(first, fs::file_time_type::clock::now() - std::chrono::hours(2));
-  static_cast<void>(made_at(33));
+  static_cast<void>(made_at(49));
   const auto all = entries();
   const fs::path second = all.at(0) == first ? all.at(1) : all.at(0);
   fs::last_write_time(second, fs::file_time_type::clock::now() - std::chrono::hours(1));
   // The first one is used again, so it is not the one that is removed.
-  EXPECT_TRUE(made_at(32));
+  EXPECT_TRUE(made_at(48));
   options_.cache.most_bytes = fs::file_size(first) + fs::file_size(second) + 100;
   EXPECT_FALSE(made_at(20));
   EXPECT_TRUE(fs::exists(first));
@@ -140,12 +140,12 @@ TEST_F(SceneCacheTest, RemovesWhatWasUsedLeastRecently) {
   EXPECT_EQ(entries().size(), 2U);
   // A larger scene than the limit is not stored, and nothing is removed for it.
   options_.cache.most_bytes = 10;
-  EXPECT_FALSE(made_at(35));
+  EXPECT_FALSE(made_at(51));
   EXPECT_EQ(entries().size(), 2U);
   // A limit of 0 also uses none.
-  EXPECT_TRUE(made_at(32));
+  EXPECT_TRUE(made_at(48));
   options_.cache.most_bytes = 0;
-  EXPECT_FALSE(made_at(32));
+  EXPECT_FALSE(made_at(48));
 }
 
 TEST_F(SceneCacheTest, MakesTheSceneWhereTheCacheCannotBeWrittenOrIsOff) {
