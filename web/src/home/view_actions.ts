@@ -42,6 +42,7 @@ export class ViewActions {
     for (const one of ['probe', 'picture', 'head'] as const) element(`arrows-move-${one}`).hidden = one !== now;
     this.say(begins ? words : 'Arrows move the probe.');
     // The arrows act there, not on the button.
-    if (begins && document.activeElement instanceof HTMLButtonElement) element('stage').focus();
+    const pressed = document.activeElement?.id;
+    if (begins && (pressed === 'move-view' || pressed === 'move-head')) element('stage').focus();
   }
 }
