@@ -249,7 +249,8 @@ TEST_F(HostOnATouch, KeepsNamesBesideTheSceneUntilTheyAreSaved) {
   protocol::Name name;
   name.name = "summit";
   host->name(name);
-  ASSERT_TRUE(comes_true([&] { return std::filesystem::exists(copy); }));
+  // It is empty for a moment.
+  ASSERT_TRUE(comes_true([&] { return formats::read_scene(copy).has_value(); }));
   EXPECT_EQ(formats::read_scene(copy)->scene.names.front().name, "summit");
   host->save();
   EXPECT_TRUE(comes_true([&] { return !std::filesystem::exists(copy); }));
