@@ -57,7 +57,9 @@ void UnsavedScene::discard() {
 std::filesystem::path UnsavedScene::of_earlier_touch(const std::filesystem::path& save_as) {
   std::error_code ignored;
   const auto copy = copy_number(1, save_as);
-  return std::filesystem::exists(copy, ignored) ? copy : std::filesystem::path();
+  // An empty one belongs to a touch that is about to write it.
+  const auto bytes = std::filesystem::file_size(copy, ignored);
+  return !ignored && bytes > 0 ? copy : std::filesystem::path();
 }
 
 }  // namespace palpable::formats

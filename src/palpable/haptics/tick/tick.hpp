@@ -115,6 +115,8 @@ class TickPipeline {
                         double dt_s) const noexcept;
   /// Reduces the forces of this tick to what the contact may return.
   void limit_returns(double dt_s) noexcept;
+  /// The velocity as far as the sensor's step lets it be known.
+  Vector<DeviceFrame> sure_velocity_m_per_s(double dt_s) const noexcept;
   void control_energy(double dt_s) noexcept;
   void bound(double dt_s) noexcept;
   void send() noexcept;

@@ -19,6 +19,10 @@ Vector<DeviceFrame> VelocityEstimator::update(Point<DeviceFrame> position, doubl
 }
 
 double VelocityEstimator::slope(double Vec3::*axis) noexcept {
+  // A reading that goes to and fro by a step is a whole step off the line through its ends. That must not
+  // depend on how its numbers are rounded.
+  constexpr double kRounding = 1e-6;
+  const double fits_m = (1.0 + kRounding) * resolution_m_;
   const double now_m = positions_m_[at(0)].*axis;
   const auto slope_over = [&](int age) { return (now_m - positions_m_[at(age)].*axis) / -times_s_[at(age)]; };
   double best = slope_over(1);
@@ -26,7 +30,7 @@ double VelocityEstimator::slope(double Vec3::*axis) noexcept {
   for (int age = 2; age < count_; ++age) {
     const double line = slope_over(age);
     for (int between = 1; between < age; ++between)
-      if (std::abs(now_m + line * times_s_[at(between)] - positions_m_[at(between)].*axis) > resolution_m_)
+      if (std::abs(now_m + line * times_s_[at(between)] - positions_m_[at(between)].*axis) > fits_m)
         return best;
     best = line;
     age_s_.*axis = -0.5 * times_s_[at(age)];
