@@ -7,6 +7,7 @@ import { build, type Rollup } from 'vite';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { anaglyph, glasses, type Colour } from '../src/view/depth/anaglyph';
 import type { Fit } from '../src/view/depth/fit';
+import { straightPitch } from '../src/view/depth/layout';
 import type { Mark, Shot } from './depth_scene';
 import { launch } from './harness';
 
@@ -96,11 +97,12 @@ describe('the drawn depth', () => {
     let most = -Infinity;
     for (const share of heads) {
       const head = { x: (share.x * distance) / 1000, y: (share.y * distance) / 1000, z: (share.z * distance) / 1000 };
-      const picture = await take({ width, height, look: { depthMode: 'parallel', pixelSize: pixel, screenDistance: distance }, head });
+      const picture = await take({ width, height, look: { depthMode: 'crossed', pixelSize: pixel, screenDistance: distance }, head });
       const eyes = [-1, 1].map((side) => ({ ...head, x: head.x + (side * eyeDistance) / 2, z: head.z + distance / 1000 }));
       const measure = (mark: { x: number; y: number; height: number }, radius: number, of: (colour: Colour) => number) =>
         eyes.map((eye, half) => {
-          const middle = (width / 4) * (1 + 2 * half);
+          // With crossed gaze the left eye's picture is the right one.
+          const middle = (width / 4) * (3 - 2 * half);
           const { right, down } = expected(mark, picture, eye, metres);
           const found = centre(picture, middle + right, height / 2 + down, (radius * picture.fit.scale) / metres + 2, of);
           return { wanted: right, found: found.left - middle, down: found.top - height / 2, wantedDown: down };
@@ -118,6 +120,23 @@ describe('the drawn depth', () => {
     // There is depth, before the screen and behind it.
     expect(most).toBeGreaterThan(1);
     expect(least).toBeLessThan(-1);
+  });
+
+  it.each(screens)('asks no eyes that look straight ahead to turn outwards on $name', async ({ width, height, pixel, distance }) => {
+    const picture = await take({ width, height, look: { depthMode: 'parallel', pixelSize: pixel, screenDistance: distance }, head: { x: 0, y: 0, z: 0 } });
+    const pitch = Math.min(width / 2, (1000 * straightPitch({ distance: distance / 1000, eyeDistance })) / pixel);
+    for (const [k, mark] of marks.entries()) {
+      const [left, right] = [-1, 1].map((side) => {
+        const eye = { x: (side * eyeDistance) / 2, y: 0, z: distance / 1000 };
+        const { right: x, down } = expected(mark, picture, eye, pixel / 1000);
+        const middle = width / 2 + (side * pitch) / 2;
+        const found = centre(picture, middle + x, height / 2 + down, (0.002 * picture.fit.scale) / (pixel / 1000) + 1, ([, green]) => green).left;
+        // The pictures begin at whole pixels.
+        expect(Math.abs(found - middle - x), `point ${k}`).toBeLessThanOrEqual(1);
+        return found;
+      });
+      expect((right! - left!) * pixel, `point ${k}`).toBeLessThanOrEqual(1000 * eyeDistance);
+    }
   });
 
   it('leaves an edge in the plane of the screen where it is when the head moves, and no other one', async () => {

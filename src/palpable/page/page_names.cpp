@@ -3,14 +3,38 @@
 #include "palpable/page/page_names.hpp"
 
 #include "palpable/describe/numbers.hpp"
+#include "palpable/describe/place_words.hpp"
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
 
 namespace palpable::page {
+namespace {
+
+/// Entries that say the same get their number and their place: "bench, here, 1 of 2, 3 millimetres right from
+/// the middle". `seen`: of each entry.
+void tell_apart(const models::Scene& scene, const describe::PlaceGuide& guide,
+                const std::vector<describe::PlaceGuide::Seen>& seen,
+                std::vector<protocol::AroundPlace>& places) {
+  const Vec3 middle = models::centre_m(scene);
+  std::map<std::string, std::vector<std::size_t>> equal;
+  for (std::size_t i = 0; i < places.size(); ++i) equal[places[i].words].push_back(i);
+  for (const auto& [words, entries] : equal) {
+    if (entries.size() < 2) continue;
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+      const Place at = guide.places()[seen[entries[k]].place].name.at;
+      places[entries[k]].words =
+          fmt::format("{}, {} of {}, {}", words, k + 1, entries.size(),
+                      describe::from_middle_words({at.x_m - middle.x, at.y_m - middle.y}));
+    }
+  }
+}
+
+}  // namespace
 
 const describe::PlaceGuide& PageNames::guide(const models::Scene& scene) {
   if (guide_ == nullptr || !guide_->is_of(scene)) {
@@ -26,12 +50,14 @@ protocol::Around PageNames::around(const models::Scene& scene, const protocol::L
   answer.serial = question.serial;
   answer.list = list_;
   const Place from{question.x_m, question.y_m};
-  for (const auto& seen : names.around(from)) {
+  const auto all = names.around(from);
+  for (const auto& seen : all) {
     const describe::NamedPlace& place = names.places()[seen.place];
     answer.places.push_back({static_cast<std::int64_t>(seen.place), place.name.name,
                              fmt::format("{}, {}", place.words, describe::way_words(seen, from)),
                              place.name.sentence, place.written.has_value(), seen.distance_m == 0.0});
   }
+  tell_apart(scene, names, all, answer.places);
   return answer;
 }
 

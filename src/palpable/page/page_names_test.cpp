@@ -41,6 +41,18 @@ TEST(PageNames, AreListedTheNearestFirst) {
   EXPECT_FALSE(around.places[0].here);
 }
 
+TEST(PageNames, ThatAreEqualAtNearlyOnePlaceAreToldApart) {
+  PageNames names;
+  auto scene = plate();
+  scene.names = {{"bench", {}, {0.03, 0.0}}, {"gate", {}, {0.0, 0.0}}, {"bench", {}, {0.031, 0.001}}};
+  const auto around = names.around(scene, {7, 0.03, 0.0});
+  ASSERT_EQ(around.places.size(), 3U);
+  EXPECT_EQ(around.places[0].words, "bench, here, 1 of 2, 30 millimetres right from the middle");
+  EXPECT_EQ(around.places[1].words,
+            "bench, here, 2 of 2, 31 millimetres right, 1 millimetre up from the middle");
+  EXPECT_EQ(around.places[2].words, "gate, 30 millimetres left");
+}
+
 TEST(PageNames, LeadAProbeToTheirPlaceUntilItIsThere) {
   PageNames names;
   const auto scene = plate();

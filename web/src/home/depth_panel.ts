@@ -6,22 +6,27 @@ import { Calibration } from '../settings/calibration';
 import type { Preferences } from '../settings/preferences';
 import { cssPixel } from '../settings/screen_size';
 import type { Fit } from '../view/depth/fit';
-import { depthWords } from '../view/depth/words';
+import { SettledWords } from '../sound/settled_words';
+import { comfortWords, depthWords } from '../view/depth/words';
 import type { Stage } from '../view/stage';
 
 export interface DepthTarget {
   page(): Preferences;
   change(page: Partial<Preferences>, what: string): void;
   say(words: string): void;
+  /** Says it after what was asked for. */
+  tell(words: string): void;
 }
 
 export class DepthPanel {
   private shown: Fit | null = null;
+  private readonly comfort: SettledWords;
 
   constructor(
     private readonly stage: Stage,
     private readonly target: DepthTarget,
   ) {
+    this.comfort = new SettledWords((words) => target.tell(words));
     const calibration = new Calibration((pixelSize) => {
       target.change({ pixelSize }, 'pixelSize');
       target.say(this.screenWords());
@@ -41,13 +46,19 @@ export class DepthPanel {
     this.shown = this.stage.fit;
     element('depth-words').textContent = this.words();
     element('screen-words').textContent = this.screenWords();
+    this.comfort.set(this.comfortWords());
   }
 
   /** The depth mode and what it shows, in words. */
   say(): void {
     const option = element<HTMLSelectElement>('depth-mode').selectedOptions[0];
     const group = option?.parentElement instanceof HTMLOptGroupElement ? `${option.parentElement.label}: ` : '';
+    this.comfort.heard(this.comfortWords());
     this.target.say(`${group}${option?.text ?? ''}. ${this.words()}`);
+  }
+
+  private comfortWords(): string {
+    return comfortWords(this.stage.fit, this.target.page());
   }
 
   private words(): string {

@@ -124,6 +124,7 @@ export class TouchPage implements KeyTarget {
       page: () => this.settings.now.page,
       change: (page, what) => this.settings.changePage(page, what),
       say: (words) => this.voice.say(words, Importance.answer),
+      tell: (words) => this.voice.say(words, Importance.news),
     });
   }
 

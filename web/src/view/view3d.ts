@@ -30,7 +30,7 @@ import { DepthPicture, turnOf } from './depth/depth_picture';
 import { fitOf, type Fit } from './depth/fit';
 import type { ScreenPoint } from './depth/frustum';
 import { restingHead } from './depth/head';
-import { inWindow, layouts, windowOf, type Layout } from './depth/layout';
+import { inWindow, layouts, usedShare, windowOf, type Layout } from './depth/layout';
 import { Marble3d, marbleRadius } from './marble3d';
 import { Pace, type Speed } from './pace';
 import { lookAlike, plainLook, themeColours, type Look, type ProbeView, type View } from './view';
@@ -65,6 +65,8 @@ export class View3d implements View {
   private readonly depth: DepthPicture;
   private onScreen: Fit | null = null;
   private headMoved = restingHead;
+  /** The share of the canvas's width that the pictures for both eyes take. */
+  private used = 1;
 
   /** Throws if the browser has no WebGL. */
   constructor(container: HTMLElement) {
@@ -110,8 +112,7 @@ export class View3d implements View {
   }
 
   metresPerPixel(): number {
-    const { fit, layout } = this;
-    if (fit !== null && layout !== null) return (this.pixel() * (layout.stretched ? 1 : layout.columns)) / fit.scale;
+    if (this.fit !== null) return this.pixel() / this.fit.scale;
     const distance = this.camera.position.distanceTo(this.target);
     return (2 * distance * Math.tan((fieldOfView * Math.PI) / 360)) / (Math.max(1, this.canvas.clientHeight) * this.camera.zoom);
   }
@@ -141,7 +142,7 @@ export class View3d implements View {
     const { clientWidth, clientHeight } = this.canvas;
     const { layout } = this;
     const share = { across: left / clientWidth, down: top / clientHeight };
-    const { across, down } = layout === null ? share : inWindow(layout, share.across, share.down);
+    const { across, down } = layout === null ? share : inWindow(layout, share.across, share.down, this.used);
     const caster = new Raycaster();
     caster.setFromCamera(new Vector2(2 * across - 1, 1 - 2 * down), layout === null ? this.camera : this.depth.middle);
     return this.surface.hit(caster.ray.origin.toArray(), caster.ray.direction.toArray(), this.heightFactor);
@@ -162,7 +163,7 @@ export class View3d implements View {
     if (!this.stale) return 'fine';
     this.stale = false;
     if (this.layout === null) this.renderer.render(this.scene, this.camera);
-    else this.depth.draw(this.scene, this.layout, this.look.swapEyes, this.corner());
+    else this.depth.draw(this.scene, this.layout, this.used, this.look.swapEyes, this.corner());
     const speed = this.pace.drawn(waited);
     if (speed === 'fine' || this.pixelRatio <= coarsest || this.isInterleaved) return speed === 'fine' ? 'fine' : 'too slow';
     // On a slow machine (often without a GPU) fewer pixels are better than fewer frames.
@@ -268,7 +269,9 @@ export class View3d implements View {
     const [eyeDistance, distance] = [this.look.eyeDistance / 1000, this.look.screenDistance / 1000];
     const head = { ...this.headMoved, z: distance + this.headMoved.z };
     const pixel = this.pixel();
-    const window = windowOf(layout, { width: pixel * this.canvas.clientWidth, height: pixel * this.canvas.clientHeight });
+    const canvas = { width: pixel * this.canvas.clientWidth, height: pixel * this.canvas.clientHeight };
+    this.used = usedShare(layout, canvas.width, { distance, eyeDistance });
+    const window = windowOf(layout, canvas, this.used);
     const corners = cornersOf(surface, low - baseThickness * size - top / 2, top / 2 + 2 * marbleRadius * size);
     const fit = fitOf(
       corners.map((corner) => ({ x: corner.dot(sideways), y: corner.dot(upwards), z: corner.dot(outwards) })),

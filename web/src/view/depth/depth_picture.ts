@@ -15,6 +15,7 @@ import {
   Vector2,
   Vector3,
   WebGLRenderTarget,
+  type Color,
   type Quaternion,
   type WebGLRenderer,
 } from 'three';
@@ -50,12 +51,12 @@ export class DepthPicture {
     aimCamera(this.eyes.right, screen, right);
   }
 
-  /** `swap`: exchanges the eyes. `corner`: the device pixel of the screen at the canvas's upper left corner. */
-  draw(scene: Scene, layout: Layout, swap: boolean, corner: { left: number; top: number }): void {
+  /** `used`: the pictures' share of the width. `swap`: exchanges the eyes. `corner`: the device pixel of the screen at the canvas's upper left corner. */
+  draw(scene: Scene, layout: Layout, used: number, swap: boolean, corner: { left: number; top: number }): void {
     if (layout.first === 'head') return this.renderer.render(scene, this.middle);
     const { left, right } = this.eyes;
     const pair = (layout.first === 'left') !== swap ? [left, right] : [right, left];
-    if (layout.mixing === null) return this.drawParts(scene, layout, pair);
+    if (layout.mixing === null) return this.drawParts(scene, layout, used, pair);
     this.mixer ??= new Mixer();
     this.mixer.draw(this.renderer, scene, pair, layout.mixing, corner);
   }
@@ -64,12 +65,16 @@ export class DepthPicture {
     this.mixer?.dispose();
   }
 
-  private drawParts(scene: Scene, layout: Layout, pair: readonly PerspectiveCamera[]): void {
+  private drawParts(scene: Scene, layout: Layout, used: number, pair: readonly PerspectiveCamera[]): void {
     const { renderer } = this;
     const size = renderer.getDrawingBufferSize(new Vector2());
     const ratio = renderer.getPixelRatio();
+    if (used < 1) {
+      renderer.setClearColor(scene.background as Color);
+      renderer.clear();
+    }
     renderer.setScissorTest(true);
-    partsOf(layout, size.x, size.y).forEach(({ left, top, width, height }, k) => {
+    partsOf(layout, size.x, size.y, used).forEach(({ left, top, width, height }, k) => {
       const box = [left / ratio, (size.y - top - height) / ratio, width / ratio, height / ratio] as const;
       renderer.setViewport(...box);
       renderer.setScissor(...box);

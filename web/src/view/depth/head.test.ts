@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { describe, expect, it } from 'vitest';
 import { clampHead, headStep, headWords, restingHead } from './head';
-import { depthWords } from './words';
+import { comfortWords, depthWords } from './words';
 
 describe('the head', () => {
   it('moves by a centimetre, with Shift nearer and farther', () => {
@@ -22,12 +22,22 @@ describe('the head', () => {
 
 describe('the depth in words', () => {
   const fit = { scale: 1, plane: 0, depth: 0.641, nearest: 1, farthest: -0.8 };
+  const viewer = { depthShare: 100, eyeDistance: 63, screenDistance: 600 };
   it('says how much of it is shown, and whether that tires', () => {
-    expect(depthWords(null, { depthMode: 'plain', depthShare: 100 })).toBe('A usual picture, the same for both eyes.');
-    expect(depthWords(fit, { depthMode: 'rows', depthShare: 100 })).toBe(
+    expect(depthWords(null, { depthMode: 'plain', ...viewer })).toBe('A usual picture, the same for both eyes.');
+    expect(depthWords(fit, { depthMode: 'rows', ...viewer })).toBe(
       '64 % of the true depth, so that it is easy on the eyes: disparities up to 1.0° before the screen and 0.8° behind it.',
     );
-    expect(depthWords({ ...fit, depth: 1, nearest: 2 }, { depthMode: 'rows', depthShare: 100 })).toMatch(/^The true depth: .* tires the eyes\.$/);
-    expect(depthWords(fit, { depthMode: 'head', depthShare: 100 })).toMatch(/one eye/);
+    expect(depthWords({ ...fit, depth: 1, nearest: 2 }, { depthMode: 'rows', ...viewer })).toMatch(/^The true depth: .* tires the eyes\.$/);
+    expect(depthWords(fit, { depthMode: 'head', ...viewer })).toMatch(/one eye/);
+  });
+  it('says how far apart two pictures are that are looked at straight ahead', () => {
+    expect(depthWords(fit, { depthMode: 'parallel', ...viewer })).toMatch(/ The pictures are at most 53 mm apart, so that the eyes need not turn outwards\.$/);
+    expect(depthWords(fit, { depthMode: 'crossed', ...viewer })).not.toMatch(/apart/);
+  });
+  it('has a short form for what magnifying changes', () => {
+    expect(comfortWords(fit, { depthMode: 'rows', depthShare: 100 })).toBe('64 % of the true depth, so that it is easy on the eyes.');
+    expect(comfortWords({ ...fit, depth: 1 }, { depthMode: 'rows', depthShare: 100 })).toBe('The true depth.');
+    expect(comfortWords(null, { depthMode: 'plain', depthShare: 100 })).toBe('');
   });
 });

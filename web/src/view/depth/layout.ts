@@ -3,6 +3,7 @@
 // Where on the canvas each depth mode shows the pictures of the two eyes.
 import type { Preferences } from '../../settings/preferences';
 import { glasses, type Glasses } from './anaglyph';
+import { comfortLimit, type Viewer } from './comfort';
 import type { Size } from './frustum';
 
 export type Mode = Exclude<Preferences['depthMode'], 'plain'>;
@@ -16,12 +17,14 @@ export interface Layout {
   rows: 1 | 2;
   /** Whether the screen stretches each picture to the whole canvas, as 3-D screens do. */
   stretched: boolean;
+  /** Whether each eye looks straight ahead, at its own picture. */
+  straight: boolean;
   /** Whose picture is the left or the upper one, or has the first row or column. */
   first: 'left' | 'right' | 'head';
   mixing: Mixing | null;
 }
 
-const whole = { columns: 1, rows: 1, stretched: false, mixing: null } as const;
+const whole = { columns: 1, rows: 1, stretched: false, straight: false, mixing: null } as const;
 const beside = { ...whole, columns: 2 } as const;
 
 export const layouts: Record<Mode, Layout> = {
@@ -29,7 +32,7 @@ export const layouts: Record<Mode, Layout> = {
   'red-cyan': { ...whole, first: 'left', mixing: { by: 'colours', glasses: glasses['red-cyan'] } },
   'amber-blue': { ...whole, first: 'left', mixing: { by: 'colours', glasses: glasses['amber-blue'] } },
   'green-magenta': { ...whole, first: 'left', mixing: { by: 'colours', glasses: glasses['green-magenta'] } },
-  parallel: { ...beside, first: 'left' },
+  parallel: { ...beside, straight: true, first: 'left' },
   crossed: { ...beside, first: 'right' },
   'side-by-side': { ...beside, stretched: true, first: 'left' },
   'over-under': { ...whole, rows: 2, stretched: true, first: 'left' },
@@ -37,15 +40,30 @@ export const layouts: Record<Mode, Layout> = {
   columns: { ...whole, first: 'left', mixing: { by: 'columns' } },
 };
 
-/** The window through which an eye sees the scene; of a canvas of this size. */
-export function windowOf({ columns, rows, stretched }: Layout, canvas: Size): Size {
-  return stretched ? canvas : { width: canvas.width / columns, height: canvas.height / rows };
+/**
+ * How far apart two pictures may be that eyes look at straight ahead: no two pictures of one point may be farther apart than
+ * the eyes, which cannot turn outwards. Points behind the screen are up to the comfort limit farther apart than the pictures;
+ * beyond 1.8 m that would leave nothing, so half of the eyes' distance is kept. In the viewer's unit.
+ */
+export function straightPitch({ distance, eyeDistance }: Viewer): number {
+  const behind = distance * Math.tan((comfortLimit * Math.PI) / 180);
+  return eyeDistance - Math.min(behind, eyeDistance / 2);
+}
+
+/** The share of the canvas's width that the pictures take, in its middle; `width`: that of the canvas. */
+export function usedShare({ straight, columns }: Layout, width: number, viewer: Viewer): number {
+  return straight ? Math.min(1, (columns * straightPitch(viewer)) / width) : 1;
+}
+
+/** The window through which an eye sees the scene; of a canvas of this size, of which `used` is the pictures' share. */
+export function windowOf({ columns, rows, stretched }: Layout, canvas: Size, used: number): Size {
+  return stretched ? canvas : { width: (canvas.width * used) / columns, height: canvas.height / rows };
 }
 
 /** The place in its window, in shares from the upper left corner, of a place on the canvas in such shares. */
-export function inWindow({ columns, rows }: Layout, across: number, down: number): { across: number; down: number } {
+export function inWindow({ columns, rows }: Layout, across: number, down: number, used: number): { across: number; down: number } {
   const part = (share: number, count: number) => share * count - Math.min(count - 1, Math.max(0, Math.floor(share * count)));
-  return { across: part(across, columns), down: part(down, rows) };
+  return { across: part((across - (1 - used) / 2) / used, columns), down: part(down, rows) };
 }
 
 /** Whole device pixels from the canvas's upper left corner. */
@@ -57,8 +75,9 @@ export interface Pixels {
 }
 
 /** The parts of a canvas, of equal size: the first one, and the second one if there is one. Of odd sizes the middle line is in none. */
-export function partsOf({ columns, rows }: Layout, width: number, height: number): Pixels[] {
-  const part = { width: Math.floor(width / columns), height: Math.floor(height / rows) };
-  const first = { left: 0, top: 0, ...part };
-  return columns * rows === 1 ? [first] : [first, { left: width - part.width, top: height - part.height, ...part }];
+export function partsOf({ columns, rows }: Layout, width: number, height: number, used: number): Pixels[] {
+  const part = { width: Math.floor((width * used) / columns), height: Math.floor(height / rows) };
+  const left = Math.round((width * (1 - used)) / 2);
+  const first = { left, top: 0, ...part };
+  return columns * rows === 1 ? [first] : [first, { left: width - left - part.width, top: height - part.height, ...part }];
 }

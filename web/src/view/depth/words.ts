@@ -4,17 +4,31 @@
 import type { Preferences } from '../../settings/preferences';
 import { comfortLimit } from './comfort';
 import type { Fit } from './fit';
+import { straightPitch } from './layout';
 
 const degrees = (angle: number) => `${Math.abs(angle).toFixed(1)}°`;
 
+/** How much of the depth is shown, and why not all of it. */
+function shareWords({ depth }: Fit, { depthShare }: Pick<Preferences, 'depthShare'>): string {
+  const share = Math.round(100 * depth);
+  const shown = share === 100 ? 'The true depth' : `${share} % of the true depth`;
+  return share < depthShare ? `${shown}, so that it is easy on the eyes` : shown;
+}
+
 /** `fit`: null in a usual picture. */
-export function depthWords(fit: Fit | null, look: Pick<Preferences, 'depthMode' | 'depthShare'>): string {
+export function depthWords(fit: Fit | null, look: Pick<Preferences, 'depthMode' | 'depthShare' | 'eyeDistance' | 'screenDistance'>): string {
   if (fit === null) return 'A usual picture, the same for both eyes.';
-  const share = Math.round(100 * fit.depth);
-  const depth = share === 100 ? 'The true depth' : `${share} % of the true depth`;
-  if (look.depthMode === 'head') return `${depth}, as seen with one eye from your head’s place.`;
-  const reduced = share < look.depthShare ? ', so that it is easy on the eyes' : '';
-  const most = Math.max(fit.nearest, -fit.farthest);
-  const strain = most > comfortLimit + 0.05 ? ' More than one degree tires the eyes.' : '';
-  return `${depth}${reduced}: disparities up to ${degrees(fit.nearest)} before the screen and ${degrees(fit.farthest)} behind it.${strain}`;
+  if (look.depthMode === 'head') return `${shareWords(fit, { depthShare: 0 })}, as seen with one eye from your head’s place.`;
+  const pitch = Math.round(straightPitch({ distance: look.screenDistance, eyeDistance: look.eyeDistance }));
+  const apart = look.depthMode === 'parallel' ? ` The pictures are at most ${pitch} mm apart, so that the eyes need not turn outwards.` : '';
+  return `${shareWords(fit, look)}: disparities up to ${degrees(fit.nearest)} before the screen and ${degrees(fit.farthest)} behind it.${strainWords(fit)}${apart}`;
+}
+
+/** What magnifying the picture, or moving the head, may change. */
+export function comfortWords(fit: Fit | null, look: Pick<Preferences, 'depthMode' | 'depthShare'>): string {
+  return fit === null || look.depthMode === 'head' ? '' : `${shareWords(fit, look)}.${strainWords(fit)}`;
+}
+
+function strainWords({ nearest, farthest }: Fit): string {
+  return Math.max(nearest, -farthest) > comfortLimit + 0.05 ? ' More than one degree tires the eyes.' : '';
 }
