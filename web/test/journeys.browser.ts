@@ -82,7 +82,7 @@ describe.each(journeys)('by keyboard and hearing, $kind', ({ words, label, descr
   });
 
   it('opens with the focus on the scene and says what it is and which keys help', async () => {
-    await listener.hears(/^Ready to touch: .*Press D to hear what is where, H for help\.$/);
+    await listener.hears(/^Ready to touch: .*Press D to hear what is where, H for help\. I begins a guided start of two minutes\.$/);
     expect(await listener.focused()).toMatchObject({ role: 'application' });
     expect((await listener.focused()).name).toMatch(label);
   });

@@ -25,7 +25,9 @@ describe('keys', () => {
     listPlaces: () => calls.push('list'),
     nameHere: () => calls.push('name'),
     sayWay: () => calls.push('way'),
-    stopFinding: () => calls.push('stop'),
+    leave: () => calls.push('leave'),
+    guide: () => calls.push('guide'),
+    skipStep: () => calls.push('skip'),
     help: () => calls.push('help'),
   };
   const type = (key: string, shiftKey = false, ctrlKey = false) => press({ key, shiftKey, ctrlKey, altKey: false, metaKey: false }, target);
@@ -57,7 +59,12 @@ describe('keys', () => {
   it('list, give and find names', () => {
     calls.length = 0;
     for (const key of ['l', 't', 'g', 'Escape', 'End']) type(key);
-    expect(calls).toEqual(['list', 'name', 'way', 'stop', 'surface']);
+    expect(calls).toEqual(['list', 'name', 'way', 'leave', 'surface']);
+  });
+  it('begin the guided start, skip a step and leave it', () => {
+    calls.length = 0;
+    for (const key of ['i', 'K', 'Escape']) type(key);
+    expect(calls).toEqual(['guide', 'skip', 'leave']);
   });
   it('ignore the browser\'s shortcuts', () => {
     calls.length = 0;

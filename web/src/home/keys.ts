@@ -32,7 +32,8 @@ export interface KeyTarget {
   listPlaces(): void;
   nameHere(): void;
   sayWay(): void;
-  stopFinding(): void;
+  /** Is no longer led to a name, else leaves the guided start. */
+  leave(): void;
   /** Zooms by a factor. */
   zoom(factor: number): void;
   resetView(): void;
@@ -41,6 +42,9 @@ export interface KeyTarget {
   /** Switches them between moving the head and the probe. */
   moveHead(): void;
   help(): void;
+  /** Begins the guided start, or says its step again. */
+  guide(): void;
+  skipStep(): void;
 }
 
 export const fineStep = 0.001;
@@ -85,7 +89,7 @@ export const keyRows: KeyRow[] = [
   { shown: 'L', does: 'What is here: list the names, the nearest first; Enter leads to one', keys: ['l'], act: (target) => target.listPlaces() },
   { shown: 'T', does: 'Type a name for this place', keys: ['t'], act: (target) => target.nameHere() },
   { shown: 'G', does: 'Say the way to the name again', keys: ['g'], act: (target) => target.sayWay() },
-  { shown: 'Escape', does: 'No longer be led to a name', keys: ['Escape'], act: (target) => target.stopFinding() },
+  { shown: 'Escape', does: 'No longer be led to a name; leave the guided start', keys: ['Escape'], act: (target) => target.leave() },
   {
     shown: 'W, S',
     does: 'In the egocentric view: walk 5 millimetres ahead, back; with Shift 20',
@@ -123,6 +127,8 @@ export const keyRows: KeyRow[] = [
   },
   { shown: 'R', does: 'Reset the picture', keys: ['r'], act: (target) => target.resetView() },
   { shown: 'M', does: 'Sound off, on', keys: ['m'], act: (target) => target.mute() },
+  { shown: 'I', does: 'Guided start: begin, or say the step again', keys: ['i'], act: (target) => target.guide() },
+  { shown: 'K', does: 'In the guided start, skip a step', keys: ['k'], act: (target) => target.skipStep() },
   { shown: 'H or ?', does: 'This help', keys: ['h', '?'], act: (target) => target.help() },
 ];
 

@@ -1,11 +1,19 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The page that `palpable touch` serves: its program is at the other end of a WebSocket, its preferences are in a cookie.
+import { progressCookie, readProgress } from '../guide/memory';
 import { preferencesCookie, readPreferences } from '../settings/preferences';
 import { Connection } from './connection';
 import { TouchPage } from './touch_page';
 
-new TouchPage((receiver) => new Connection(receiver), {
-  read: () => readPreferences(document.cookie),
-  keep: (preferences) => (document.cookie = preferencesCookie(preferences)),
-}).start();
+new TouchPage(
+  (receiver) => new Connection(receiver),
+  {
+    read: () => readPreferences(document.cookie),
+    keep: (preferences) => (document.cookie = preferencesCookie(preferences)),
+  },
+  {
+    read: () => readProgress(document.cookie),
+    keep: (progress) => (document.cookie = progressCookie(progress)),
+  },
+).start();

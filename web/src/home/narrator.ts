@@ -34,8 +34,8 @@ export class Narrator {
   }
 
   /** Spoken when the scene has arrived: its name and the maker's description. */
-  opening(): Words {
-    return () => this.ask('opening');
+  opening(): Promise<string | null> {
+    return this.ask('opening');
   }
   /** The sentences for D: the scene in short, and more on each repetition. */
   describe(): Words {

@@ -5,38 +5,38 @@ import type { HeightsFrame, PictureFrame } from '../codec';
 import { element } from '../dom';
 import { protocolVersion, type Hello, type Scene, type Settings as ProgramSettings, type State, type ToPage } from '../generated/protocol';
 import { Names } from '../names/names';
-import { pace, turnBy } from '../probe/explorer';
 import { bindPointers } from '../probe/pointers';
 import { ProbeActions } from '../probe/probe_actions';
 import { Probes } from '../probe/probes';
-import { Walking, type Walk } from '../probe/walking';
+import { Walking } from '../probe/walking';
 import { controlWords } from '../settings/control_words';
 import type { Settings } from '../settings/settings';
 import { Importance } from '../sound/announcer';
-import { exampleActions } from '../sound/examples';
 import { Feedback } from '../sound/feedback';
 import { Voice } from '../sound/voice';
 import type { Surface } from '../surface';
 import { TracePanel } from '../trace/trace_panel';
 import { Stage } from '../view/stage';
-import { bindButtons, bindWindow } from './bindings';
+import { bindWindow } from './bindings';
 import type { Loss } from '../enter';
 import type { Program, Receiver } from './connection';
 import { DepthPanel } from './depth_panel';
 import { FrameLoop } from './frame_loop';
-import { fillHelp, showHelp, showSteps } from './help';
-import { press, type KeyTarget, type Move } from './keys';
+import { GuidedStart, type GuidedPage, type KeptProgress } from './guided_start';
+import { fillHelp, showSteps } from './help';
+import { press } from './keys';
 import { Narrator } from './narrator';
 import { ProbeMotion } from './probe_motion';
 import { Readouts } from './readouts';
 import { showHeading, showNoScene, showWayBack, stageLabel } from './scene_heading';
 import { SceneFrames } from './scene_frames';
+import { TouchActions } from './touch_actions';
 import { TouchSettings, type KeptPreferences } from './touch_settings';
 import { ViewActions } from './view_actions';
 
 const importanceOf = (level: string): Importance => ({ motion: Importance.motion, answer: Importance.answer, named: Importance.answer })[level] ?? Importance.news;
 
-export class TouchPage implements KeyTarget {
+export class TouchPage {
   private readonly connection: Program;
   private readonly frames = new FrameLoop((now, passed, waited) => this.frame(now, passed, waited));
   private readonly settings: TouchSettings;
@@ -73,6 +73,7 @@ export class TouchPage implements KeyTarget {
       say: (words, importance) => this.voice.say(words, importance),
       send: (message) => this.connection.send(message),
       settingsSteps: () => this.settings.steps,
+      found: () => this.guided.found(),
     },
     this.feedback,
   );
@@ -94,12 +95,14 @@ export class TouchPage implements KeyTarget {
   });
   private readonly picture: ViewActions;
   private readonly depth: DepthPanel;
+  private readonly guided: GuidedStart;
+  private readonly keys: TouchActions;
   private hello: Hello | null = null;
   private paused = false;
   /** Whether the program is connected; otherwise nothing is felt, moved or heard. */
   private connected = false;
 
-  constructor(connect: (receiver: Receiver) => Program, preferences: KeptPreferences) {
+  constructor(connect: (receiver: Receiver) => Program, preferences: KeptPreferences, progress: KeptProgress) {
     this.connection = connect({
       opened: () => this.opened(),
       message: (message) => this.receive(message),
@@ -126,82 +129,55 @@ export class TouchPage implements KeyTarget {
       say: (words) => this.voice.say(words, Importance.answer),
       tell: (words) => this.voice.say(words, Importance.news),
     });
+    this.guided = new GuidedStart(this.guidedPage(), progress);
+    this.keys = this.touchActions();
   }
 
   start(): void {
     this.bindStage();
-    this.bindAll();
+    this.keys.bind();
+    bindWindow({
+      visibilityChanged: (visible) => this.connection.send({ type: 'visible', visible }),
+      coloursChanged: () => this.settings.apply(),
+      undoOrRedo: (which) => this.keys.undoOrRedo(which),
+    });
     fillHelp();
     this.settings.apply();
     void this.connection.run();
     document.documentElement.dataset.frames = '0';
   }
 
-  // The actions of the keys.
+  private guidedPage(): GuidedPage {
+    return {
+      situation: () => ({ kind: this.scene?.kind ?? '', sound: this.settings.now.page.sound }),
+      byDevice: () => !this.own.movable(),
+      surface: () => this.surface,
+      heightFactor: () => this.heightFactor(),
+      place: () => this.narrator.place(),
+      say: (words, importance) => this.voice.say(words, importance),
+      mark: (points) => this.stage.line(points),
+    };
+  }
 
-  move(by: Move): void {
-    this.motion.move(by);
-  }
-  describe(): void {
-    this.voice.say(this.narrator.describe(), Importance.answer);
-  }
-  where(): void {
-    this.voice.say(this.narrator.where(), Importance.answer);
-  }
-  recentre(): void {
-    this.motion.recentre();
-  }
-  toSurface(): void {
-    this.motion.toSurface();
-  }
-  listPlaces(): void {
-    this.names.open();
-  }
-  nameHere(): void {
-    this.names.nameHere();
-  }
-  sayWay(): void {
-    this.names.sayWay();
-  }
-  stopFinding(): void {
-    this.names.stopFinding();
-  }
-  walk(by: Walk): void {
-    this.walking.walk(by);
-    this.frames.request();
-  }
-  pose(): void {
-    this.walking.sayPose();
-  }
-  choose(probe: number): void {
-    this.actions.choose(probe);
-  }
-  take(): void {
-    this.actions.take();
-  }
-  describeProbes(): void {
-    this.actions.describeProbes();
-  }
-  pause(): void {
-    this.connection.send({ type: 'pause', paused: !this.paused });
-  }
-  mute(): void {
-    this.settings.toggleSound();
-  }
-  help(): void {
-    showHelp();
-  }
-  zoom(factor: number): void {
-    this.picture.zoom(factor);
-  }
-  resetView(): void {
-    this.picture.reset();
-  }
-  moveView(): void {
-    this.picture.toggleMoving();
-  }
-  moveHead(): void {
-    this.picture.toggleHead();
+  private touchActions(): TouchActions {
+    return new TouchActions({
+      motion: this.motion,
+      narrator: this.narrator,
+      names: this.names,
+      walking: this.walking,
+      probes: this.probes,
+      probeActions: this.actions,
+      settings: this.settings,
+      picture: this.picture,
+      feedback: this.feedback,
+      guided: this.guided,
+      paused: () => this.paused,
+      say: (words, importance) => this.voice.say(words, importance),
+      send: (message) => this.connection.send(message),
+      request: () => this.frames.request(),
+      wake: () => this.wake(),
+      turnOnSound: () => this.turnOnSound(),
+    });
   }
 
   // Settings.
@@ -347,7 +323,8 @@ export class TouchPage implements KeyTarget {
     if (mover === null && this.own.movable() && this.own.current.movedAt === -Infinity) this.own.current.adopt(this.loaded.start);
     const { activeElement } = document;
     if (activeElement === null || activeElement === document.body) this.stage.element.focus({ preventScroll: true });
-    this.voice.say(this.narrator.opening(), Importance.news);
+    const offer = this.guided.offer();
+    this.voice.say(() => this.narrator.opening().then((words) => words && words + offer), Importance.news);
   }
 
   private receiveState(state: State): void {
@@ -361,6 +338,7 @@ export class TouchPage implements KeyTarget {
     if (surface === null) return;
     this.motion.hear(surface, state.t_s);
     this.names.finder.moved(false);
+    this.guided.felt(chosen, this.narrator.place());
     if (this.trace.running) this.frames.request();
   }
 
@@ -415,51 +393,11 @@ export class TouchPage implements KeyTarget {
         if (event.key.length === 1 || event.key.startsWith('Arrow')) this.voice.say('Palpable is not connected: nothing can be felt.', Importance.answer);
         return;
       }
-      if (this.stage.moveViewBy(event) || press(event, this)) event.preventDefault();
+      if (this.stage.moveViewBy(event) || press(event, this.keys)) event.preventDefault();
     });
   }
 
   private wake(): void {
     void this.feedback.sound.wake().then(() => this.offerSound());
-  }
-
-  /** Of names and settings the one that was changed last. */
-  private undoOrRedo(which: 'undo' | 'redo'): void {
-    if (!this.names.undoOrRedo(which)) this.settings.undoOrRedo(which);
-  }
-
-  private bindAll(): void {
-    const actions: Record<string, () => void> = {
-      pause: () => this.pause(),
-      recentre: () => this.recentre(),
-      describe: () => this.describe(),
-      where: () => this.where(),
-      'sound-on': () => this.turnOnSound(),
-      'move-view': () => this.moveView(),
-      'move-head': () => this.moveHead(),
-      'zoom-in': () => this.zoom(1.25),
-      'zoom-out': () => this.zoom(0.8),
-      'reset-view': () => this.resetView(),
-      'walk-ahead': () => this.walk({ ahead: pace, left: 0 }),
-      'walk-back': () => this.walk({ ahead: -pace, left: 0 }),
-      'turn-left': () => this.walk({ ahead: 0, left: turnBy }),
-      'turn-right': () => this.walk({ ahead: 0, left: -turnBy }),
-      pose: () => this.pose(),
-      help: () => this.help(),
-      places: () => this.listPlaces(),
-      undo: () => this.undoOrRedo('undo'),
-      redo: () => this.undoOrRedo('redo'),
-      reset: () => this.settings.reset(),
-      'region-here': () => this.settings.editRegion(this.probes.chosen?.label ?? 0),
-      save: () => this.connection.send({ type: 'save' }),
-      ...exampleActions(this.feedback, () => this.own.chosen, (words) => this.voice.say(words, Importance.answer)),
-    };
-    bindButtons(actions, () => this.wake());
-    element('name-here').addEventListener('click', (event) => this.names.nameByButton(event));
-    bindWindow({
-      visibilityChanged: (visible) => this.connection.send({ type: 'visible', visible }),
-      coloursChanged: () => this.settings.apply(),
-      undoOrRedo: (which) => this.undoOrRedo(which),
-    });
   }
 }

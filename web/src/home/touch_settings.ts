@@ -62,11 +62,12 @@ export class TouchSettings {
     this.changePage({ sound }, 'sound');
     this.page.say(sound ? 'Sound on.' : 'Sound off.');
   }
-  undoOrRedo(which: 'undo' | 'redo'): void {
+  /** False: there is nothing to undo or redo, which is said. */
+  undoOrRedo(which: 'undo' | 'redo'): boolean {
     const changed = this.store.undoOrRedo(which);
-    if (changed === null) return this.page.say(`Nothing to ${which}.`);
-    this.apply();
-    this.page.say(`${which === 'undo' ? 'Undone' : 'Redone'}: ${changed}.`);
+    if (changed !== null) this.apply();
+    this.page.say(changed === null ? `Nothing to ${which}.` : `${which === 'undo' ? 'Undone' : 'Redone'}: ${changed}.`);
+    return changed !== null;
   }
   reset(): void {
     this.store.reset();

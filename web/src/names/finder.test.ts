@@ -27,10 +27,10 @@ function setUp() {
     const there = Math.hypot(place.x - target.x, place.y - target.y) < 0.003;
     return Promise.resolve({ type: 'words', serial: 0, text: there ? 'Here: gate.' : 'Gate: somewhere.', x_m: there ? null : target.x, y_m: there ? null : target.y });
   };
-  let ended = 0;
+  let [ended, found] = [0, 0];
   const say = (words: Words | string) => void Promise.resolve(typeof words === 'string' ? words : words()).then((text) => text && said.push(text));
-  const finder = new Finder({ surface: () => surface, probe: () => 0, place: () => ({ ...place }), way, say, ended: () => (ended += 1) }, feedback);
-  return { finder, place, said, pulses, other, ended: () => ended };
+  const finder = new Finder({ surface: () => surface, probe: () => 0, place: () => ({ ...place }), way, say, ended: () => (ended += 1), found: () => (found += 1) }, feedback);
+  return { finder, place, said, pulses, other, ended: () => ended, found: () => found };
 }
 
 describe('finding a name', () => {

@@ -16,6 +16,8 @@ export interface FinderPage {
   way(): Promise<Answer | null>;
   say(words: Words | string, importance: Importance): void;
   ended(): void;
+  /** The probe is there. */
+  found(): void;
 }
 
 /** Without a movement for this long the pulses stop (ms). */
@@ -97,6 +99,7 @@ export class Finder {
     if (answer.x_m === null || answer.y_m === null) {
       this.stop();
       this.feedback.sound.play(this.page.probe(), { what: 'name' });
+      this.page.found();
     } else {
       this.target = { x: answer.x_m, y: answer.y_m };
       if (this.timer === undefined) this.pulse();

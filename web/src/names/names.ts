@@ -19,6 +19,8 @@ export interface NamesPage {
   send(message: FromPage): void;
   /** How many settings can be undone. */
   settingsSteps(): number;
+  /** The probe has been led to its name. */
+  found(): void;
 }
 
 export class Names {
@@ -76,10 +78,12 @@ export class Names {
   sayWay(): void {
     this.page.say(this.finder.isLeading ? this.finder.words() : 'You are led to no name. L lists the names.', Importance.answer);
   }
-  stopFinding(): void {
-    if (!this.finder.isLeading) return;
+  /** False: the probe is led to no name. */
+  stopFinding(): boolean {
+    if (!this.finder.isLeading) return false;
     this.finder.stop();
     this.page.say('No longer led.', Importance.answer);
+    return true;
   }
 
   receive(around: Around): void {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A page that is a file of its own (`palpable export SCENE -o x.html`).
 import { element } from '../dom';
+import { noProgress } from '../guide/memory';
 import { TouchPage } from '../home/touch_page';
 import { defaults } from '../settings/preferences';
 import { isComplete, picture, unpacked } from './embedded';
@@ -38,6 +39,8 @@ function start(): void {
     (receiver) => new LocalProgram(receiver, opened),
     // From above: quick on every phone. In 3D is a setting.
     { read: () => ({ ...defaults, view: 'flat' }), keep: () => undefined },
+    // Not offered at every opening, since nothing is kept; "Guided start" begins it.
+    { read: () => ({ ...noProgress, offered: true }), keep: () => undefined },
   ).start();
 }
 
