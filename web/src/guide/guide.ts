@@ -58,6 +58,8 @@ export class Guide {
   private way: Way | null = null;
   private step: StepName = 'surface';
   private done = new Done();
+  /** Whether the person knows what to do: what was done before that does not count. */
+  private known = false;
   private last: Place | null = null;
   private edges: Edges | null = null;
   private edgesOf: Surface | null = null;
@@ -110,7 +112,7 @@ export class Guide {
   }
 
   did(deed: Deed): void {
-    if (this.way === null) return;
+    if (this.way === null || !this.known) return;
     this.done.deeds.add(deed);
     this.goOn();
   }
@@ -122,7 +124,7 @@ export class Guide {
   /** The probe is here now. */
   moved(place: Place): void {
     const surface = this.page.surface();
-    if (this.way === null || surface === null) return;
+    if (this.way === null || !this.known || surface === null) return;
     const { done, last } = this;
     const step = last === null ? 0 : Math.hypot(place.x - last.x, place.y - last.y);
     if (last !== null && step === 0) return;
@@ -193,6 +195,8 @@ export class Guide {
     this.step = step;
     this.done = new Done();
     this.last = null;
+    // The eyes read it at once.
+    this.known = this.way === 'eyes';
     if (this.way !== null) this.keep({ offered: true, [this.way]: stepNames.indexOf(step) });
   }
 
@@ -234,6 +238,12 @@ export class Guide {
 
   private insist(words: string): void {
     this.timer = setTimeout(() => this.insist(words), insistence);
-    this.page.say(words, () => clearTimeout(this.timer));
+    const { timer } = this;
+    this.page.say(words, () => {
+      // A sentence may be said after the step has changed.
+      if (timer !== this.timer) return;
+      clearTimeout(timer);
+      this.known = true;
+    });
   }
 }

@@ -24,10 +24,6 @@ export class GuidePanel {
     else this.write(`Guided start ${view.way === 'ears' ? 'for the ears' : 'for the eyes'}. ${view.title}`, view.text, 'step');
   }
 
-  get isOffering(): boolean {
-    return !this.strip.hidden && !element('guide-offer').hidden;
-  }
-
   private write(title: string, text: string, what: 'offer' | 'step'): void {
     element('guide-title').textContent = title;
     element('guide-text').textContent = text;

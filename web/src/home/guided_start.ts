@@ -101,6 +101,12 @@ export class GuidedStart {
     return true;
   }
 
+  /** Without a word: for something else that is wanted now. */
+  withdraw(): void {
+    if (this.guide.isRunning) this.guide.leave();
+    else this.panel.show(null);
+  }
+
   // What happens in the touch.
 
   pressed(): void {

@@ -105,7 +105,7 @@ export class ProbeMotion {
   /** Sonifies the program's report of the probes at its time `t_s`. */
   hear(surface: Surface, t_s: number): void {
     for (const one of this.probes.states) this.feedback.reported(one, surface, t_s);
-    if (!this.probes.own.movable(0)) this.hearDevice(this.probes.placeOf(0), surface);
+    if (!this.probes.moves(0)) this.hearDevice(this.probes.placeOf(0), surface);
     this.feedback.removeProbesExcept(this.probes.numbers);
   }
 

@@ -57,6 +57,11 @@ export class Readouts {
     }, figuresEvery);
   }
 
+  /** What comes does not follow what was shown. */
+  jump(): void {
+    this.plot.forget();
+  }
+
   /** Redraws in the current colours. */
   redraw(): void {
     this.plot.draw();
@@ -100,7 +105,7 @@ export class Readouts {
     write('read-height', millimetreFigure(surface_m, this.scale));
     write('read-force', newtons(this.shown).toFixed(2));
     // Rounded, so that it changes rarely: each change is drawn.
-    const parts = [`Force ${10 * Math.round(this.rate / 10)} times a second`, this.device];
+    const parts = [this.rate > 0 ? `Force ${10 * Math.round(this.rate / 10)} times a second` : '', this.device];
     write('rates', parts.filter((part) => part !== '').join(' · '));
     write('plot-words', `Greatest in the last ten seconds: ${this.plot.greatest().toFixed(2)} N.`);
     if (now - this.plottedAt < (this.calm.matches ? calmPlotEvery : plotEvery) || this.plot.isLevel()) return;

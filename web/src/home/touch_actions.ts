@@ -14,8 +14,9 @@ import type { Feedback } from '../sound/feedback';
 import { bindButtons } from './bindings';
 import type { GuidedStart } from './guided_start';
 import { showHelp } from './help';
-import type { KeyTarget, Move } from './keys';
+import { fineStep, type KeyTarget, type Move } from './keys';
 import type { Narrator } from './narrator';
+import type { ReplayPanel } from '../replay/replay_panel';
 import type { ProbeMotion } from './probe_motion';
 import type { TouchSettings } from './touch_settings';
 import type { ViewActions } from './view_actions';
@@ -32,6 +33,7 @@ export interface ActionParts {
   picture: ViewActions;
   feedback: Feedback;
   guided: GuidedStart;
+  replay: ReplayPanel;
   paused(): boolean;
   say(words: Words | string, importance: Importance): void;
   send(message: FromPage): void;
@@ -45,7 +47,9 @@ export interface ActionParts {
 export class TouchActions implements KeyTarget {
   constructor(private readonly parts: ActionParts) {}
 
+  /** In a replay, left and right go through it. */
   move(by: Move): void {
+    if (this.parts.replay.isOpen) return by.x === 0 ? this.parts.replay.sayMoment() : this.parts.replay.step(Math.round(by.x / fineStep));
     this.parts.motion.move(by);
     if (by.press > 0) this.parts.guided.pressed();
   }
@@ -57,9 +61,11 @@ export class TouchActions implements KeyTarget {
     this.parts.guided.askedWhere();
   }
   recentre(): void {
+    if (this.parts.replay.isOpen) return this.parts.replay.step(-Infinity);
     this.parts.motion.recentre();
   }
   toSurface(): void {
+    if (this.parts.replay.isOpen) return this.parts.replay.step(Infinity);
     this.parts.motion.toSurface();
   }
   listPlaces(): void {
@@ -72,25 +78,27 @@ export class TouchActions implements KeyTarget {
     this.parts.names.sayWay();
   }
   leave(): void {
+    if (this.parts.replay.isOpen) return this.parts.replay.close();
     if (!this.parts.names.stopFinding()) this.parts.guided.leave();
   }
   walk(by: Walk): void {
-    this.parts.walking.walk(by);
+    this.live(() => this.parts.walking.walk(by));
     this.parts.request();
   }
   pose(): void {
     this.parts.walking.sayPose();
   }
   choose(probe: number): void {
-    this.parts.probeActions.choose(probe);
+    this.live(() => this.parts.probeActions.choose(probe));
   }
   take(): void {
-    this.parts.probeActions.take();
+    this.live(() => this.parts.probeActions.take());
   }
   describeProbes(): void {
     this.parts.probeActions.describeProbes();
   }
   pause(): void {
+    if (this.parts.replay.isOpen) return this.parts.replay.toggle();
     this.parts.send({ type: 'pause', paused: !this.parts.paused() });
   }
   mute(): void {
@@ -100,6 +108,7 @@ export class TouchActions implements KeyTarget {
     showHelp();
   }
   guide(): void {
+    this.parts.replay.close();
     this.parts.guided.key();
   }
   skipStep(): void {
@@ -124,12 +133,18 @@ export class TouchActions implements KeyTarget {
     if (changed && which === 'undo') guided.undid();
   }
 
+  /** What acts on the touch itself: not while a recording is replayed, which says where it is instead. */
+  private live(act: () => void): void {
+    if (this.parts.replay.isOpen) this.parts.replay.sayMoment();
+    else act();
+  }
+
   /** Binds the page's buttons. */
   bind(): void {
     const { parts } = this;
     const actions: Record<string, () => void> = {
       pause: () => this.pause(),
-      recentre: () => this.recentre(),
+      recentre: () => this.live(() => parts.motion.recentre()),
       describe: () => this.describe(),
       where: () => this.where(),
       'sound-on': () => parts.turnOnSound(),
@@ -151,6 +166,7 @@ export class TouchActions implements KeyTarget {
       'region-here': () => parts.settings.editRegion(parts.probes.chosen?.label ?? 0),
       save: () => parts.send({ type: 'save' }),
       ...parts.guided.actions,
+      ...parts.replay.actions,
       ...exampleActions(parts.feedback, () => parts.probes.own.chosen, (words) => parts.say(words, Importance.answer)),
     };
     bindButtons(actions, () => parts.wake());

@@ -28,6 +28,7 @@ import { press } from './keys';
 import { Narrator } from './narrator';
 import { ProbeMotion } from './probe_motion';
 import { Readouts } from './readouts';
+import { Replay } from './replay';
 import { showHeading, showNoScene, showWayBack, stageLabel } from './scene_heading';
 import { SceneFrames } from './scene_frames';
 import { TouchActions } from './touch_actions';
@@ -85,7 +86,7 @@ export class TouchPage {
   private readonly motion = new ProbeMotion(this.probes, this.narrator, this.walking, this.names.finder, this.feedback, {
     scene: () => this.scene,
     surface: () => this.surface,
-    connected: () => this.connected,
+    connected: () => this.isLive,
     heightFactor: () => this.heightFactor(),
     device: () => this.hello?.device ?? 'a device',
     say: (words, importance) => this.voice.say(words, importance),
@@ -96,6 +97,7 @@ export class TouchPage {
   private readonly picture: ViewActions;
   private readonly depth: DepthPanel;
   private readonly guided: GuidedStart;
+  private readonly replay: Replay;
   private readonly keys: TouchActions;
   private hello: Hello | null = null;
   private paused = false;
@@ -130,6 +132,21 @@ export class TouchPage {
       tell: (words) => this.voice.say(words, Importance.news),
     });
     this.guided = new GuidedStart(this.guidedPage(), progress);
+    this.replay = new Replay({
+      probes: this.probes,
+      readouts: this.readouts,
+      stage: this.stage,
+      sound: this.feedback.sound,
+      scene: () => this.scene,
+      surface: () => this.surface,
+      heightFactor: () => this.heightFactor(),
+      showState: (state) => this.showState(state),
+      showStatus: () => this.showStatus(),
+      opened: () => this.guided.withdraw(),
+      draw: () => this.showProbes(),
+      request: () => this.frames.request(),
+      say: (words, importance) => this.voice.say(words, importance),
+    });
     this.keys = this.touchActions();
   }
 
@@ -171,6 +188,7 @@ export class TouchPage {
       picture: this.picture,
       feedback: this.feedback,
       guided: this.guided,
+      replay: this.replay.panel,
       paused: () => this.paused,
       say: (words, importance) => this.voice.say(words, importance),
       send: (message) => this.connection.send(message),
@@ -190,6 +208,7 @@ export class TouchPage {
     this.feedback.set(settings);
     this.readouts.redraw();
     this.offerSound();
+    this.replay.panel.renew();
     this.showProbes();
   }
 
@@ -223,8 +242,12 @@ export class TouchPage {
     this.paused = settings.paused;
     element('pause').textContent = this.paused ? 'Resume' : 'Pause';
     this.stage.element.toggleAttribute('data-paused', this.paused);
-    this.readouts.status(this.paused ? 'paused' : 'running', this.paused ? 'Paused' : 'Touching');
+    this.showStatus();
     this.settings.receive(settings);
+  }
+
+  private showStatus(): void {
+    this.readouts.status(this.paused ? 'paused' : 'running', this.replay.isOpen ? 'Replaying' : this.paused ? 'Paused' : 'Touching');
   }
 
   // The program.
@@ -327,7 +350,12 @@ export class TouchPage {
     this.voice.say(() => this.narrator.opening().then((words) => words && words + offer), Importance.news);
   }
 
+  /** While a recording is replayed, the touch goes on unseen. */
   private receiveState(state: State): void {
+    if (!this.replay.isOpen) this.showState(state);
+  }
+
+  private showState(state: State): void {
     const taken = this.probes.receive(state, performance.now());
     if (taken !== null) this.voice.say(`Another page moves probe ${taken + 1} now.`, Importance.news);
     const { states, chosen } = this.probes;
@@ -337,6 +365,7 @@ export class TouchPage {
     const { surface } = this;
     if (surface === null) return;
     this.motion.hear(surface, state.t_s);
+    if (this.replay.isOpen) return;
     this.names.finder.moved(false);
     this.guided.felt(chosen, this.narrator.place());
     if (this.trace.running) this.frames.request();
@@ -350,6 +379,10 @@ export class TouchPage {
   private get scene(): Scene | null {
     return this.loaded.scene;
   }
+  /** Whether the page shows the touch itself, and moves probes. */
+  private get isLive(): boolean {
+    return this.connected && !this.replay.isOpen;
+  }
   private heightFactor(): number {
     return this.settings.now.touch.heightFactor;
   }
@@ -360,7 +393,7 @@ export class TouchPage {
   }
 
   private frame(now: number, passed: number | null, waited: number): boolean {
-    const moving = this.motion.advance(now, passed);
+    const moving = this.motion.advance(now, passed) || this.replay.panel.frame(now);
     this.trace.frame(now);
     this.stage.draw(waited);
     this.depth.frame();
@@ -378,7 +411,7 @@ export class TouchPage {
   private bindStage(): void {
     const { element: stage } = this.stage;
     bindPointers(stage, this.own, {
-      surface: () => (this.connected ? this.surface : null),
+      surface: () => (this.isLive ? this.surface : null),
       placeAt: (left, top) => this.stage.placeAt(left, top),
       wake: () => this.wake(),
       moved: () => this.frames.request(),

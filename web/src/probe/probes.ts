@@ -16,6 +16,8 @@ export class Probes {
   readonly own = new PageProbes();
   /** The states, first probe first; empty if unknown. */
   states: readonly ProbeState[] = [];
+  /** Whether the states are those of a recording: then this page moves none of them. */
+  areReplayed = false;
   /** This page's number in the session. */
   page = 0;
 
@@ -23,6 +25,7 @@ export class Probes {
   receive(state: State, now: number): number | null {
     const before = this.states;
     this.states = state.probes;
+    if (this.areReplayed) return null;
     let taken: number | null = null;
     for (const { probe, page, x_m, y_m } of state.probes) {
       const moved = this.own.at(probe);
@@ -41,8 +44,14 @@ export class Probes {
     this.states = [];
   }
 
+  /** Whether this page moves the probe now. */
+  moves(probe: number): boolean {
+    return !this.areReplayed && this.own.movable(probe);
+  }
+
   /** The numbers of this page's probes and of those that others move. */
   get numbers(): number[] {
+    if (this.areReplayed) return this.states.map(({ probe }) => probe);
     return [...new Set([...this.own.numbers, ...this.states.map(({ probe }) => probe)])].sort((a, b) => a - b);
   }
   stateOf(probe: number): ProbeState | undefined {
@@ -56,7 +65,7 @@ export class Probes {
   placeOf(probe: number): Place {
     const own = this.own.at(probe);
     const state = this.stateOf(probe);
-    if (state && (own === undefined || !this.own.movable(probe))) return { x: state.x_m, y: state.y_m };
+    if (state && (own === undefined || !this.moves(probe))) return { x: state.x_m, y: state.y_m };
     return own?.place ?? { x: 0, y: 0 };
   }
 
@@ -69,7 +78,7 @@ export class Probes {
   views(surface: Surface, heightFactor: number): ProbeView[] {
     return this.numbers.map((probe) => {
       const [place, state, own] = [this.placeOf(probe), this.stateOf(probe), this.own.at(probe)];
-      const isOurs = own !== undefined && this.own.movable(probe);
+      const isOurs = own !== undefined && this.moves(probe);
       const z = isOurs ? surface.heightAt(place) * heightFactor + Math.max(0, -own.press) : Math.max(state?.z_m ?? 0, state?.surface_m ?? 0);
       return { ...place, z, force: state ? forceOf(state) : [0, 0, 0], number: probe + 1, chosen: probe === this.own.chosen };
     });

@@ -30,6 +30,9 @@ interface Voice {
 export class Sound {
   private context: AudioContext | null = null;
   private master: GainNode | null = null;
+  /** What is heard, after the limit. */
+  private output: AudioNode | null = null;
+  private tapped: MediaStreamAudioDestinationNode | null = null;
   private make: MakePlayer | null = null;
   /** By probe; the list's examples have a voice of their own. */
   private readonly voices = new Map<number, Voice>();
@@ -103,6 +106,23 @@ export class Sound {
     voice.player.send(command);
   }
 
+  /** What is heard, as a stream, until untap(); null if nothing can be heard. Call it from a user action. */
+  async tap(): Promise<MediaStream | null> {
+    await this.wake();
+    const { context, output } = this;
+    if (!this.on || context === null || output === null) return null;
+    this.untap();
+    this.tapped = new MediaStreamAudioDestinationNode(context);
+    output.connect(this.tapped);
+    return this.tapped.stream;
+  }
+  untap(): void {
+    if (this.tapped === null) return;
+    this.output?.disconnect(this.tapped);
+    this.tapped = null;
+    this.stayAwake();
+  }
+
   /** Ends the sounds of removed probes: of all but these. */
   removeProbesExcept(numbers: readonly number[]): void {
     for (const probe of this.materials.keys()) if (!numbers.includes(probe) && probe >= 0) this.materials.delete(probe);
@@ -129,7 +149,8 @@ export class Sound {
     const { context } = this;
     context.addEventListener('error', () => this.tellOnce('refused'));
     this.master = new GainNode(context, { gain: 0 });
-    this.master.connect(new WaveShaperNode(context, { curve: softLimit() })).connect(context.destination);
+    this.output = this.master.connect(new WaveShaperNode(context, { curve: softLimit() }));
+    this.output.connect(context.destination);
     this.level();
     void loadPlayers(context, (onset) => showOnset(context, onset)).then((make) => {
       this.make = make;
@@ -155,7 +176,7 @@ export class Sound {
     this.resting = false;
     clearTimeout(this.timer);
     this.timer = setTimeout(() => {
-      if (context.state !== 'running') return;
+      if (context.state !== 'running' || this.tapped !== null) return;
       this.resting = true;
       void context.suspend();
     }, 1000 * suspendTime);

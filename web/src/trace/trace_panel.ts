@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The panel for tracing contours: cue, clock, picture of the trace, score and files.
 import { element } from '../dom';
+import { download } from '../download';
 import type { Place } from '../surface';
 import { gridOver, maskOf, scoreOf, Tracer, turnOf, type TracePoint } from './trace';
 import { readLine, traceCsv, traceNrrd, traceSvg } from './trace_files';
@@ -151,12 +152,4 @@ function maskPicture(trace: readonly Place[], sizeX: number, sizeY: number): Pro
   maskOf(trace, grid).forEach((inside, k) => pixels.data.set([255 * inside, 255 * inside, 255 * inside, 255], 4 * k));
   pen.putImageData(pixels, 0, 0);
   return new Promise((resolve) => canvas.toBlob(resolve, 'image/png'));
-}
-
-function download(name: string, content: Blob): void {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(content);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }

@@ -99,6 +99,10 @@ export class Stage {
     this.view?.line(points);
     this.target.changed();
   }
+  /** What is drawn on; null before that. */
+  get canvas(): HTMLCanvasElement | null {
+    return this.view?.canvas ?? null;
+  }
   placeAt(left: number, top: number): Place | null {
     return this.view?.placeAt(left, top) ?? null;
   }

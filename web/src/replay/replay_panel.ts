@@ -1,0 +1,249 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// A recording on the page: opening it, the strip with its controls, and saving it as a clip.
+import { element } from '../dom';
+import { download } from '../download';
+import type { State } from '../generated/protocol';
+import type { Surface } from '../surface';
+import { Clip, clipType } from './clip';
+import { fits, Player, spokenTime, speeds } from './player';
+import { readRecording } from './recording';
+
+export interface ReplayPage {
+  surface(): Surface | null;
+  heightFactor(): number;
+  /** A moment of the recording, as a state of the program; `jumped`: it does not follow the last one. */
+  show(state: State, jumped: boolean): void;
+  /** A recording is open from now on, or no longer. */
+  changed(): void;
+  /** The answer to a user action; and what else is to be known. */
+  say(words: string): void;
+  tell(words: string): void;
+  /** The name of a label that the first probe enters. */
+  enter(label: number): void;
+  /** Requests a frame. */
+  request(): void;
+  canvas(): HTMLCanvasElement | null;
+  /** What is heard, while a clip is recorded; null: nothing. */
+  tap(): Promise<MediaStream | null>;
+  untap(): void;
+}
+
+/** Longest time that a frame may have to catch up with (s): a page that was hidden does not. */
+const mostBehind = 0.1;
+/** Milliseconds between two changes of the figures. */
+const figuresEvery = 200;
+/** Milliseconds between two sentences on how much of a file is read. */
+const readSaidEvery = 4000;
+/** Shares of a clip at which its progress is said. */
+const saidShares = [0.25, 0.5, 0.75];
+
+export class ReplayPanel {
+  private readonly strip = element('replay');
+  private readonly slider = element<HTMLInputElement>('replay-at');
+  private readonly speed = element<HTMLSelectElement>('replay-speed');
+  private player: Player | null = null;
+  private drawnAt: number | null = null;
+  private figuresAt = -Infinity;
+  private label: number | null = null;
+  private clip: { clip: Clip; from: number; said: number } | null = null;
+  private opening = 0;
+
+  constructor(private readonly page: ReplayPage) {
+    const file = element<HTMLInputElement>('replay-file');
+    file.addEventListener('change', () => {
+      const [chosen] = file.files ?? [];
+      file.value = '';
+      if (chosen) void this.open(chosen);
+    });
+    this.speed.replaceChildren(...speeds.map((speed) => new Option(`${speed} ×`, String(speed), speed === 1, speed === 1)));
+    this.speed.addEventListener('change', () => this.player && (this.player.speed = Number(this.speed.value)));
+    this.slider.addEventListener('input', () => this.seek(this.slider.valueAsNumber));
+    document.addEventListener('visibilitychange', () => this.clip?.clip.pause(document.hidden));
+  }
+
+  /** The actions of its buttons, by id. */
+  get actions(): Record<string, () => void> {
+    return {
+      'replay-open': () => element<HTMLInputElement>('replay-file').click(),
+      'replay-play': () => this.toggle(),
+      'replay-clip': () => (this.clip === null ? void this.beginClip() : void this.endClip(false)),
+      'replay-end': () => this.close(),
+    };
+  }
+
+  get isOpen(): boolean {
+    return this.player !== null;
+  }
+
+  async open(file: File): Promise<void> {
+    const opening = ++this.opening;
+    this.page.say(`Reading ${file.name}.`);
+    let saidAt = performance.now();
+    const progress = (share: number) => {
+      if (performance.now() - saidAt < readSaidEvery || opening !== this.opening) return;
+      saidAt = performance.now();
+      this.page.tell(`${Math.floor(100 * share)} percent read.`);
+    };
+    const recording = await readRecording(file.name, file, progress).catch(() => `${file.name} cannot be read.`);
+    if (opening !== this.opening) return;
+    const surface = this.page.surface();
+    if (typeof recording === 'string' || surface === null) return this.page.say(typeof recording === 'string' ? recording : 'There is no scene yet.');
+    this.close();
+    this.player = new Player(recording);
+    this.speed.value = '1';
+    this.slider.max = String(Number(this.player.length.toFixed(2)));
+    this.slider.step = this.player.length > 60 ? '1' : '0.1';
+    element('replay-title').textContent = `Replay of ${recording.name}`;
+    const from = recording.inputs.length > 0 ? ` It was made on ${recording.inputs.map((path) => path.split('/').pop()).join(' and ')}.` : '';
+    const other = fits(recording, surface) ? '' : ` It seems to be of another scene than this one.${from}`;
+    const note = `${recording.fault ?? ''}${other}`.trim();
+    element('replay-note').textContent = note;
+    this.strip.hidden = false;
+    this.page.changed();
+    this.show(true);
+    element('replay-play').focus();
+    this.page.say(`Replay of ${recording.name}, ${spokenTime(this.player.length)}. ${note === '' ? '' : `${note} `}Space plays, left and right go back and on by a second.`);
+  }
+
+  /** Ends the replay: the page shows the touch again. */
+  close(): void {
+    if (this.player === null) return;
+    if (this.clip) void this.endClip(false);
+    this.player = null;
+    this.label = null;
+    const had = this.strip.contains(document.activeElement);
+    this.strip.hidden = true;
+    this.page.changed();
+    this.page.say('The replay has ended: the page shows the touch again.');
+    if (had) element('stage').focus({ preventScroll: true });
+  }
+
+  toggle(): void {
+    const { player } = this;
+    if (player === null || this.clip) return;
+    if (player.isPlaying) player.pause();
+    else player.play();
+    this.drawnAt = null;
+    this.figures(true);
+    this.page.say(player.isPlaying ? 'Plays.' : `Stopped at ${player.words()}.`);
+    this.page.request();
+  }
+
+  /** Goes on by so many seconds, back if they are negative, and says where that is. */
+  step(seconds: number): void {
+    if (this.player === null) return;
+    this.seek(this.player.time + seconds);
+    this.sayMoment();
+  }
+  sayMoment(): void {
+    if (this.player) this.page.say(`${this.player.words()}.`);
+  }
+
+  /** Call it for each frame; true while it plays. */
+  frame(now: number): boolean {
+    const { player } = this;
+    if (player === null || !player.isPlaying) return false;
+    const passed = this.drawnAt === null ? 0 : Math.min(mostBehind, (now - this.drawnAt) / 1000);
+    this.drawnAt = now;
+    const goesOn = player.advance(passed);
+    this.show(false);
+    if (this.clip) this.showClip(player, this.clip);
+    if (goesOn) return true;
+    this.figures(true);
+    if (this.clip) void this.endClip(true);
+    else this.page.tell('The end of the recording.');
+    return false;
+  }
+
+  /** Shows this moment anew, as after a change of the height factor. */
+  renew(): void {
+    this.show(false);
+  }
+
+  private seek(time: number): void {
+    const { player } = this;
+    if (player === null || this.clip) return;
+    player.seek(time);
+    this.show(true);
+    this.figures(true);
+  }
+
+  private show(jumped: boolean): void {
+    const [{ player }, surface] = [this, this.page.surface()];
+    if (player === null || surface === null) return;
+    const state = player.state(surface, this.page.heightFactor());
+    this.page.show(state, jumped);
+    const label = state.probes[0]?.label ?? null;
+    if (label !== null && label !== this.label && this.label !== null && !jumped) this.page.enter(label);
+    this.label = label;
+    this.figures(jumped);
+  }
+
+  private figures(now: boolean): void {
+    const { player } = this;
+    const at = performance.now();
+    if (player === null || (!now && at - this.figuresAt < figuresEvery)) return;
+    this.figuresAt = at;
+    this.slider.value = String(player.time);
+    const words = player.words();
+    this.slider.setAttribute('aria-valuetext', words);
+    element('replay-at-value').textContent = words;
+    element('replay-play').textContent = player.isPlaying ? 'Stop' : 'Play';
+  }
+
+  // The clip.
+
+  private async beginClip(): Promise<void> {
+    const { player } = this;
+    const [type, canvas] = [clipType(), this.page.canvas()];
+    if (player === null) return;
+    if (type === null || canvas === null) return this.page.say('This browser cannot record clips.');
+    player.pause();
+    const sound = await this.page.tap();
+    if (player !== this.player) return this.page.untap();
+    try {
+      this.clip = { clip: new Clip(canvas, sound, type), from: player.time >= player.length ? 0 : player.time, said: 0 };
+    } catch {
+      this.page.untap();
+      return this.page.say('This browser refuses to record a clip.');
+    }
+    player.play();
+    this.drawnAt = null;
+    this.enable(false);
+    this.page.say('The clip is being recorded while the recording plays, from here to its end. Keep this page visible.');
+    this.page.request();
+  }
+
+  private showClip(player: Player, clip: { from: number; said: number }): void {
+    const share = (player.time - clip.from) / Math.max(1e-9, player.length - clip.from);
+    element('replay-words').textContent = `Recording the clip: ${Math.floor(100 * share)} %`;
+    const next = saidShares[clip.said];
+    if (next === undefined || share < next) return;
+    clip.said += 1;
+    this.page.tell(`${100 * next} percent of the clip.`);
+  }
+
+  /** Saves it, or drops it. */
+  private async endClip(complete: boolean): Promise<void> {
+    const { player, clip: running } = this;
+    if (running === null) return;
+    this.clip = null;
+    player?.pause();
+    this.enable(true);
+    this.figures(true);
+    element('replay-words').textContent = '';
+    const film = await running.clip.finish();
+    this.page.untap();
+    if (!complete || player === null) return this.page.say('The clip was cancelled: nothing is saved.');
+    const name = `${player.recording.name.replace(/\.[^.]*$/, '')}.webm`;
+    download(name, film);
+    element('replay-words').textContent = `The clip is saved as ${name}.`;
+    this.page.say(`The clip is saved as ${name}, ${(film.size / 1e6).toFixed(1)} megabytes.`);
+  }
+
+  private enable(free: boolean): void {
+    element('replay-clip').textContent = free ? 'Save as a clip' : 'Cancel the clip';
+    for (const control of [this.slider, this.speed, element<HTMLButtonElement>('replay-play')]) control.disabled = !free;
+  }
+}
