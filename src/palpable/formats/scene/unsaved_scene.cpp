@@ -40,11 +40,10 @@ UnsavedScene::UnsavedScene(std::filesystem::path save_as)
     : save_as_(std::move(save_as)), known_(state_of(save_as_)) {}
 
 UnsavedScene::FileState UnsavedScene::state_of(const std::filesystem::path& file) {
-  struct stat found{};
+  struct stat found {};
   if (::stat(file.c_str(), &found) != 0) return {};
   constexpr std::int64_t kNsPerS = 1'000'000'000;
-  return {found.st_dev, found.st_ino, found.st_size,
-          found.st_mtim.tv_sec * kNsPerS + found.st_mtim.tv_nsec};
+  return {found.st_dev, found.st_ino, found.st_size, found.st_mtim.tv_sec * kNsPerS + found.st_mtim.tv_nsec};
 }
 
 Result<void> UnsavedScene::save(const models::Scene& scene) {
