@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The address of a live source (the first line), and the names of a folder's files (the others).
-#include "palpable/session/touch/live_source.hpp"
+#include "palpable/session/touch/live_address.hpp"
 #include "palpable/sources/live/frame_folder.hpp"
 
 #include <cstdint>
@@ -29,8 +29,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const auto frames = sources::frames_among(names);
   if (frames.size() > names.size()) std::abort();
-  for (const sources::FrameNames& frame : frames)
-    if (!names.contains(frame.depth) || (!frame.colour.empty() && !names.contains(frame.colour)))
-      std::abort();
+  for (const sources::FrameNames& frame : frames) {
+    const bool is_pair = frame.depth.empty();
+    if (is_pair != !frame.right.empty() || (is_pair && frame.colour.empty())) std::abort();
+    for (const std::string& name : {frame.depth, frame.colour, frame.right})
+      if (!name.empty() && !names.contains(name)) std::abort();
+  }
   return 0;
 }

@@ -66,6 +66,7 @@ TEST_F(Materials, APropertyGivenTwiceOrANameThatActsOnATerminalIsRefused) {
   expect_refused(make({"--material", "0:name=a\x1B[31mb"}), 2, "control characters");
   expect_refused(make({"--material", "0:name=a\nb"}), 2, "control characters");
   expect_refused(make({"--material", "0:name="}), 2, "name is empty");
+  expect_refused(make({"--material", "0:name=" + std::string(401, 'x')}), 2, "at most 400 bytes");
   expect_refused(make({"--material", "0:name=caf\xE9"}), 2, "not UTF-8");
 }
 

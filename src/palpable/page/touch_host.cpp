@@ -3,7 +3,6 @@
 #include "palpable/page/touch_host.hpp"
 
 #include "palpable/describe/numbers.hpp"
-#include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/haptics/law/laws.hpp"
 #include "palpable/page/page_laws.hpp"
 #include "palpable/page/page_scene.hpp"
@@ -359,9 +358,7 @@ Result<void> TouchHost::set_explorer_pose(const session::ExplorerPose& pose) {
 }
 
 Result<void> TouchHost::write_scene() {
-  if (auto written = formats::write_scene(options_.save_as, with_edited_names(*session_.scene())); !written)
-    return written;
-  unsaved_.discard();
+  if (auto saved = unsaved_.save(with_edited_names(*session_.scene())); !saved) return saved;
   say("answer", "The scene is saved as " + options_.save_as.string());
   return {};
 }

@@ -5,6 +5,7 @@
 #include "palpable/core/text/number_text.hpp"
 #include "palpable/core/text/plain_text.hpp"
 #include "palpable/models/material/material_check.hpp"
+#include "palpable/models/scene/place_name.hpp"
 #include "palpable/sculpt/relief/texture_tile.hpp"
 #include "palpable/sources/picture/picture.hpp"
 
@@ -87,6 +88,8 @@ Result<void> apply_texture(std::string_view value, models::TouchTexture& texture
 /// Errors: usage for a name that cannot be said or shown.
 Result<void> check_name(std::string_view name) {
   if (name.empty()) return usage("a material's name is empty");
+  if (name.size() > models::kMaxPlaceNameBytes)
+    return usage(fmt::format("a material's name has at most {} bytes", models::kMaxPlaceNameBytes));
   if (!is_utf8(name)) return usage("a material's name is not UTF-8");
   if (has_control_characters(name) || name.find('\n') != std::string_view::npos)
     return usage("a material's name holds control characters");

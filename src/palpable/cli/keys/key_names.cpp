@@ -3,7 +3,6 @@
 #include "palpable/cli/keys/key_names.hpp"
 
 #include "palpable/describe/numbers.hpp"
-#include "palpable/formats/scene/scene_file.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -93,14 +92,13 @@ std::string KeyNames::way(const models::Scene& scene, Place from) {
 std::string KeyNames::undo(const models::Scene& scene) { return taken(scene, history_.undo(scene)); }
 
 std::string KeyNames::save(const models::Scene& scene) {
-  if (const auto written = formats::write_scene(save_as_, scene); !written) return written.error().sentence();
-  unsaved_.discard();
+  if (const auto saved = unsaved_.save(scene); !saved) return saved.error().sentence() + ".";
   touched_names_ = scene.names;
-  return "The scene is saved as " + save_as_.string() + ".";
+  return "The scene is saved as " + unsaved_.save_as().string() + ".";
 }
 
 std::string KeyNames::left_over_words() const {
-  const auto file = formats::UnsavedScene::of_earlier_touch(save_as_);
+  const auto file = formats::UnsavedScene::of_earlier_touch(unsaved_.save_as());
   return file.empty() ? "" : "Names of an earlier touch that were not saved are in " + file.string() + ".";
 }
 
@@ -108,6 +106,12 @@ std::string KeyNames::unsaved_words() const {
   return unsaved_.file().empty()
              ? ""
              : "The names that you did not save are kept in " + unsaved_.file().string() + ".";
+}
+
+Result<void> KeyNames::none_lost() const {
+  if (!edited_ || edited_ == touched_names_ || !unsaved_.file().empty()) return {};
+  return Error{ErrorCode::failed, "the names that were given could be neither saved nor kept and are lost",
+               unsaved_.save_as().string()};
 }
 
 }  // namespace palpable::cli

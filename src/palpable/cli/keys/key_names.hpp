@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/result.hpp"
 #include "palpable/describe/name_history.hpp"
 #include "palpable/formats/scene/unsaved_scene.hpp"
 #include "palpable/models/scene/scene.hpp"
@@ -18,7 +19,7 @@ namespace palpable::cli {
 class KeyNames {
  public:
   /// `save_as`: the scene file that save() writes.
-  explicit KeyNames(std::filesystem::path save_as) : save_as_(std::move(save_as)), unsaved_(save_as_) {}
+  explicit KeyNames(std::filesystem::path save_as) : unsaved_(std::move(save_as)) {}
 
   /// The scene with the names that were edited.
   std::shared_ptr<const models::Scene> named(const std::shared_ptr<const models::Scene>& touched);
@@ -39,12 +40,13 @@ class KeyNames {
   std::string left_over_words() const;
   /// Where names are kept that were not saved; empty if there are none.
   std::string unsaved_words() const;
+  /// Errors: failed, if names were given that are neither saved nor kept.
+  Result<void> none_lost() const;
 
  private:
   const describe::PlaceGuide& guide(const models::Scene& scene);
   std::string taken(const models::Scene& scene, Result<describe::NamesEdit> edit);
 
-  std::filesystem::path save_as_;
   formats::UnsavedScene unsaved_;
   describe::NameHistory history_;
   std::optional<models::PlaceNames> edited_;

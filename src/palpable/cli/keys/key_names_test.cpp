@@ -81,5 +81,17 @@ TEST_F(NamesByKeys, AreKeptBesideTheSceneUntilTheyAreSaved) {
   EXPECT_FALSE(std::filesystem::exists(folder / "plate-unsaved.palp"));
 }
 
+TEST_F(NamesByKeys, SayWhenTheyAreLost) {
+  EXPECT_TRUE(names.none_lost());
+  std::filesystem::remove_all(folder);
+  EXPECT_THAT(names.name(scene(), {0.01, 0.0}, "well"), HasSubstr("lost at the end"));
+  EXPECT_FALSE(names.none_lost());
+  EXPECT_THAT(names.save(scene()), Not(StartsWith("The scene is saved")));
+  EXPECT_FALSE(names.none_lost());
+  std::filesystem::create_directories(folder);
+  EXPECT_THAT(names.save(scene()), StartsWith("The scene is saved"));
+  EXPECT_TRUE(names.none_lost());
+}
+
 }  // namespace
 }  // namespace palpable::cli

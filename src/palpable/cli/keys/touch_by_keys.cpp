@@ -108,6 +108,7 @@ class NameKeys {
   }
   std::string left_over_words() const { return names_.left_over_words(); }
   std::string unsaved_words() const { return names_.unsaved_words(); }
+  Result<void> none_lost() const { return names_.none_lost(); }
   bool awaits_line() const { return awaited_ != Request::nothing; }
   /// A typed line; what to say.
   std::string take_line(const models::Scene& scene, Place place, const std::string& line) {
@@ -212,6 +213,7 @@ Result<session::TouchStatistics> touch_by_keys(const session::SceneMaker& make,
   session.stop();
   if (!explored) return std::move(explored).error();
   if (!recorded) return std::move(recorded).error();
+  if (auto kept = names.none_lost(); !kept) return std::move(kept).error();
   return session.statistics();
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace palpable::formats {
@@ -34,6 +35,27 @@ std::filesystem::path taken_copy(const std::filesystem::path& save_as) {
 }
 
 }  // namespace
+
+UnsavedScene::UnsavedScene(std::filesystem::path save_as)
+    : save_as_(std::move(save_as)), known_(state_of(save_as_)) {}
+
+UnsavedScene::FileState UnsavedScene::state_of(const std::filesystem::path& file) {
+  struct stat found {};
+  if (::stat(file.c_str(), &found) != 0) return {};
+  constexpr std::int64_t kNsPerS = 1'000'000'000;
+  return {found.st_dev, found.st_ino, found.st_size, found.st_mtim.tv_sec * kNsPerS + found.st_mtim.tv_nsec};
+}
+
+Result<void> UnsavedScene::save(const models::Scene& scene) {
+  const FileState found = state_of(save_as_);
+  if (found != FileState{} && found != std::exchange(known_, found))
+    return Error{ErrorCode::failed, "changed by another program meanwhile; save again to replace it",
+                 save_as_.string()};
+  if (auto written = write_scene(save_as_, scene); !written) return written;
+  known_ = state_of(save_as_);
+  discard();
+  return {};
+}
 
 Result<void> UnsavedScene::keep(const models::Scene& scene) {
   const auto copy = file_.empty() ? taken_copy(save_as_) : file_;

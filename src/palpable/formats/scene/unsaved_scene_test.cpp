@@ -65,6 +65,35 @@ TEST_F(Unsaved, TwoTouchesKeepTwoCopiesAndALaterOneFindsThem) {
   EXPECT_EQ(UnsavedScene::of_earlier_touch(folder / "hills.palp"), one.file());
 }
 
+TEST_F(Unsaved, DoesNotReplaceWhatAnotherProgramSavedUnlessToldTwice) {
+  const auto file = folder / "hills.palp";
+  ASSERT_TRUE(write_scene(file, scene));
+  UnsavedScene one(file), other(file);
+  ASSERT_TRUE(one.keep(named("gate")));
+  ASSERT_TRUE(other.save(named("well")));
+  ASSERT_TRUE(other.save(named("pond"))) << "its own file is no other program's";
+  const auto refused = one.save(named("gate"));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().sentence(),
+            file.string() + ": changed by another program meanwhile; save again to replace it");
+  EXPECT_EQ(read_scene(file)->scene.names.front().name, "pond");
+  EXPECT_TRUE(std::filesystem::exists(one.file()));
+  ASSERT_TRUE(one.save(named("gate")));
+  EXPECT_EQ(read_scene(file)->scene.names.front().name, "gate");
+  EXPECT_TRUE(one.file().empty());
+}
+
+TEST_F(Unsaved, IsSavedWhereThereWasNoFileOrItWasRemoved) {
+  const auto file = folder / "hills.palp";
+  UnsavedScene unsaved(file);
+  ASSERT_TRUE(unsaved.save(named("gate")));
+  std::filesystem::remove(file);
+  EXPECT_TRUE(unsaved.save(named("well")));
+  UnsavedScene late(folder / "new.palp");
+  ASSERT_TRUE(write_scene(folder / "new.palp", scene));
+  EXPECT_FALSE(late.save(named("gate"))) << "another program wrote it meanwhile";
+}
+
 TEST_F(Unsaved, SaysOnceThatItCannotBeKept) {
   UnsavedScene unsaved(folder / "none" / "hills.palp");
   EXPECT_FALSE(unsaved.keep(named("gate")));

@@ -3,6 +3,7 @@
 #include "palpable/session/touch/live_feed.hpp"
 
 #include "palpable/session/touch/headless.hpp"
+#include "palpable/session/touch/live_address.hpp"
 #include "palpable/session/touch/test_session.hpp"
 
 #include <chrono>

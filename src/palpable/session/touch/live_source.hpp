@@ -46,19 +46,6 @@ class LiveSource {
   virtual vision::DepthNoise noise() const { return {}; }
 };
 
-/// Whether a command's input is the address of a live source, whatever its scheme.
-bool is_live_address(const std::string& input);
-
-/// What an address of frames says.
-struct FramesAddress {
-  std::string folder;
-  double rate_hz = 30.0;
-  bool repeats = false;
-};
-
-/// Parses frames:FOLDER?fps=30&loop=0. Errors: usage for another scheme, or an unknown or wrong option.
-Result<FramesAddress> parse_frames_address(const std::string& address);
-
 /// Opens frames:FOLDER?fps=30&loop=0: the frames of a folder, paced as from a camera. Pairs are matched
 /// (matched_source()) with `rig` and `work`. Errors: parse_frames_address(); invalid_input as
 /// sources::FrameFolder::open().

@@ -283,10 +283,12 @@ Result<Input> recognise_input(std::span<const fs::path> paths, std::optional<Inp
       return Error{ErrorCode::usage, "more than two files can only be a sequence (video)", {}};
     return Input{InputKind::video, {paths.begin(), paths.end()}, {}};
   }
+  // The reader of the kind that is wanted says what the file lacks.
+  if (wanted) return Input{*wanted, {paths[0]}, {}};
   const auto kind = kind_of_file(paths[0]);
   if (!kind) return kind.error();
-  if (!wanted && *kind == InputKind::picture) return recognise_one_picture(paths[0]);
-  return Input{wanted.value_or(*kind), {paths[0]}, {}};
+  if (*kind == InputKind::picture) return recognise_one_picture(paths[0]);
+  return Input{*kind, {paths[0]}, {}};
 }
 
 }  // namespace palpable::sources

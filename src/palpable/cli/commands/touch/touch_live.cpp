@@ -3,6 +3,7 @@
 #include "palpable/cli/commands/touch/touch_live.hpp"
 
 #include "palpable/describe/numbers.hpp"
+#include "palpable/session/touch/live_address.hpp"
 #include "palpable/sources/calibration/calibration.hpp"
 
 #include <algorithm>
