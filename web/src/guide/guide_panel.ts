@@ -14,7 +14,7 @@ export class GuidePanel {
   /** `steps`: at which one each way goes on; 0: from the beginning. */
   offer(steps: Record<Way, number>): void {
     for (const way of ['eyes', 'ears'] as const) element(`guide-${way}`).textContent = steps[way] > 0 ? `${label[way]}, go on` : label[way];
-    this.write('Learn to touch, two minutes', 'A guided start: a few steps that you do on this scene. It can be left at any time, and taken up again.', 'offer');
+    this.write('Learn to touch, two minutes', 'A guided start on this scene.', 'offer');
   }
 
   /** A step, or none. */
@@ -29,6 +29,7 @@ export class GuidePanel {
     element('guide-text').textContent = text;
     element('guide-offer').hidden = what !== 'offer';
     element('guide-step').hidden = what !== 'step';
+    this.strip.toggleAttribute('data-offer', what === 'offer');
     this.strip.hidden = false;
   }
 
