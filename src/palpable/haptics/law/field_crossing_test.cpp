@@ -22,9 +22,11 @@
 namespace palpable::haptics {
 namespace {
 
-/// 60 strokes at each of the 24 solids, balls and frictions by default; PALPABLE_TOUCHES=48000 for a
+/// 60 strokes at each of the 28 solids, balls and frictions by default; PALPABLE_TOUCHES=56000 for a
 /// measurement.
-int strokes_of_a_solid() { return strokes_of_each(24, 60); }
+int strokes_of_a_solid() { return strokes_of_each(28, 60); }
+
+constexpr const char* kPaper = "random parts as in the paper";
 
 std::vector<NamedScene> solids() {
   std::vector<NamedScene> all;
@@ -41,6 +43,8 @@ std::vector<NamedScene> solids() {
     return std::max({random.sample({p}).distance_m, off.x, off.y, off.z});
   };
   all.push_back(on_lattice("random parts", parts, {0.018, 0.013, 0.010}, 3e-4));
+  all.push_back(
+      on_lattice(kPaper, parts, {0.018, 0.013, 0.010}, 3e-4, models::DenseContent::distance_and_force));
   return all;
 }
 
@@ -176,7 +180,11 @@ TEST(FieldCrossing, OfAnEdgeIsAContactInItsTickAndThroughNoPlate) {
         for (int k = strokes_of_a_solid(); k > 0; --k) follow(made, random_stroke(made, draw), findings);
         const std::string which =
             solid.name + ", ball of " + std::to_string(radius_m) + " m, friction " + std::to_string(friction);
-        expect_nothing_missed(findings, which);
+        // The paper's stored direction is not the slope of its distance, and leads a proxy off its surface.
+        if (solid.name == kPaper)
+          expect_contact_in_its_tick(findings, which);
+        else
+          expect_nothing_missed(findings, which);
         all.cuts += findings.cuts;
         all.crossed += findings.crossed;
         all.inside += findings.inside;

@@ -63,9 +63,33 @@ inline NamedScene box_of_leaves(std::string name, Vec3 half_m) {
   return {std::move(name), std::move(scene)};
 }
 
+/// Values with the direction to the surface beside each, as the paper's representation of a field stores it.
+inline std::vector<float> with_directions(const models::Lattice& lattice,
+                                          const std::vector<float>& distances) {
+  std::vector<float> values;
+  const auto slope = [&](std::array<int, 3> at, std::size_t axis) {
+    std::array<int, 3> low = at, high = at;
+    low[axis] = std::max(at[axis] - 1, 0);
+    high[axis] = std::min(at[axis] + 1, lattice.counts[axis] - 1);
+    const auto distance = [&](std::array<int, 3> p) { return distances[lattice.index(p[0], p[1], p[2])]; };
+    return 1.0 * (distance(high) - distance(low)) / (high[axis] - low[axis]);
+  };
+  for (int z = 0; z < lattice.counts[2]; ++z)
+    for (int y = 0; y < lattice.counts[1]; ++y)
+      for (int x = 0; x < lattice.counts[0]; ++x) {
+        const std::array<int, 3> at{x, y, z};
+        const Vec3 direction = unit(Vec3{slope(at, 0), slope(at, 1), slope(at, 2)});
+        values.push_back(distances[lattice.index(x, y, z)]);
+        for (const double along : {direction.x, direction.y, direction.z})
+          values.push_back(static_cast<float>(along));
+      }
+  return values;
+}
+
 /// A solid as a dense field.
 inline NamedScene on_lattice(std::string name, const std::function<double(Vec3)>& distance_to, Vec3 half_m,
-                             double spacing_m) {
+                             double spacing_m,
+                             models::DenseContent content = models::DenseContent::distance) {
   models::Lattice lattice;
   const Vec3 around = half_m + kMargin_m * Vec3{1.0, 1.0, 1.0};
   lattice.origin_m = -1.0 * around;
@@ -79,7 +103,8 @@ inline NamedScene on_lattice(std::string name, const std::function<double(Vec3)>
     for (int y = 0; y < lattice.counts[1]; ++y)
       for (int x = 0; x < lattice.counts[0]; ++x)
         values.push_back(static_cast<float>(distance_to(lattice.place_m(x, y, z))));
-  auto dense = models::DenseField::from(lattice, models::DenseContent::distance, std::move(values), {});
+  if (content == models::DenseContent::distance_and_force) values = with_directions(lattice, values);
+  auto dense = models::DenseField::from(lattice, content, std::move(values), {});
   models::Scene scene;
   scene.model = std::make_shared<const models::FieldOnLattice>(
       *models::field_of(*std::move(dense), -1.0 * half_m, half_m));

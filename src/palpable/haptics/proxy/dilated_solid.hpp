@@ -3,12 +3,14 @@
 #pragma once
 
 #include "palpable/haptics/proxy/found_in_field.hpp"
+#include "palpable/models/field/dense_line.hpp"
 #include "palpable/models/field/distance_sample.hpp"
 #include "palpable/models/field/distance_surface.hpp"
 #include "palpable/models/field/outside_box.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace palpable::haptics {
 
@@ -24,6 +26,8 @@ class DilatedSolid {
   static constexpr double kSafe = 0.8;
   /// Evaluations to find the surface from a place near it, once.
   static constexpr int kSettling = 12;
+  /// Whether first_dip() can be asked: the distance along a line is known exactly.
+  static constexpr bool kHasExactLines = requires(const Surface& s) { models::first_dip(s, {}, {}, 0.0); };
 
   DilatedSolid(const Surface& field, double radius_m, FoundInField& found) noexcept
       : field_(field), radius_m_(radius_m), found_(found) {}
@@ -56,6 +60,13 @@ class DilatedSolid {
         return models::least_outside_box(place, size, distance_m + radius_m_) - radius_m_;
     }
     return distance_m;
+  }
+
+  /// Whether a place is in the field's box.
+  bool contains(Vec3 place_m) const noexcept { return field_.contains({place_m}); }
+  /// models::first_dip() of the distance between two places in the field's box.
+  std::optional<models::Dip> first_dip(Vec3 from_m, Vec3 to_m, double below_m) const noexcept {
+    return models::first_dip(field_, {from_m}, {to_m}, below_m + radius_m_);
   }
 
   double cell_m() const noexcept { return field_.cell_m(); }

@@ -15,7 +15,8 @@ namespace palpable::haptics {
 /// half a cell are judged by the distance's changes along the path too: where it is convex, as before a face,
 /// an edge or a tip, it is nowhere lower than where the tangents at the two ends meet, and a look there
 /// decides. Only where it is neither convex nor concave, the stretch is halved. So a sharp edge or thin plate
-/// is found, however short its cut is. Tick path.
+/// is found, however short its cut is. In a dense field, which has kinks at every face between its cells,
+/// such a stretch is judged exactly (models::first_dip()). Tick path.
 template <models::DistanceSurface Surface>
 class FieldPath {
  public:
@@ -134,6 +135,9 @@ class FieldPath {
   /// Whether the path enters the solid between two looks outside; then `inside` is a look in it, and `clear`
   /// moves up to the last one before it.
   bool is_cut(Look& clear, const Look& end, Look& inside, int& looks) const noexcept {
+    if constexpr (DilatedSolid<Surface>::kHasExactLines)
+      if (solid_.contains(at(clear.at_m)) && solid_.contains(at(end.at_m)))
+        return is_cut_exactly(clear, end, inside, looks);
     std::array<Look, kWaiting> waiting;
     std::size_t count = 1;
     waiting[0] = end;
@@ -152,6 +156,20 @@ class FieldPath {
       ++count;
     }
     return false;
+  }
+
+  /// is_cut() in a field whose distance along a line is known exactly.
+  bool is_cut_exactly(Look& clear, const Look& end, Look& inside, int& looks) const noexcept {
+    const auto dip = solid_.first_dip(at(clear.at_m), at(end.at_m), -kIgnored_m);
+    if (!dip) {
+      clear = end;
+      return false;
+    }
+    looks -= 2;
+    const double stretch_m = end.at_m - clear.at_m;
+    inside = look(clear.at_m + dip->lowest * stretch_m);
+    clear = look(clear.at_m + dip->begins * stretch_m);
+    return true;
   }
 
   /// Where the path between two looks outside may be inside the solid; -1 if it is not.

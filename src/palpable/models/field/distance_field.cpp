@@ -4,6 +4,7 @@
 
 #include "palpable/models/field/field_leaf.hpp"
 #include "palpable/models/field/outside_box.hpp"
+#include "palpable/models/field/window_weights.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -91,6 +92,13 @@ bool is_any_of(const std::array<std::uint32_t, 8>& numbers, std::uint32_t wanted
   for (const std::uint32_t number : numbers) is_any |= number == wanted;
   return is_any;
 }
+
+/// 2 / 2^level: halves of a leaf's side in a finest cell.
+constexpr auto kHalvesPerCell = [] {
+  std::array<double, kMostLevels + 1> halves{};
+  for (std::size_t level = 0; level < halves.size(); ++level) halves[level] = 2.0 / (1U << level);
+  return halves;
+}();
 
 std::size_t root_index(const FieldGrid& grid, int x, int y, int z) {
   const int level = grid.levels;
@@ -237,16 +245,15 @@ void DistanceField::find_leaves(Vec3 cells, FieldWindow& window) const noexcept 
 
 inline DistanceSample DistanceField::leaf_sample(const FieldWindow& window, std::size_t k,
                                                  Vec3 cells) const noexcept {
-  const int side = 1 << window.level[k];
-  const double half = 0.5 * side;
-  const double per_half = 1.0 / half;
-  const unsigned octants = window.octants[k];
+  const unsigned level = window.level[k];
+  const int side = 1 << level;
+  const double per_half = kHalvesPerCell[level];
+  const WindowSides& sides = kWindowSides[window.octants[k]];
   const auto u = [&](double place, std::size_t axis) {
-    const int below = (sides_of(octants, axis) & 1U) != 0 ? 1 : 0;
-    return (place - (std::max(window.corner[axis] - below, 0) & -side)) * per_half - 1.0;
+    return (place - (std::max(window.corner[axis] - sides.below(axis), 0) & -side)) * per_half - 1.0;
   };
   return leaf_at(&tree_.words[window.words[k]], grid_.cell_m * cells,
-                 {u(cells.x, 0), u(cells.y, 1), u(cells.z, 2)}, half * grid_.cell_m, round_m_);
+                 {u(cells.x, 0), u(cells.y, 1), u(cells.z, 2)}, 0.5 * side * grid_.cell_m, round_m_);
 }
 
 inline DistanceSample DistanceField::average_of_two(Vec3 cells, const FieldWindow& window,
@@ -276,9 +283,19 @@ DistanceSample DistanceField::averaged(Vec3 cells, const FieldWindow& window) co
   if (window.count == 2) return average_of_two(cells, window, over_corner);
   const std::array<WindowShares, 3> shares{WindowShares(over_corner[0]), WindowShares(over_corner[1]),
                                            WindowShares(over_corner[2])};
+  DistanceSample sample;
+  const auto add = [&](std::size_t k, const WindowWeight& weight) {
+    const DistanceSample s = leaf_sample(window, k, cells);
+    sample.distance_m += weight.share * s.distance_m;
+    sample.gradient += weight.share * s.gradient + (s.distance_m * cells_per_m_) * weight.along;
+  };
+  if (window.different == window.count) {
+    for (std::size_t k = 0; k < window.count; ++k) add(k, weight_of(kWindowSides[window.octants[k]], shares));
+    return sample;
+  }
   std::array<WindowWeight, 8> weights;
   for (std::size_t k = 0; k < window.count; ++k) {
-    const WindowWeight weight = weight_of(window.octants[k], shares);
+    const WindowWeight weight = weight_of(kWindowSides[window.octants[k]], shares);
     if (window.same[k] == k) {
       weights[k] = weight;
     } else {
@@ -286,13 +303,8 @@ DistanceSample DistanceField::averaged(Vec3 cells, const FieldWindow& window) co
       weights[window.same[k]].along += weight.along;
     }
   }
-  DistanceSample sample;
-  for (std::size_t k = 0; k < window.count; ++k) {
-    if (window.same[k] != k) continue;
-    const DistanceSample s = leaf_sample(window, k, cells);
-    sample.distance_m += weights[k].share * s.distance_m;
-    sample.gradient += weights[k].share * s.gradient + (s.distance_m * cells_per_m_) * weights[k].along;
-  }
+  for (std::size_t k = 0; k < window.count; ++k)
+    if (window.same[k] == k) add(k, weights[k]);
   return sample;
 }
 

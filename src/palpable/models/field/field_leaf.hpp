@@ -40,18 +40,20 @@ inline double convex_meeting(double a, double b, HalfAngle half, double round_m,
   // Along the outward bisector, mean = u cosine; across it, |a - b| / 2 = v sine.
   const double mean = 0.5 * (a + b);
   const double across = 0.5 * (a - b) / sine;
-  double v = std::abs(across);
-  double dv = across < 0.0 ? -1.0 : 1.0;
-  if (v < round_m) {
-    dv = across / round_m;
-    v = 0.5 * (across * dv + round_m);
-  }
+  // Chosen by number: whether a place is near the kink cannot be predicted.
+  const bool is_rounded = std::abs(across) < round_m;
+  const double steep = across < 0.0 ? -1.0 : 1.0;
+  const double in_round = across / round_m;
+  const double dv = is_rounded ? in_round : steep;
+  const double v = is_rounded ? 0.5 * (across * in_round + round_m) : std::abs(across);
   double by_mean = 1.0;
   double by_across = sine * dv;
   double distance = mean + v * sine;
   // Opposite faces have no edge.
   constexpr double kLeastCosine = 1e-6;
-  if (mean > 0.0 && cosine > kLeastCosine && v * cosine * cosine < mean * sine) {
+  const bool is_wedge = static_cast<int>(mean > 0.0) & static_cast<int>(cosine > kLeastCosine) &
+                        static_cast<int>(v * cosine * cosine < mean * sine);
+  if (is_wedge) {
     const double u = mean / cosine;
     distance = std::sqrt(u * u + v * v);
     by_mean = u / (distance * cosine);
@@ -285,12 +287,21 @@ inline DistanceSample joined_by(const std::uint32_t* words, int i, const Distanc
 /// A leaf's distance and gradient; arguments as visit_pieces(). Tick path.
 inline DistanceSample leaf_at(const std::uint32_t* words, Vec3 x, Vec3 u, double half_m,
                               double round_m) noexcept {
-  if (LeafHead{words[0]}.compact()) return compact_at(words, u, half_m);
-  DistanceSample sample;
-  visit_pieces(words, x, u, half_m, [&](int i, const DistanceSample& piece) {
-    sample = i == 0 ? piece : joined_by(words, i, sample, piece, round_m);
-  });
-  return sample;
+  const LeafHead head{words[0]};
+  if (head.compact()) return compact_at(words, u, half_m);
+  const int pieces = head.pieces();
+  const std::uint32_t* at = words + 1 + 2 * (pieces - 1);
+  const auto next_piece = [&](int i) {
+    const bool curved = head.curved(i);
+    const std::uint32_t* const piece = at;
+    at += curved ? LeafHead::kCurvedWords : LeafHead::kPlaneWords;
+    return curved ? detail::curved_at(piece, u, half_m) : detail::plane_at(piece, x);
+  };
+  const DistanceSample first = next_piece(0);
+  if (pieces == 1) return first;
+  const DistanceSample two = joined_by(words, 1, first, next_piece(1), round_m);
+  if (pieces == 2) return two;
+  return joined_by(words, 2, two, next_piece(2), round_m);
 }
 
 }  // namespace palpable::models

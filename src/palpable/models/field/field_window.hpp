@@ -46,43 +46,4 @@ struct FieldWindow {
   }
 };
 
-/// Which sides of a window's corner a leaf covers along an axis: below it (1), above it (2), both (3).
-inline unsigned sides_of(unsigned octants, std::size_t axis) noexcept {
-  constexpr std::array kBelow{0x55U, 0x33U, 0x0FU};
-  return ((octants & kBelow[axis]) != 0 ? 1U : 0U) | ((octants & ~kBelow[axis]) != 0 ? 2U : 0U);
-}
-
-/// The share of the window on each of sides_of() along one axis, and its derivative per cell.
-struct WindowShares {
-  std::array<double, 4> share{0.0, 0.0, 0.0, 1.0};
-  std::array<double, 4> slope{};
-
-  explicit WindowShares(double place_over_corner) noexcept {
-    const double t = 2.0 * place_over_corner;
-    const double rest = 1.0 - std::abs(t);
-    const double half = 0.5 * rest * rest;
-    // Chosen by number: the sign cannot be predicted.
-    const std::array<double, 2> upper{1.0 - half, half};
-    share[2] = upper[t < 0.0 ? 1 : 0];
-    share[1] = 1.0 - share[2];
-    slope[2] = 2.0 * rest;
-    slope[1] = -slope[2];
-  }
-};
-
-/// The share of the window in a leaf, and its derivative per cell. A leaf is a box: its share is the product
-/// of those along the axes.
-struct WindowWeight {
-  double share;
-  Vec3 along;
-};
-inline WindowWeight weight_of(unsigned octants, const std::array<WindowShares, 3>& shares) noexcept {
-  const std::size_t x = sides_of(octants, 0), y = sides_of(octants, 1), z = sides_of(octants, 2);
-  const double x_share = shares[0].share[x], y_share = shares[1].share[y], z_share = shares[2].share[z];
-  const double xy = x_share * y_share;
-  return {xy * z_share,
-          {shares[0].slope[x] * y_share * z_share, x_share * shares[1].slope[y] * z_share,
-           xy * shares[2].slope[z]}};
-}
-
 }  // namespace palpable::models
