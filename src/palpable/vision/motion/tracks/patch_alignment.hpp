@@ -21,11 +21,11 @@ struct PatchOptions {
   double weight_width = 0.4;
   /// How strongly the linear part keeps its last value, relative to what a patch of even texture says of it.
   double stiffness = 0.1;
-  int most_iterations = 15;
+  int most_iterations = 30;
   /// An alignment has converged if its last step moved the centre and the border by less than this, px.
   double least_step_px = 0.005, least_border_step_px = 0.015;
   /// The centre is at most this far from where the alignment began, px.
-  double farthest_px = 1.5;
+  double farthest_px = 4.0;
   /// Least share of the template's variance that the aligned patch explains.
   double least_likeness = 0.5;
 };
