@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/motion/structure/reconstruction.hpp"
 
+#include "palpable/core/numbers/quantile.hpp"
 #include "palpable/vision/motion/structure/motion_result.hpp"
 
 #include <algorithm>
@@ -12,6 +13,9 @@
 
 namespace palpable::vision {
 namespace {
+
+// Of the robust loss: tracks are not more accurate than this.
+constexpr double kLeastRobust_px = 0.05;
 
 template <class T>
 auto& at(T& values, int index) {
@@ -27,6 +31,7 @@ Reconstruction::Reconstruction(std::span<const PointTrack> tracks, std::vector<i
       camera_(camera.pinhole),
       focal_length_known_(camera.focal_length_known),
       options_(options),
+      robust_px_(options.robust_px),
       poses_(frames_.size()),
       attempts_(frames_.size(), 0),
       points_(tracks.size()) {}
@@ -148,18 +153,19 @@ void Reconstruction::refine(int iterations, const Work& work) {
   }
   const bool refine_focal =
       !focal_length_known_ && std::ssize(bundle.poses) >= options_.views_for_focal_length;
-  adjust_bundle(
-      bundle, camera_,
-      {.robust_px = options_.robust_px, .most_iterations = iterations, .refine_focal_length = refine_focal},
-      work);
+  adjust_bundle(bundle, camera_,
+                {.robust_px = robust_px_, .most_iterations = iterations, .refine_focal_length = refine_focal},
+                work);
   camera_.fx *= bundle.focal_scale, camera_.fy *= bundle.focal_scale;
   for (std::size_t k = 0; k < frames_.size(); ++k)
     if (poses_[k]) poses_[k] = at(bundle.poses, pose_index[k]);
-  std::vector<double> worst(bundle.points.size(), 0.0);
-  for (const Observation& s : bundle.observations)
-    at(worst, s.point) =
-        std::max(at(worst, s.point),
-                 projection_error_px(camera_, at(bundle.poses, s.pose), at(bundle.points, s.point), s.place));
+  std::vector<double> errors, worst(bundle.points.size(), 0.0);
+  for (const Observation& s : bundle.observations) {
+    errors.push_back(
+        projection_error_px(camera_, at(bundle.poses, s.pose), at(bundle.points, s.point), s.place));
+    at(worst, s.point) = std::max(at(worst, s.point), errors.back());
+  }
+  if (!errors.empty()) robust_px_ = std::clamp(quantile_of(errors, 0.5), kLeastRobust_px, options_.robust_px);
   for (std::size_t p = 0; p < point_tracks.size(); ++p) {
     auto& point = points_[point_tracks[p]];
     point = worst[p] <= options_.outlier_px ? std::optional(bundle.points[p]) : std::nullopt;

@@ -48,6 +48,9 @@ class Reconstruction {
   Pinhole camera_;
   bool focal_length_known_ = true;
   BatchMotionOptions options_;
+  /// Scale of the robust loss, px: about 1.2 standard deviations of the errors after the last refinement
+  /// (their median length), at most that of the options.
+  double robust_px_ = 0.0;
   std::vector<std::optional<BundlePose>> poses_;
   /// How often each keyframe was tried.
   std::vector<int> attempts_;

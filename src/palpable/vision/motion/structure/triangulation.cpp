@@ -16,7 +16,7 @@ struct Ray {
   Eigen::Vector3d direction;
 };
 
-Ray line_of_sight(const PosedObservation& observation, const Pinhole& camera) {
+Ray ray_of(const PosedObservation& observation, const Pinhole& camera) {
   const CameraPose pose = camera_pose(observation.pose);
   const Vec3 direction = unit(pose.rotate(
       {(observation.place.x - camera.cx) / camera.fx, (observation.place.y - camera.cy) / camera.fy, 1.0}));
@@ -31,7 +31,7 @@ std::optional<std::array<double, 3>> triangulated_point(std::span<const PosedObs
                                                         const TriangulationOptions& options) {
   if (observations.size() < 2) return std::nullopt;
   std::vector<Ray> rays;
-  for (const PosedObservation& observation : observations) rays.push_back(line_of_sight(observation, camera));
+  for (const PosedObservation& observation : observations) rays.push_back(ray_of(observation, camera));
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   double least_cosine = 1.0;

@@ -3,6 +3,7 @@
 #include "palpable/vision/motion/tracks/point_tracks.hpp"
 
 #include "palpable/vision/image/opencv_image.hpp"
+#include "palpable/vision/motion/tracks/affine_tracks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -144,7 +145,9 @@ Result<std::vector<PointTrack>> track_points(std::span<const Raster<std::uint8_t
     tracker.add(static_cast<int>(i), grey_view_of(frames[i]));
     work.report(static_cast<double>(i + 1) / static_cast<double>(frames.size()), "following points");
   }
-  return tracker.take();
+  std::vector<PointTrack> tracks = affine_tracks(frames, tracker.take(), PatchOptions{}, work);
+  if (work.cancelled()) return Work::interrupted();
+  return tracks;
 }
 
 }  // namespace palpable::vision

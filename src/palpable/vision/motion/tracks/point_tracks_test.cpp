@@ -50,6 +50,46 @@ TEST(PointTracks, FollowAMovingPattern) {
   EXPECT_LT(quantile_of(errors_px, 0.99), 0.5);
 }
 
+// The pattern on a surface that turns and comes nearer: after `time` frames, a place of the first frame is at
+// centre + (I + time * kChange) * (place - centre).
+constexpr double kChange[4] = {0.008, -0.006, 0.004, 0.011}, kCentre[2] = {80, 60};
+
+ImagePoint place_after(int time, ImagePoint first) {
+  const double x = first.x - kCentre[0], y = first.y - kCentre[1];
+  return {first.x + time * (kChange[0] * x + kChange[1] * y),
+          first.y + time * (kChange[2] * x + kChange[3] * y)};
+}
+
+Raster<std::uint8_t> frame_turned(int time) {
+  const double a = 1 + time * kChange[0], b = time * kChange[1], c = time * kChange[2],
+               d = 1 + time * kChange[3];
+  const double determinant = a * d - b * c;
+  Raster<std::uint8_t> out(160, 120);
+  for (int y = 0; y < out.height(); ++y)
+    for (int x = 0; x < out.width(); ++x) {
+      const double u = x - kCentre[0], v = y - kCentre[1];
+      const double level =
+          pattern(kCentre[0] + (d * u - b * v) / determinant, kCentre[1] + (a * v - c * u) / determinant);
+      out(x, y) = static_cast<std::uint8_t>(std::lround(level));
+    }
+  return out;
+}
+
+TEST(PointTracks, DoNotDriftOnASurfaceThatTurns) {
+  std::vector<Raster<std::uint8_t>> frames;
+  for (int time = 0; time < 40; ++time) frames.push_back(frame_turned(time));
+  const auto tracks = track_points(frames, {}, {});
+  ASSERT_TRUE(tracks);
+  std::vector<double> errors_px;
+  for (const PointTrack& track : *tracks) {
+    if (track.first_frame > 0 || track.places.size() < 30) continue;
+    const ImagePoint expected = place_after(29, track.places[0]), found = track.places[29];
+    errors_px.push_back(std::hypot(found.x - expected.x, found.y - expected.y));
+  }
+  ASSERT_GT(errors_px.size(), 10U);
+  EXPECT_LT(quantile_of(errors_px, 0.5), 0.05);
+}
+
 TEST(PointTracks, EndWhereAPointLeavesThePictureAndBeginWhereNewOnesAppear) {
   const auto frames = moving_frames(40);
   const auto tracks = track_points(frames, {}, {});
