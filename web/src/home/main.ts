@@ -3,9 +3,14 @@
 // The page that `palpable touch` serves: its program is at the other end of a WebSocket, its preferences are in a cookie.
 import { preferencesCookie, readPreferences } from '../settings/preferences';
 import { Connection } from './connection';
+import { HeadPanel } from './head_panel';
 import { TouchPage } from './touch_page';
 
-new TouchPage((receiver) => new Connection(receiver), {
-  read: () => readPreferences(document.cookie),
-  keep: (preferences) => (document.cookie = preferencesCookie(preferences)),
-}).start();
+new TouchPage(
+  (receiver) => new Connection(receiver),
+  {
+    read: () => readPreferences(document.cookie),
+    keep: (preferences) => (document.cookie = preferencesCookie(preferences)),
+  },
+  (stage, target) => new HeadPanel(stage, target),
+).start();

@@ -22,8 +22,9 @@ import { Stage } from '../view/stage';
 import { bindButtons, bindWindow } from './bindings';
 import type { Loss } from '../enter';
 import type { Program, Receiver } from './connection';
-import { DepthPanel } from './depth_panel';
+import { DepthPanel, type DepthTarget } from './depth_panel';
 import { FrameLoop } from './frame_loop';
+import type { HeadPanel } from './head_panel';
 import { fillHelp, showHelp, showSteps } from './help';
 import { press, type KeyTarget, type Move } from './keys';
 import { Narrator } from './narrator';
@@ -94,12 +95,18 @@ export class TouchPage implements KeyTarget {
   });
   private readonly picture: ViewActions;
   private readonly depth: DepthPanel;
+  private readonly head: HeadPanel | null;
   private hello: Hello | null = null;
   private paused = false;
   /** Whether the program is connected; otherwise nothing is felt, moved or heard. */
   private connected = false;
 
-  constructor(connect: (receiver: Receiver) => Program, preferences: KeptPreferences) {
+  /** `followHead`: null for a page without the camera. */
+  constructor(
+    connect: (receiver: Receiver) => Program,
+    preferences: KeptPreferences,
+    followHead: ((stage: Stage, target: DepthTarget) => HeadPanel) | null = null,
+  ) {
     this.connection = connect({
       opened: () => this.opened(),
       message: (message) => this.receive(message),
@@ -120,11 +127,13 @@ export class TouchPage implements KeyTarget {
       answer: (words) => this.voice.say(words, Importance.answer),
     });
     this.picture = new ViewActions(this.stage, (words) => this.voice.say(words, Importance.answer));
-    this.depth = new DepthPanel(this.stage, {
+    const depth: DepthTarget = {
       page: () => this.settings.now.page,
       change: (page, what) => this.settings.changePage(page, what),
       say: (words) => this.voice.say(words, Importance.answer),
-    });
+    };
+    this.depth = new DepthPanel(this.stage, depth);
+    this.head = followHead?.(this.stage, depth) ?? null;
   }
 
   start(): void {
@@ -208,6 +217,7 @@ export class TouchPage implements KeyTarget {
   private follow(settings: Settings): void {
     this.stage.set(settings.touch.heightFactor, settings.page);
     this.depth.show();
+    this.head?.follow();
     this.picture.follow();
     this.voice.set(settings.page.speech);
     this.feedback.set(settings);
