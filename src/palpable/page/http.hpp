@@ -87,7 +87,8 @@ struct Header {
 };
 constexpr std::string_view kContentPolicy =
     "default-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'; object-src 'none'";
-/// Of the worker that finds faces, which alone may compile WebAssembly: a worker has the policy of its own script.
+/// Of the worker that finds faces, which alone may compile WebAssembly: a worker has the policy of its own
+/// script.
 constexpr std::string_view kFaceWorkerPath = "/assets/face_worker-";
 constexpr std::string_view kFaceWorkerPermissions = "; script-src 'self' 'wasm-unsafe-eval'";
 constexpr Header kSafetyHeaders[] = {

@@ -52,7 +52,8 @@ class Camera implements HeadCamera {
   constructor(private readonly target: CameraTarget) {
     this.worker.addEventListener('message', ({ data }: MessageEvent<Found>) => this.found(data));
     this.worker.addEventListener('error', () => this.fail('no finder'));
-    void this.open();
+    // After the caller has the camera, which a failure ends.
+    queueMicrotask(() => void this.open());
   }
 
   stop(): void {
@@ -66,6 +67,7 @@ class Camera implements HeadCamera {
   private async open(): Promise<void> {
     // Pages of other machines without TLS have no camera.
     if (navigator.mediaDevices === undefined) return this.fail('insecure');
+    if (!('requestVideoFrameCallback' in this.video)) return this.fail('no finder');
     try {
       this.stream = await navigator.mediaDevices.getUserMedia({ video: wanted, audio: false });
     } catch (error) {

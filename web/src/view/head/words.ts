@@ -10,7 +10,7 @@ export const faultWords: Record<CameraFault, string> = {
   insecure: 'This browser gives the camera to pages of this machine or with TLS only.',
   ended: 'The camera was disconnected, so it does not follow your head any more.',
   frozen: 'The camera gives no pictures any more, so it was turned off.',
-  'no finder': 'This browser cannot look for a head: it needs WebAssembly with SIMD, which browsers have had since 2023.',
+  'no finder': 'This browser is too old to look for a head in the camera’s pictures.',
 };
 
 /** Degrees by which the camera looks down. */
