@@ -31,7 +31,7 @@ export default defineConfig({
     workletsInside,
     {
       name: 'palpable-onefile-entry',
-      transformIndexHtml: { order: 'pre', handler: (html) => html.replace('/src/home/main.ts', '/src/onefile/main.ts') },
+      transformIndexHtml: { order: 'pre', handler: (html) => html.replace('/src/home/main.ts', '/src/onefile/main.ts').replace(/ *<!-- head-camera -->[^]*<!-- \/head-camera -->\n/, '') },
     },
   ],
   build: {

@@ -7,6 +7,7 @@ import { extname, join, relative, resolve } from 'node:path';
 const mediaTypes = {
   '.html': 'text/html; charset=utf-8', '.js': 'text/javascript; charset=utf-8', '.css': 'text/css; charset=utf-8',
   '.svg': 'image/svg+xml', '.png': 'image/png', '.txt': 'text/plain; charset=utf-8',
+  '.json': 'application/json', '.wasm': 'application/wasm', '.bin': 'application/octet-stream',
 };
 const [folder, out] = process.argv.slice(2).map((path) => resolve(path));
 

@@ -24,6 +24,7 @@ TEST(PageServer, ServesThePageWithSecurityHeaders) {
   const Response response = ask(page, http::verb::get, "/");
   EXPECT_EQ(response.result_int(), 200U);
   EXPECT_NE(std::string(response["Content-Security-Policy"]).find("default-src 'self'"), std::string::npos);
+  EXPECT_EQ(std::string(response["Content-Security-Policy"]).find("wasm"), std::string::npos);
   EXPECT_EQ(response["X-Content-Type-Options"], "nosniff");
   EXPECT_EQ(response["Cache-Control"], "no-store");
   EXPECT_EQ(ask(page, http::verb::head, "/nothing").result_int(), 404U);

@@ -170,6 +170,7 @@ void Connection::write(const Reply& reply, bool keep_alive) {
   response_.result(reply.status);
   response_.version(11);
   for (const auto& header : kSafetyHeaders) response_.set(header.name, header.value);
+  response_.set("Content-Security-Policy", std::string(kContentPolicy) + std::string(reply.permissions));
   if (!reply.body.empty()) response_.set(http::field::content_type, reply.media_type);
   if (!reply.location.empty()) response_.set(http::field::location, reply.location);
   if (!reply.set_cookie.empty()) response_.set(http::field::set_cookie, reply.set_cookie);

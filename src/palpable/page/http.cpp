@@ -46,7 +46,9 @@ Reply RequestHandler::answer(const Request& request) {
     return reply_with(405, "This method is not supported here.");
   const Asset* asset = find_asset(request.target);
   if (asset == nullptr) return reply_with(404, "There is no such file in Palpable's page.");
-  return {200, std::string(asset->media_type), std::string(asset->bytes), {}, {}};
+  Reply reply{200, std::string(asset->media_type), std::string(asset->bytes), {}, {}};
+  if (asset->path.starts_with(kFaceWorkerPath)) reply.permissions = kFaceWorkerPermissions;
+  return reply;
 }
 
 std::optional<Reply> RequestHandler::shelf_answer(const Request& request) {

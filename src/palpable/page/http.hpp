@@ -33,6 +33,8 @@ struct Reply {
   std::string set_cookie;
   /// The value of Location; empty for none.
   std::string location;
+  /// Further permissions in its Content-Security-Policy; empty for none.
+  std::string_view permissions = {};
 };
 
 /// The path of the WebSocket, and of the exchange of the token for the cookie.
@@ -83,9 +85,13 @@ struct Header {
   const char* name;
   const char* value;
 };
+constexpr std::string_view kContentPolicy =
+    "default-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'; object-src 'none'";
+/// Of the worker that finds faces, which alone may compile WebAssembly: a worker has the policy of its own
+/// script.
+constexpr std::string_view kFaceWorkerPath = "/assets/face_worker-";
+constexpr std::string_view kFaceWorkerPermissions = "; script-src 'self' 'wasm-unsafe-eval'";
 constexpr Header kSafetyHeaders[] = {
-    {"Content-Security-Policy",
-     "default-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'; object-src 'none'"},
     {"X-Content-Type-Options", "nosniff"},
     {"Cache-Control", "no-store"},
     {"Referrer-Policy", "no-referrer"},

@@ -4,6 +4,7 @@
 import { progressCookie, readProgress } from '../guide/memory';
 import { preferencesCookie, readPreferences } from '../settings/preferences';
 import { Connection } from './connection';
+import { HeadPanel } from './head_panel';
 import { TouchPage } from './touch_page';
 
 new TouchPage(
@@ -16,4 +17,5 @@ new TouchPage(
     read: () => readProgress(document.cookie),
     keep: (progress) => (document.cookie = progressCookie(progress)),
   },
+  (stage, target) => new HeadPanel(stage, target),
 ).start();

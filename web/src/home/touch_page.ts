@@ -20,9 +20,10 @@ import { Stage } from '../view/stage';
 import { bindWindow } from './bindings';
 import type { Loss } from '../enter';
 import type { Program, Receiver } from './connection';
-import { DepthPanel } from './depth_panel';
+import { DepthPanel, type DepthTarget } from './depth_panel';
 import { FrameLoop } from './frame_loop';
 import { GuidedStart, type GuidedPage, type KeptProgress } from './guided_start';
+import type { HeadPanel } from './head_panel';
 import { fillHelp, showSteps } from './help';
 import { press } from './keys';
 import { Narrator } from './narrator';
@@ -99,12 +100,19 @@ export class TouchPage {
   private readonly guided: GuidedStart;
   private readonly replay: Replay;
   private readonly keys: TouchActions;
+  private readonly head: HeadPanel | null;
   private hello: Hello | null = null;
   private paused = false;
   /** Whether the program is connected; otherwise nothing is felt, moved or heard. */
   private connected = false;
 
-  constructor(connect: (receiver: Receiver) => Program, preferences: KeptPreferences, progress: KeptProgress) {
+  /** `followHead`: null for a page without the camera. */
+  constructor(
+    connect: (receiver: Receiver) => Program,
+    preferences: KeptPreferences,
+    progress: KeptProgress,
+    followHead: ((stage: Stage, target: DepthTarget) => HeadPanel) | null = null,
+  ) {
     this.connection = connect({
       opened: () => this.opened(),
       message: (message) => this.receive(message),
@@ -125,12 +133,14 @@ export class TouchPage {
       answer: (words) => this.voice.say(words, Importance.answer),
     });
     this.picture = new ViewActions(this.stage, (words) => this.voice.say(words, Importance.answer));
-    this.depth = new DepthPanel(this.stage, {
+    const depth: DepthTarget = {
       page: () => this.settings.now.page,
       change: (page, what) => this.settings.changePage(page, what),
       say: (words) => this.voice.say(words, Importance.answer),
       tell: (words) => this.voice.say(words, Importance.news),
-    });
+    };
+    this.depth = new DepthPanel(this.stage, depth);
+    this.head = followHead?.(this.stage, depth) ?? null;
     this.guided = new GuidedStart(this.guidedPage(), progress);
     this.replay = new Replay({
       probes: this.probes,
@@ -203,6 +213,7 @@ export class TouchPage {
   private follow(settings: Settings): void {
     this.stage.set(settings.touch.heightFactor, settings.page);
     this.depth.show();
+    this.head?.follow();
     this.picture.follow();
     this.voice.set(settings.page.speech);
     this.feedback.set(settings);

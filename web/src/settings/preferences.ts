@@ -37,6 +37,14 @@ export interface Preferences {
   /** Whether disparities are kept within a degree. */
   depthComfort: boolean;
   swapEyes: boolean;
+  /** Of the camera that follows the head: its horizontal angle of view and how far it looks down, degrees; and how far it is above the screen's upper edge, millimetres. */
+  cameraAngle: number;
+  cameraTilt: number;
+  cameraAbove: number;
+  /** How far the view moves with the head to the sides, up and down, nearer and farther: per cent. */
+  headGainX: number;
+  headGainY: number;
+  headGainZ: number;
   /** Millimetres of the screen per device pixel, as measured; 0: not measured. */
   pixelSize: number;
   theme: 'system' | 'light' | 'dark' | 'contrast';
@@ -64,6 +72,12 @@ export const defaults: Preferences = {
   depthShare: 100,
   depthComfort: true,
   swapEyes: false,
+  cameraAngle: 60,
+  cameraTilt: 0,
+  cameraAbove: 10,
+  headGainX: 100,
+  headGainY: 100,
+  headGainZ: 100,
   pixelSize: 0,
   theme: 'system',
 };
@@ -90,6 +104,12 @@ export const ranges = {
   screenDistance: { min: 200, max: 4000 },
   depthBefore: percent,
   depthShare: { min: 10, max: 200 },
+  cameraAngle: { min: 30, max: 120 },
+  cameraTilt: { min: -45, max: 45 },
+  cameraAbove: { min: 0, max: 300 },
+  headGainX: { min: 0, max: 200 },
+  headGainY: { min: 0, max: 200 },
+  headGainZ: { min: 0, max: 200 },
   pixelSize: { min: 0, max: 5 },
 };
 

@@ -24,6 +24,12 @@ const titles: Record<string, string> = {
   depthShare: 'depth',
   depthComfort: 'disparities within a degree',
   swapEyes: 'exchanged eyes',
+  cameraAngle: 'camera’s angle of view',
+  cameraTilt: 'camera’s tilt',
+  cameraAbove: 'camera above the screen',
+  headGainX: 'head to the sides',
+  headGainY: 'head up and down',
+  headGainZ: 'head nearer and farther',
   pixelSize: 'size of the screen',
 };
 
