@@ -134,16 +134,16 @@ class Totals:
         self.file = file
         self.of = json.loads(file.read_text()) if file and file.exists() else {}
 
-    def entry(self, name):
-        """Of the present parser."""
+    def entry(self, name, parser=None):
+        """Of a parser by its hash, or of the present one."""
         entry = self.of.setdefault(name, {"processor_s": 0.0, "runs": 0, "findings": [], "earlier_s": 0.0})
-        parser = parser_of(name)
+        parser = parser or parser_of(name)
         if entry.setdefault("parser", parser) != parser:
             entry.update(parser=parser, earlier_s=round(entry.get("earlier_s", 0.0) + entry["processor_s"], 1), processor_s=0.0, runs=0)
         return entry
 
-    def add(self, name, seconds, runs, found):
-        entry = self.entry(name)
+    def add(self, name, parser, seconds, runs, found):
+        entry = self.entry(name, parser)
         entry["processor_s"] = round(entry["processor_s"] + seconds, 1)
         entry["runs"] += runs
         entry["findings"] += found
@@ -163,9 +163,11 @@ class Totals:
 def one_turn(fuzzer, seconds, totals):
     """Whether nothing was found."""
     before = children_s()
+    # Its sources may change while it runs.
+    parser = parser_of(fuzzer.name)
     runs, found = fuzzer.run(seconds)
     cause = cause_in(fuzzer.log) if found else ""
-    totals.add(fuzzer.name, children_s() - before, runs, [f"{file.name}: {cause}" for file in found])
+    totals.add(fuzzer.name, parser, children_s() - before, runs, [f"{file.name}: {cause}" for file in found])
     for file in found:
         print(f"{fuzzer.name}: {cause}\n  {file}", flush=True)
     return not found
@@ -187,16 +189,17 @@ def main():
     if unknown or not fuzzers:
         sys.exit(f"there is no fuzzer {' '.join(sorted(unknown))} in {BUILD / 'bin'}: ./test --fuzz 1 builds all of them")
     fuzzers = [fuzzer for fuzzer in fuzzers if not given.fuzzers or fuzzer.name in given.fuzzers]
-    for fuzzer in [fuzzer for fuzzer in fuzzers if fuzzer.is_old()]:
-        print(f"{fuzzer.name}: left out, since its parser was changed after it was built", flush=True)
-        fuzzers.remove(fuzzer)
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, interrupt)
     totals = Totals(given.totals)
     whole = True
     for _ in range(given.rounds):
         for fuzzer in sorted(fuzzers, key=lambda fuzzer: totals.entry(fuzzer.name)["processor_s"]):
-            if not interrupted:
+            if interrupted:
+                break
+            if fuzzer.is_old():
+                print(f"{fuzzer.name}: left out, since its parser was changed after it was built", flush=True)
+            else:
                 whole = one_turn(fuzzer, given.seconds, totals) and whole
     totals.print([fuzzer.name for fuzzer in fuzzers])
     sys.exit(130 if interrupted else 0 if whole else 1)
