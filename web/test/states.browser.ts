@@ -66,7 +66,7 @@ describe('the page in every state', () => {
       'depth-without-webgl',
       async (page) => {
         await page.setViewportSize({ width: 320, height: 640 });
-        await page.locator('#depth summary').click();
+        await page.locator('#depth > summary').click();
         await page.getByText('True depth needs WebGL, which this browser does not offer.').waitFor();
         expect(await page.getByLabel('Depth mode').isDisabled()).toBe(true);
       },
@@ -77,7 +77,7 @@ describe('the page in every state', () => {
       (page) => page.getByRole('button', { name: 'Measure the screen' }).click(),
       async (page) => {
         await page.keyboard.press('Escape');
-        await page.locator('#depth summary').click();
+        await page.locator('#depth > summary').click();
         await page.setViewportSize(desktop);
       },
     ],
@@ -168,7 +168,7 @@ describe('the page in 3D', () => {
 
   it('shows true depth: chosen, measured with a card and seen from beside by keys, and undone', async () => {
     const { page, complaints } = opened;
-    await page.locator('#depth summary').focus();
+    await page.locator('#depth > summary').focus();
     await page.keyboard.press('Enter');
     await page.getByLabel('Depth mode').focus();
     await page.keyboard.press('r');
