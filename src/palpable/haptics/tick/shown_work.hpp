@@ -28,6 +28,7 @@ class ShownWork {
     /// The device's reading; valid or not.
     Point<DeviceFrame> position;
     bool is_valid = true;
+    Vector<DeviceFrame> velocity_m_per_s;
     double dt_s = 0.001;
     Vector<DeviceFrame> written_N;
     /// The part of the force whose energy a guide's limited reserve supplies.
@@ -91,11 +92,13 @@ class ShownWork {
 
  private:
   Vector<DeviceFrame> moved(const Tick& tick) noexcept {
+    since_place_s_ += tick.dt_s;
     if (!tick.is_valid || !is_finite(tick.position)) return {};
     const Point<DeviceFrame> before = fine_.place();
-    const Point<DeviceFrame> now = fine_.update(tick.position);
+    const Point<DeviceFrame> now = fine_.update(tick.position, tick.velocity_m_per_s, since_place_s_);
     const bool knew = knows_place_;
     knows_place_ = true;
+    since_place_s_ = 0.0;
     return knew ? now - before : Vector<DeviceFrame>{};
   }
 
@@ -121,6 +124,7 @@ class ShownWork {
   std::size_t delay_;
   bool counts_ = false;
   bool knows_place_ = false;
+  double since_place_s_ = 0.0;
   double since_zero_J_ = 0.0;
   double since_zero_max_J_ = 0.0;
 };

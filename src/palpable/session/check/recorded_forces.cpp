@@ -112,6 +112,7 @@ void RecordedForces::check_work(const device::TouchSample& tick, const RecordedT
   // does that of the force prove anything.
   shown.is_contact_law = touch != nullptr && haptics::description_of(touch->law.law).is_contact &&
                          !touch->guide && !(session_.traits && session_.traits->has_torque);
+  if (touch != nullptr) shown.velocity_m_per_s = touch->scene_from_device.inverse() * tick.velocity_m_per_s;
   work_.take(shown);
   if (shown.is_contact_law && work_.made_J() > kEnergyMade_J)
     findings_.add(FindingKind::energy_made, tick, work_.made_J());
