@@ -283,8 +283,11 @@ Result<Input> recognise_input(std::span<const fs::path> paths, std::optional<Inp
       return Error{ErrorCode::usage, "more than two files can only be a sequence (video)", {}};
     return Input{InputKind::video, {paths.begin(), paths.end()}, {}};
   }
-  // The reader of the kind that is wanted says what the file lacks.
-  if (wanted) return Input{*wanted, {paths[0]}, {}};
+  if (wanted) {
+    // The reader of this kind says what a file lacks that can be read.
+    if (const auto start = read_file_start(paths[0], 1); !start) return start.error();
+    return Input{*wanted, {paths[0]}, {}};
+  }
   const auto kind = kind_of_file(paths[0]);
   if (!kind) return kind.error();
   if (*kind == InputKind::picture) return recognise_one_picture(paths[0]);
