@@ -113,7 +113,8 @@ it('for the eyes outlines what is meant, at every size', async () => {
   await keepPicture(page, 'guide-edge');
   for (const [width, height] of [[320, 640], [1280, 600], [3840, 2160]] as const) {
     await page.setViewportSize({ width, height });
-    await page.waitForTimeout(200);
+    // The stage is drawn anew in the frame after the one that lays it out.
+    await page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
     expect(await violations(page), `${width} wide`).toEqual([]);
     expect(await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth)).toBeLessThanOrEqual(0);
     if (width > 1000) expect((await page.locator('#stage').boundingBox())!.height).toBeGreaterThan(height / 4);

@@ -83,11 +83,13 @@ describe('the camera', () => {
       await says(page, 'Your head is seen');
       expect(await page.locator('#head-privacy').textContent()).toContain('do not leave');
       // At the assumed angle of view the head of this video is nearer than 60 cm, and below a camera at the screen's edge.
-      await page.waitForTimeout(1500);
       await page.locator('#stage').focus();
       await page.keyboard.press('v');
-      await page.keyboard.press('ArrowRight');
-      await page.waitForFunction(() => /Your head is .* centimetres? nearer\./.test(document.getElementById('spoken')?.textContent ?? ''));
+      const said = async () => {
+        await page.keyboard.press('ArrowRight');
+        return page.locator('#spoken').textContent();
+      };
+      await expect.poll(said, { timeout: 30_000 }).toMatch(/Your head is .* centimetres? nearer\./);
       expect(await violations(page)).toEqual([]);
       await page.locator('#head-more').evaluate((more) => ((more as HTMLDetailsElement).open = true));
       await page.locator('#head-straight').click();

@@ -144,11 +144,18 @@ it('says what is no recording', async () => {
   expect(opened.complaints.filter((one) => !one.includes('WebGL'))).toEqual([]);
 });
 
-it('says that it is of another scene', async () => {
-  const elsewhere = await startProgram({ instead: ['touch', other, '--no-browser'] });
+it('says that it is of another scene, and ends the force of a device meanwhile', async () => {
+  const elsewhere = await startProgram({ instead: ['touch', other, '--no-browser', '--device', 'sim:'] });
   const there = await openPage(browser, elsewhere.address);
+  const pause = there.page.locator('#pause');
+  expect(await pause.textContent()).toBe('Pause');
   await there.page.locator('#replay-file').setInputFiles(recorded);
   await there.page.locator('#replay-note', { hasText: 'It seems to be of another scene than this one. It was made on box.pgm.' }).waitFor();
+  await there.page.waitForFunction(() => document.getElementById('pause')?.textContent === 'Resume');
+  await there.page.getByRole('button', { name: 'End the replay' }).click();
+  await says(there.page, 'It is paused: Space resumes it.');
+  await there.page.keyboard.press('Space');
+  await there.page.waitForFunction(() => document.getElementById('pause')?.textContent === 'Pause');
   await there.context.close();
   await elsewhere.stop();
 });

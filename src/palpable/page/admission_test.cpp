@@ -5,6 +5,7 @@
 #include "palpable/page/test_page.hpp"
 
 #include <memory>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,25 @@ TEST(PageServer, ServesThePageWithSecurityHeaders) {
   EXPECT_EQ(response["X-Content-Type-Options"], "nosniff");
   EXPECT_EQ(response["Cache-Control"], "no-store");
   EXPECT_EQ(ask(page, http::verb::head, "/nothing").result_int(), 404U);
+}
+
+TEST(PageServer, LetsOnlyTheWorkerThatFindsFacesCompileWebAssembly) {
+  const ServedPage page;
+  const auto named = [&](const std::string& path, const char* pattern) {
+    const std::string text = ask(page, http::verb::get, path).body();
+    std::smatch found;
+    return std::regex_search(text, found, std::regex(pattern)) ? found.str() : std::string();
+  };
+  const std::string script = named("/", "/assets/index-[^\"]+[.]js");
+  ASSERT_FALSE(script.empty());
+  const std::string worker = "/assets/" + named(script, "face_worker-[-_A-Za-z0-9]+[.]js");
+  const auto policy = [&](const std::string& path) {
+    const Response response = ask(page, http::verb::get, path);
+    EXPECT_EQ(response.result_int(), 200U) << path;
+    return std::string(response["Content-Security-Policy"]);
+  };
+  EXPECT_NE(policy(worker).find("script-src 'self' 'wasm-unsafe-eval'"), std::string::npos);
+  EXPECT_EQ(policy(script).find("wasm"), std::string::npos);
 }
 
 TEST(PageServer, AcceptsTheTokenOfOneBrowserOnce) {

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The replay of a recording on this page: what it shows instead of the touch, which goes on unseen.
+// The replay of a recording on this page: what it shows instead of the touch, which goes on unseen. Where a device is in somebody's
+// hand it is paused, since the keys that stop its force belong to the replay.
 import { element } from '../dom';
 import type { Scene, State } from '../generated/protocol';
 import type { Probes } from '../probe/probes';
@@ -24,6 +25,10 @@ export interface ReplayParts {
   /** A recording is open now: what is offered besides is withdrawn. */
   opened(): void;
   draw(): void;
+  /** Whether a device, and not the page, moves the first probe; and ending its force. */
+  byDevice(): boolean;
+  pause(): void;
+  paused(): boolean;
   /** Requests a frame. */
   request(): void;
   say(words: string, importance: Importance): void;
@@ -44,6 +49,7 @@ export class Replay {
       say: (words) => parts.say(words, Importance.answer),
       tell: (words) => parts.say(words, Importance.news),
       enter: (label) => this.enter(label),
+      paused: () => parts.paused(),
       request: () => parts.request(),
       canvas: () => parts.stage.canvas,
       tap: () => parts.sound.tap(),
@@ -62,7 +68,10 @@ export class Replay {
 
   private changed(): void {
     const { probes, readouts } = this.parts;
-    if (this.isOpen) this.parts.opened();
+    if (this.isOpen) {
+      this.parts.opened();
+      if (this.parts.byDevice()) this.parts.pause();
+    }
     probes.areReplayed = this.isOpen;
     probes.forget();
     readouts.jump();

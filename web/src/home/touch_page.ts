@@ -154,6 +154,9 @@ export class TouchPage {
       showStatus: () => this.showStatus(),
       opened: () => this.guided.withdraw(),
       draw: () => this.showProbes(),
+      byDevice: () => !this.own.movable(0),
+      pause: () => this.connection.send({ type: 'pause', paused: true }),
+      paused: () => this.paused,
       request: () => this.frames.request(),
       say: (words, importance) => this.voice.say(words, importance),
     });

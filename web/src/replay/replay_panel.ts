@@ -21,6 +21,8 @@ export interface ReplayPage {
   tell(words: string): void;
   /** The name of a label that the first probe enters. */
   enter(label: number): void;
+  /** Whether the touch itself is paused. */
+  paused(): boolean;
   /** Requests a frame. */
   request(): void;
   canvas(): HTMLCanvasElement | null;
@@ -115,7 +117,7 @@ export class ReplayPanel {
     const had = this.strip.contains(document.activeElement);
     this.strip.hidden = true;
     this.page.changed();
-    this.page.say('The replay has ended: the page shows the touch again.');
+    this.page.say(`The replay has ended: the page shows the touch again.${this.page.paused() ? ' It is paused: Space resumes it.' : ''}`);
     if (had) element('stage').focus({ preventScroll: true });
   }
 
