@@ -27,6 +27,9 @@ const mostText = 1 << 24;
 const blockBytes = 1 << 22;
 const mostContacts = 2000;
 const contactEvery = 0.05;
+/** Metres, newtons; seconds. What is beyond them is no touch. */
+const farthest = 1e6;
+const latest = 1e9;
 const [hasContact, hasProxy, isPaused] = [1, 2, 128];
 
 const crcTable = Uint32Array.from({ length: 256 }, (_, n) => {
@@ -106,7 +109,8 @@ class Reading {
         contact: (flags & hasContact) !== 0, paused: (flags & isPaused) !== 0, label: view.getUint16(at + 188, true),
       };
       const probe = view.getUint8(at + 191);
-      if (![t, moment.x, moment.y, moment.z, moment.fx, moment.fy, moment.fz].every(Number.isFinite) || probe > 9 || t < (this.newest.get(probe) ?? -Infinity)) return false;
+      const isPossible = [moment.x, moment.y, moment.z, moment.fx, moment.fy, moment.fz].every((value) => Math.abs(value) <= farthest) && Math.abs(t) <= latest;
+      if (!isPossible || probe > 9 || t < (this.newest.get(probe) ?? -Infinity)) return false;
       this.newest.set(probe, t);
       let track = this.tracks.get(probe);
       if (track === undefined) this.tracks.set(probe, (track = new Track(this.mostRows)));

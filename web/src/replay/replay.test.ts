@@ -95,7 +95,7 @@ describe('a recording', () => {
       expect(recording.fault).toMatch(/damaged/);
       expect(recording.end).toBeLessThan(1);
     }
-    for (const wrong of [[{ t: NaN }], [{ t: 0.2 }], [{ t: 2, x: Infinity }], [{ t: 2, probe: 10 }]])
+    for (const wrong of [[{ t: NaN }], [{ t: 0.2 }], [{ t: 2, x: Infinity }], [{ t: 2, x: 1e30 }], [{ t: 1e300 }], [{ t: 2, probe: 10 }]])
       expect((await read(file(first, ticks('TICK', wrong), end))).fault).toMatch(/damaged/);
   });
 

@@ -47,6 +47,11 @@ UnsavedScene::FileState UnsavedScene::state_of(const std::filesystem::path& file
 }
 
 Result<void> UnsavedScene::save(const models::Scene& scene) {
+  // Opening a pipe waits for its reader, and a touch goes on meanwhile.
+  std::error_code none;
+  if (const auto there = std::filesystem::status(save_as_, none);
+      std::filesystem::exists(there) && !is_regular_file(there) && !is_directory(there))
+    return Error{ErrorCode::failed, "is not a file that a scene can replace", save_as_.string()};
   const FileState found = state_of(save_as_);
   if (found != FileState{} && found != std::exchange(known_, found))
     return Error{ErrorCode::failed, "changed by another program meanwhile; save again to replace it",

@@ -22,7 +22,8 @@ class UnsavedScene {
   /// returned and the later ones are not.
   Result<void> keep(const models::Scene& scene);
   /// Writes the file and discards the copy. Errors: those of write_scene(); failed, once, if the file is not
-  /// the one that was there at construction or that was saved last: saving again replaces it.
+  /// the one that was there at construction or that was saved last: saving again replaces it; failed, if a
+  /// pipe or a device has its name.
   Result<void> save(const models::Scene& scene);
   /// Removes the copy: the changes were saved or undone.
   void discard();

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace palpable::formats {
@@ -92,6 +93,15 @@ TEST_F(Unsaved, IsSavedWhereThereWasNoFileOrItWasRemoved) {
   UnsavedScene late(folder / "new.palp");
   ASSERT_TRUE(write_scene(folder / "new.palp", scene));
   EXPECT_FALSE(late.save(named("gate"))) << "another program wrote it meanwhile";
+}
+
+TEST_F(Unsaved, IsNotSavedIntoAPipe) {
+  const auto file = folder / "hills.palp";
+  UnsavedScene unsaved(file);
+  ASSERT_TRUE(unsaved.keep(named("gate")));
+  ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
+  for (int k = 0; k < 2; ++k) EXPECT_FALSE(unsaved.save(named("gate"))) << "it would wait for a reader";
+  EXPECT_TRUE(std::filesystem::exists(unsaved.file()));
 }
 
 TEST_F(Unsaved, SaysOnceThatItCannotBeKept) {
