@@ -104,8 +104,13 @@ export async function openPage(
 export const openMore = (page: Page) => page.locator('#more').evaluate((more) => ((more as HTMLDetailsElement).open = true));
 
 /** Waits until the page has said these words. */
-export const says = (page: Page, words: string) =>
-  page.waitForFunction((wanted) => (document.getElementById('spoken')?.textContent ?? '').includes(wanted), words);
+export async function says(page: Page, words: string): Promise<void> {
+  try {
+    await page.waitForFunction((wanted) => (document.getElementById('spoken')?.textContent ?? '').includes(wanted), words);
+  } catch (cause) {
+    throw new Error(`the page did not say “${words}”; last: “${await page.locator('#spoken').textContent()}”`, { cause });
+  }
+}
 
 /** Saves a picture of the whole page in web/test-results, for inspection by eye. */
 export async function keepPicture(page: Page, name: string, fullPage = false): Promise<void> {

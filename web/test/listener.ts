@@ -71,14 +71,32 @@ export class Listener {
 
   /** Waits until a matching sentence is said. */
   async hears(about: RegExp): Promise<RegExpExecArray> {
+    const heard = await this.within(150, about);
+    if (heard instanceof Array) return heard;
+    throw new Error(`nothing was said about ${about}; last: ${heard}`);
+  }
+  /** The matching sentence, or what else was said last after so many tenths of a second. */
+  private async within(tenths: number, about: RegExp): Promise<RegExpExecArray | string> {
     let said = '';
-    for (let k = 0; k < 150; ++k) {
+    for (let k = 0; k < tenths; ++k) {
       ({ said } = await this.tree());
       const match = about.exec(said);
       if (match) return match;
       await this.page.waitForTimeout(100);
     }
-    throw new Error(`nothing was said about ${about}; last: ${said}`);
+    return said;
+  }
+
+  /** Does something again and again until a matching sentence is said. A busy machine joins quick steps to one, whose
+   * places between are not felt; a person then tries again. */
+  async tries(deed: () => Promise<unknown>, about: RegExp): Promise<RegExpExecArray> {
+    let heard: RegExpExecArray | string = '';
+    for (let k = 0; k < 12; ++k) {
+      await deed();
+      heard = await this.within(30, about);
+      if (heard instanceof Array) return heard;
+    }
+    throw new Error(`nothing was said about ${about} after 12 tries; last: ${heard as string}`);
   }
 
   /** Presses a key and waits for something to be said that fits: something new, or, after the longest wait between two

@@ -23,6 +23,15 @@ export function bindPointers(stage: HTMLElement, probes: PageProbes, target: Poi
     const box = stage.getBoundingClientRect();
     return target.placeAt(event.clientX - box.left - stage.clientLeft, event.clientY - box.top - stage.clientTop);
   };
+  /** Where the mouse is on the screen. */
+  let mouse = { x: NaN, y: NaN };
+  /** Browsers report a mouse that rests also where the page has moved below it: then the hand has done nothing. */
+  const rests = (event: PointerEvent): boolean => {
+    if (event.pointerType !== 'mouse') return false;
+    const before = mouse;
+    mouse = { x: event.screenX, y: event.screenY };
+    return before.x === mouse.x && before.y === mouse.y;
+  };
   const aim = (event: PointerEvent): void => {
     const surface = target.surface();
     const probe = probes.movedBy(event.pointerId);
@@ -37,7 +46,9 @@ export function bindPointers(stage: HTMLElement, probes: PageProbes, target: Poi
     const gone = probes.release(event.pointerId);
     if (gone !== null) target.left(gone);
   };
-  stage.addEventListener('pointermove', aim);
+  stage.addEventListener('pointermove', (event) => {
+    if (!rests(event)) aim(event);
+  });
   stage.addEventListener('pointerdown', (event) => {
     target.wake();
     stage.setPointerCapture(event.pointerId);

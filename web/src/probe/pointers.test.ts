@@ -1,0 +1,34 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+import { expect, it } from 'vitest';
+import { Surface } from '../surface';
+import { bindPointers } from './pointers';
+import { Probes } from './probes';
+
+const flat = new Surface(10, 10, new Float32Array(100), 0.1, 0.1);
+
+it('a mouse that rests moves no probe where the page moves below it', () => {
+  const { own } = new Probes();
+  const stage = Object.assign(new EventTarget(), { getBoundingClientRect: () => ({ left: 0, top: 0 }), clientLeft: 0, clientTop: 0 });
+  let moves = 0;
+  bindPointers(stage as unknown as HTMLElement, own, {
+    surface: () => flat,
+    placeAt: (left, top) => ({ x: left / 1000, y: top / 1000 }),
+    wake: () => undefined,
+    moved: () => (moves += 1),
+    came: () => undefined,
+    left: () => undefined,
+    full: () => undefined,
+  });
+  const event = (pointerType: string, screenX: number, clientX: number) =>
+    stage.dispatchEvent(Object.assign(new Event('pointermove'), { pointerType, pointerId: 1, screenX, screenY: 5, clientX, clientY: 5 }));
+  event('mouse', 30, 30);
+  event('mouse', 30, 20);
+  expect(moves).toBe(1);
+  event('mouse', 31, 21);
+  expect(moves).toBe(2);
+  // A pen at rest has a pressure that changes.
+  event('pen', 31, 21);
+  event('pen', 31, 21);
+  expect(moves).toBe(4);
+});
