@@ -97,12 +97,15 @@ export class Guide {
     return kept < stepNames.length ? kept && kept + 1 : 0;
   }
 
-  leave(): void {
-    if (this.way === null) return;
+  /** Whether that was its end. */
+  leave(): boolean {
+    if (this.way === null) return false;
+    const isDone = this.step === 'leave';
     clearTimeout(this.timer);
-    if (this.step === 'leave') this.keep({ [this.way]: stepNames.length });
+    if (isDone) this.keep({ [this.way]: stepNames.length });
     this.way = null;
     this.page.show(null);
+    return isDone;
   }
   again(): void {
     this.say('', 0);
@@ -178,7 +181,7 @@ export class Guide {
   private next(before: string, after: number): void {
     if (this.way === null) return;
     const following = stepNames[stepNames.indexOf(this.step) + 1];
-    if (following === undefined) return this.leave();
+    if (following === undefined) return void this.leave();
     const step = this.possible(following);
     const nothing = following === 'find' && step !== 'find' ? 'Nothing has a name here yet. ' : '';
     this.enter(step);
@@ -229,7 +232,7 @@ export class Guide {
     const steps = stepsOf(situation);
     const at = this.target();
     const from = this.page.place();
-    const text = sentenceOf(this.step, situation, at === null ? '' : wayWords(at.x - from.x, at.y - from.y));
+    const text = sentenceOf(this.step, situation, at === null ? null : wayWords(at.x - from.x, at.y - from.y));
     const title = `Step ${steps.indexOf(this.step) + 1} of ${steps.length}`;
     this.page.show({ way, title, text, meant: way === 'eyes' ? meant[this.step] : [], at: way === 'eyes' ? at : null });
     clearTimeout(this.timer);

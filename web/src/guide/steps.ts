@@ -25,7 +25,9 @@ export interface Situation {
 
 /** The steps that can be done. */
 export function stepsOf({ kind, hasEdges, hasNames }: Pick<Situation, 'kind' | 'hasEdges' | 'hasNames'>): StepName[] {
-  const can: Partial<Record<StepName, boolean>> = { surface: kind !== 'contours', edge: hasEdges, follow: hasEdges, find: hasNames !== false };
+  // Beside the lines of a drawing all places are equally high.
+  const hasHeights = kind !== 'contours';
+  const can: Partial<Record<StepName, boolean>> = { surface: hasHeights, edge: hasEdges, follow: hasEdges, height: hasHeights, find: hasNames !== false };
   return stepNames.filter((step) => can[step] ?? true);
 }
 
@@ -42,7 +44,7 @@ export const meant: Record<StepName, readonly string[]> = {
   leave: ['guide-leave', 'guide-begin'],
 };
 
-type Sentence = (situation: Situation, way: string) => string;
+type Sentence = (situation: Situation, way: string | null) => string;
 
 const line = (kind: string) => (kind === 'contours' ? 'line' : 'edge');
 /** How a probe is moved, as the beginning of a sentence. */
@@ -54,7 +56,10 @@ const move = ({ input, way }: Situation) =>
   })[input];
 const press = ({ input }: Situation, key: string, button: string) => (input === 'fingers' ? `Press the button “${button}”` : `Press ${key}, or the button “${button}”`);
 
-/** The sentences; `way`: to where the step leads, as "12 millimetres right", or empty. */
+/** The end of a sentence: where that is; nothing if it is not known. */
+const whereIs = (what: string, way: string | null) => (way === null ? '' : ` The ${what} is ${way === '' ? 'where you are' : way}.`);
+
+/** The sentences; `way`: to where the step leads, as "12 millimetres right"; empty: one is there; null: not known. */
 const sentences: Record<StepName, Sentence> = {
   surface: ({ input, way, kind }) => {
     if (input === 'device') return 'Lower the handle of your device until something holds against it: that is the surface.';
@@ -67,15 +72,15 @@ const sentences: Record<StepName, Sentence> = {
     const what = line(situation.kind);
     const tone = situation.sound ? 'a short bright tone' : 'a push to the side';
     const end = situation.kind === 'contours' && situation.input === 'keys' ? ' End takes you to the nearest one.' : '';
-    return `Find ${what === 'edge' ? 'an edge, where it gets steep' : 'a line'}: ${tone} marks it. ${move(situation)}.${way === '' ? '' : ` The nearest one is ${way}.`}${end}`;
+    return `Find ${what === 'edge' ? 'an edge, where it gets steep' : 'a line'}: ${tone} marks it. ${move(situation)}.${whereIs('nearest one', way)}${end}`;
   },
   follow: ({ kind, input, way }) =>
     `Follow the ${line(kind)} for 10 millimetres: try a little to each side, and stay where you ${way === 'ears' && input !== 'device' ? 'hear' : 'feel'} it. It need not be in one go.`,
   height: (situation, way) =>
     situation.sound
-      ? `Heights are tones: the higher the place, the higher the tone. ${move(situation)}, up and down, until you have heard low and high.${way === '' ? '' : ` The highest place is ${way}.`}`
-      : `Heights are figures below the picture. ${move(situation)}, up and down, and watch “Height”.${way === '' ? '' : ` The highest place is ${way}.`}`,
-  where: (situation) => `${press(situation, 'P', 'Where am I?')}: position, height and slope are said, and stand below the picture.`,
+      ? `Heights are tones: the higher the place, the higher the tone. ${move(situation)}, up and down, until you have heard low and high.${whereIs('highest place', way)}`
+      : `Heights are figures below the picture. ${move(situation)}, up and down, and watch “Height”.${whereIs('highest place', way)}`,
+  where: (situation) => `${press(situation, 'P', 'Where am I?')}: where you are and what is there is said, and stands below the picture.`,
   list: (situation) => `${press(situation, 'L', 'What is here?')}: a list of names opens, the nearest first. Look through it; ${situation.input === 'fingers' ? 'Close' : 'Escape'} closes it.`,
   find: (situation) => {
     const by = situation.sound ? 'words and by pulses, which come from its side and are quicker the nearer it is' : 'words';
@@ -89,7 +94,7 @@ const sentences: Record<StepName, Sentence> = {
     `That was the guided start. ${input === 'fingers' ? 'Press “Leave”' : 'Press Escape, or the button “Leave”'}, and explore on your own.${input === 'fingers' ? '' : ' D describes the scene, H tells all keys.'}`,
 };
 
-export const sentenceOf = (step: StepName, situation: Situation, way = ''): string => sentences[step](situation, way);
+export const sentenceOf = (step: StepName, situation: Situation, way: string | null = null): string => sentences[step](situation, way);
 
 /** "12 millimetres right, 5 millimetres up"; empty within a millimetre. Metres, from here to there. */
 export function wayWords(dx: number, dy: number): string {

@@ -95,8 +95,8 @@ export class GuidedStart {
   /** False: it does not run. */
   leave(): boolean {
     if (!this.guide.isRunning) return false;
-    this.guide.leave();
-    this.page.say('The guided start is left. I goes on with it.', Importance.answer);
+    const isDone = this.guide.leave();
+    this.page.say(isDone ? 'The guided start is done. I begins it anew.' : 'The guided start is left. I goes on with it.', Importance.answer);
     this.toStage();
     return true;
   }

@@ -41,6 +41,7 @@ export class Replay {
     this.panel = new ReplayPanel({
       surface: () => parts.surface(),
       heightFactor: () => parts.heightFactor(),
+      sceneName: () => parts.scene()?.name ?? '',
       show: (state, jumped) => {
         if (jumped) parts.readouts.jump();
         parts.showState(state);

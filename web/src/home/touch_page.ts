@@ -37,6 +37,8 @@ import { TouchSettings, type KeptPreferences } from './touch_settings';
 import { ViewActions } from './view_actions';
 
 const importanceOf = (level: string): Importance => ({ motion: Importance.motion, answer: Importance.answer, named: Importance.answer })[level] ?? Importance.news;
+/** What is said of the touch during a replay. */
+const unseen = (paused: boolean) => (paused ? 'The touch itself is paused now: no force.' : 'The touch itself goes on now.');
 
 export class TouchPage {
   private readonly connection: Program;
@@ -252,7 +254,7 @@ export class TouchPage {
   }
 
   private receiveSettings(settings: ProgramSettings): void {
-    if (settings.paused !== this.paused) this.voice.say(settings.paused ? 'Paused: no force.' : 'Resumed.', Importance.news);
+    if (settings.paused !== this.paused) this.voice.say(this.replay.isOpen ? unseen(settings.paused) : settings.paused ? 'Paused: no force.' : 'Resumed.', Importance.news);
     this.paused = settings.paused;
     element('pause').textContent = this.paused ? 'Resume' : 'Pause';
     this.stage.element.toggleAttribute('data-paused', this.paused);
@@ -314,6 +316,8 @@ export class TouchPage {
         if (message.level === 'fault') return this.alert(message.text);
         if (message.level === 'recovered') this.readouts.allWell();
         if (message.level === 'named') this.names.changed();
+        // What the unseen touch feels is no part of a replay.
+        if (message.level === 'motion' && this.replay.isOpen) return;
         return this.voice.say(message.text, importanceOf(message.level));
     }
   }

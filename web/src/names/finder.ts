@@ -30,6 +30,8 @@ const leastMove = 5e-4;
 
 export class Finder {
   private name: string | null = null;
+  /** The name to which the probe was led last; null: none, or it was given up. */
+  reached: string | null = null;
   private target: Place | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private from: Place = { x: NaN, y: NaN };
@@ -49,7 +51,7 @@ export class Finder {
   /** The program leads to the place of this name from now on. */
   begin(name: string): void {
     this.name = name;
-    this.target = null;
+    this.reached = this.target = null;
     this.movedAt = performance.now();
     this.from = this.page.place();
     this.page.say(this.words(`Looking for ${name}. `), Importance.answer);
@@ -97,7 +99,9 @@ export class Finder {
     const answer = await this.page.way();
     if (answer === null || this.name === null) return null;
     if (answer.x_m === null || answer.y_m === null) {
+      const { name } = this;
       this.stop();
+      this.reached = name;
       this.feedback.sound.play(this.page.probe(), { what: 'name' });
       this.page.found();
     } else {

@@ -76,7 +76,8 @@ export class Names {
     return true;
   }
   sayWay(): void {
-    this.page.say(this.finder.isLeading ? this.finder.words() : 'You are led to no name. L lists the names.', Importance.answer);
+    const none = this.finder.reached === null ? 'You are led to no name.' : `${this.finder.reached} was reached.`;
+    this.page.say(this.finder.isLeading ? this.finder.words() : `${none} L lists the names.`, Importance.answer);
   }
   /** False: the probe is led to no name. */
   stopFinding(): boolean {

@@ -73,13 +73,20 @@ export class Player {
   }
 }
 
-/** "12.3 seconds", "2 minutes 5 seconds". */
+/** "12.3 seconds", "1 second", "2 minutes 5 seconds". */
 export function spokenTime(seconds: number): string {
-  if (seconds < 60) return `${Number(seconds.toFixed(1))} seconds`;
+  const counted = (count: number, what: string) => `${count} ${what}${count === 1 ? '' : 's'}`;
+  if (seconds < 60) return counted(Number(seconds.toFixed(1)), 'second');
   const whole = Math.round(seconds);
   const [minutes, rest] = [Math.floor(whole / 60), whole % 60];
-  const counted = (count: number, what: string) => `${count} ${what}${count === 1 ? '' : 's'}`;
   return `${counted(minutes, 'minute')}${rest > 0 ? ` ${counted(rest, 'second')}` : ''}`;
+}
+
+/** What is said of a recording that does not fit. A scene that was replaced by a better one is the same. */
+export function otherWords(inputs: readonly string[], sceneName: string): string {
+  const files = inputs.map((path) => path.split('/').pop()!);
+  if (files.length > 0 && files.every((file) => sceneName.includes(file))) return 'It was made on another version of this scene, whose heights differ.';
+  return `It seems to be of another scene than this one.${files.length > 0 ? ` It was made on ${files.join(' and ')}.` : ''}`;
 }
 
 /** Whether a recording may have been made on this surface: where it touched, there is one. True if it does not tell. */

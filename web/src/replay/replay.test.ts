@@ -3,7 +3,7 @@
 import { describe, expect, it } from 'vitest';
 import { Surface } from '../surface';
 import { clipType } from './clip';
-import { fits, Player, spokenTime } from './player';
+import { fits, otherWords, Player, spokenTime } from './player';
 import { crc32, readRecording, type Recording } from './recording';
 import { Track } from './track';
 
@@ -166,13 +166,16 @@ describe('playing', () => {
     const player = new Player(await recording());
     player.seek(1.26);
     expect(player.words()).toBe('1.3 seconds of 2 seconds, in contact, 1.25 newtons');
-    expect([0.04, 61, 120, 3725].map(spokenTime)).toEqual(['0 seconds', '1 minute 1 second', '2 minutes', '62 minutes 5 seconds']);
+    expect([0.04, 1, 61, 120, 3725].map(spokenTime)).toEqual(['0 seconds', '1 second', '1 minute 1 second', '2 minutes', '62 minutes 5 seconds']);
   });
 
   it('tells a recording of another scene', async () => {
     expect(fits(await recording(), plate)).toBe(true);
     expect(fits(await recording(), new Surface(2, 2, new Float32Array(4).fill(0.02), 0.1, 0.1))).toBe(false);
     expect(fits({ contacts: [] }, plate)).toBe(true);
+    expect(otherWords(['/home/me/left.png', 'right.png'], 'left.png and right.png')).toMatch(/another version of this scene/);
+    expect(otherWords(['boat.png'], 'left.png and right.png')).toBe('It seems to be of another scene than this one. It was made on boat.png.');
+    expect(otherWords([], 'boat.png')).toBe('It seems to be of another scene than this one.');
   });
 });
 

@@ -6,12 +6,13 @@ import { download } from '../download';
 import type { State } from '../generated/protocol';
 import type { Surface } from '../surface';
 import { Clip, clipType } from './clip';
-import { fits, Player, spokenTime, speeds } from './player';
+import { fits, otherWords, Player, spokenTime, speeds } from './player';
 import { readRecording } from './recording';
 
 export interface ReplayPage {
   surface(): Surface | null;
   heightFactor(): number;
+  sceneName(): string;
   /** A moment of the recording, as a state of the program; `jumped`: it does not follow the last one. */
   show(state: State, jumped: boolean): void;
   /** A recording is open from now on, or no longer. */
@@ -97,9 +98,7 @@ export class ReplayPanel {
     this.slider.max = String(Number(this.player.length.toFixed(2)));
     this.slider.step = this.player.length > 60 ? '1' : '0.1';
     element('replay-title').textContent = `Replay of ${recording.name}`;
-    const from = recording.inputs.length > 0 ? ` It was made on ${recording.inputs.map((path) => path.split('/').pop()).join(' and ')}.` : '';
-    const other = fits(recording, surface) ? '' : ` It seems to be of another scene than this one.${from}`;
-    const note = `${recording.fault ?? ''}${other}`.trim();
+    const note = `${recording.fault ?? ''} ${fits(recording, surface) ? '' : otherWords(recording.inputs, this.page.sceneName())}`.trim();
     element('replay-note').textContent = note;
     this.strip.hidden = false;
     this.page.changed();

@@ -70,6 +70,30 @@ describe('the announcer', () => {
     await Promise.resolve();
     expect(said).toEqual(['first', 'answer 1']);
   });
+  it('keeps less important sentences back until a requested one arrives, but not for ever', async () => {
+    const announcer = fresh();
+    let answer: (text: string) => void = () => undefined;
+    announcer.say(() => new Promise<string>((resolve) => (answer = resolve)), Importance.news, 0);
+    announcer.say('a name', Importance.motion, 1500);
+    expect(said).toEqual([]);
+    expect(announcer.due(1500)).toBe(3500);
+    answer('opening');
+    await Promise.resolve();
+    expect(said).toEqual(['opening']);
+    announcer.say(() => new Promise<string>((resolve) => (answer = resolve)), Importance.news, 3000);
+    announcer.say('another name', Importance.motion, 7000);
+    announcer.tick(8000);
+    answer('too late');
+    await Promise.resolve();
+    expect(said).toEqual(['opening', 'another name']);
+  });
+  it('says an answer also after a page that was busy for seconds', () => {
+    const announcer = fresh();
+    announcer.say('reading', Importance.answer, 0);
+    announcer.say('read', Importance.answer, 300);
+    announcer.tick(5000);
+    expect(said).toEqual(['reading', 'read']);
+  });
   it('drops an answer that arrives after another sentence', async () => {
     const announcer = fresh();
     let answer: (text: string) => void = () => undefined;

@@ -21,10 +21,17 @@ interface Waiting {
   until: number;
 }
 
+/** How long a sentence may wait (ms). What says where a probe is, is soon untrue; the rest is late on a busy machine only. */
+const lifetimeOf = (importance: Importance): number => (importance === Importance.motion ? 2500 : 10_000);
+/** How long less important sentences wait for a requested one (ms). */
+const patience = 5000;
+
 export class Announcer {
   /** In order of decreasing importance: less important sentences here are newer than more important ones. */
   private waiting: Waiting[] = [];
   private spokeAt = -Infinity;
+  /** The sentence that was requested and has not arrived. */
+  private requested: { importance: Importance; until: number } | null = null;
 
   constructor(
     private readonly speak: (text: string) => void,
@@ -35,7 +42,7 @@ export class Announcer {
    * Says it now if a second has passed, else later, unless a sentence of equal importance replaces it or it
    * expires (ms). More important waiting sentences come first.
    */
-  say(words: Words | string, importance: Importance, now: number, lifetime = 2500): void {
+  say(words: Words | string, importance: Importance, now: number, lifetime = lifetimeOf(importance)): void {
     const before = this.waiting.filter((entry) => entry.importance > importance && entry.until >= now);
     this.waiting = [...before, { words: typeof words === 'string' ? () => words : words, importance, until: now + lifetime }];
     this.tick(now);
@@ -43,20 +50,35 @@ export class Announcer {
 
   /** The time until tick() must be called (ms); null if nothing waits. */
   due(now: number): number | null {
-    return this.waiting.length === 0 ? null : Math.max(0, this.spokeAt + this.gap - now);
+    const [next] = this.waiting;
+    if (next === undefined) return null;
+    const free = this.mustWait(next, now) ? this.requested!.until : this.spokeAt + this.gap;
+    return Math.max(0, free - now);
   }
 
   /** Says the next waiting sentence if it is time. */
   tick(now: number): void {
     if (now - this.spokeAt < this.gap) return;
     this.waiting = this.waiting.filter((entry) => entry.until >= now);
-    const next = this.waiting.shift();
-    if (next === undefined) return;
+    const [next] = this.waiting;
+    if (next === undefined || this.mustWait(next, now)) return;
+    this.waiting.shift();
     const text = next.words();
     if (text === null || text === '') return this.tick(now);
     this.spokeAt = now;
+    this.requested = null;
     if (typeof text === 'string') return this.speak(text);
-    // A requested sentence is said when it arrives, unless something else was said meanwhile.
-    void text.then((answer) => answer && this.spokeAt === now && this.speak(answer));
+    // A requested sentence is said when it arrives, unless another of its importance was said meanwhile.
+    const request = (this.requested = { importance: next.importance, until: now + patience });
+    void text.then((answer) => {
+      if (this.requested !== request) return;
+      this.requested = null;
+      if (answer) this.speak(answer);
+    });
+  }
+
+  /** A more important sentence was requested, and is still to come. */
+  private mustWait({ importance }: Waiting, now: number): boolean {
+    return this.requested !== null && importance < this.requested.importance && now < this.requested.until;
   }
 }
