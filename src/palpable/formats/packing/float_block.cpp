@@ -9,9 +9,12 @@
 
 namespace palpable::formats {
 
-Result<std::vector<std::byte>> pack_floats(std::span<const float> values, std::size_t row) {
+Result<std::vector<std::byte>> pack_floats(std::span<const float> values, std::size_t row,
+                                           std::size_t stride) {
   constexpr int kLevel = 9;
-  return zstd_frame(planes_of(values, row), kLevel);
+  PlanesOf planes(values, row, stride);
+  return zstd_frame(
+      planes.bytes(), [&](std::span<std::byte> piece) { planes.next(piece); }, kLevel);
 }
 
 Result<std::vector<float>> unpack_floats(std::span<const std::byte> packed, std::size_t count,

@@ -28,20 +28,30 @@ std::uint32_t unfolded(std::uint32_t value) { return (value >> 1U) ^ (0U - (valu
 
 }  // namespace
 
-std::vector<std::byte> planes_of(std::span<const float> values, std::size_t row) {
-  PALPABLE_CHECK(row > 0);
-  const std::size_t count = values.size();
-  std::vector<std::byte> planes(4 * count);
-  std::uint32_t previous = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i % row == 0) previous = i == 0 ? 0U : ordered(values[i - row]);
-    const std::uint32_t now = ordered(values[i]);
-    const std::uint32_t small = folded(now - previous);
-    for (std::size_t plane = 0; plane < 4; ++plane)
-      planes[plane * count + i] = static_cast<std::byte>((small >> (8 * plane)) & 0xFFU);
+PlanesOf::PlanesOf(std::span<const float> values, std::size_t row, std::size_t stride)
+    : values_(values), row_(row), stride_(stride), count_((values.size() + stride - 1) / stride) {
+  PALPABLE_CHECK(row > 0 && stride > 0);
+}
+
+std::uint32_t PlanesOf::ordered_at(std::size_t i) const { return ordered(values_[stride_ * i]); }
+
+void PlanesOf::next(std::span<std::byte> piece) {
+  std::uint32_t previous = at_ > 0 ? ordered_at(at_ - 1) : 0U;
+  for (std::byte& byte : piece) {
+    if (at_ == count_) at_ = 0, ++plane_;
+    if (at_ % row_ == 0) previous = at_ == 0 ? 0U : ordered_at(at_ - row_);
+    const std::uint32_t now = ordered_at(at_);
+    byte = static_cast<std::byte>((folded(now - previous) >> (8 * plane_)) & 0xFFU);
     previous = now;
+    ++at_;
   }
-  return planes;
+}
+
+std::vector<std::byte> planes_of(std::span<const float> values, std::size_t row) {
+  PlanesOf planes(values, row, 1);
+  std::vector<std::byte> bytes(planes.bytes());
+  planes.next(bytes);
+  return bytes;
 }
 
 std::vector<float> floats_of(std::span<const std::byte> planes, std::size_t row) {

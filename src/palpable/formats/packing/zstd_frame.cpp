@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/packing/zstd_frame.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <deque>
 #include <memory>
 #include <string>
 
@@ -16,15 +18,49 @@ bool may_unpack(std::size_t packed_bytes, std::uint64_t stated_bytes) {
 }
 
 Result<std::vector<std::byte>> zstd_frame(std::span<const std::byte> bytes, int level) {
+  std::size_t done = 0;
+  return zstd_frame(
+      bytes.size(),
+      [&](std::span<std::byte> piece) {
+        std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(done), piece.size(), piece.begin());
+        done += piece.size();
+      },
+      level);
+}
+
+Result<std::vector<std::byte>> zstd_frame(std::size_t bytes,
+                                          const std::function<void(std::span<std::byte>)>& next, int level) {
+  constexpr std::size_t kPiece = std::size_t{1} << 18U;
   const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), &ZSTD_freeCCtx);
-  std::vector<std::byte> out(ZSTD_compressBound(bytes.size()));
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, level);
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
-  const std::size_t size = ZSTD_compress2(context.get(), out.data(), out.size(), bytes.data(), bytes.size());
-  if (ZSTD_isError(size) != 0U)
-    return Error{ErrorCode::failed, std::string("cannot be packed: ") + ZSTD_getErrorName(size), {}};
-  // Not the room for bytes that do not shrink: a dense field's members wait together until they are written.
-  return std::vector<std::byte>(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(size));
+  ZSTD_CCtx_setPledgedSrcSize(context.get(), bytes);
+  std::vector<std::byte> piece(std::min(bytes, kPiece));
+  // In pieces too: a buffer that grows would need up to three times its size.
+  std::deque<std::vector<std::byte>> packed;
+  std::size_t size = 0;
+  for (std::size_t left = bytes, rest = 1; rest > 0;) {
+    const std::size_t now = std::min(left, piece.size());
+    next(std::span(piece).first(now));
+    left -= now;
+    ZSTD_inBuffer in{piece.data(), now, 0};
+    const ZSTD_EndDirective directive = left == 0 ? ZSTD_e_end : ZSTD_e_continue;
+    do {
+      std::vector<std::byte> room(kPiece);
+      ZSTD_outBuffer out{room.data(), room.size(), 0};
+      rest = ZSTD_compressStream2(context.get(), &out, &in, directive);
+      if (ZSTD_isError(rest) != 0U)
+        return Error{ErrorCode::failed, std::string("cannot be packed: ") + ZSTD_getErrorName(rest), {}};
+      if (out.pos > 0) packed.emplace_back(room.begin(), room.begin() + static_cast<std::ptrdiff_t>(out.pos));
+      size += out.pos;
+    } while (left == 0 ? rest > 0 : in.pos < in.size);
+    rest = left == 0 ? 0 : 1;
+  }
+  std::vector<std::byte> frame;
+  frame.reserve(size);
+  for (; !packed.empty(); packed.pop_front())
+    frame.insert(frame.end(), packed.front().begin(), packed.front().end());
+  return frame;
 }
 
 }  // namespace palpable::formats

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -37,10 +38,9 @@ Result<void> write_dense_field(const models::FieldOnLattice& field, nlohmann::js
                  {"content", floats == 1 ? kDistance : kDistanceAndForce},
                  {"error_p99_m", dense.errors().p99_m},
                  {"error_max_m", dense.errors().max_m}};
-  std::vector<float> values(lattice.places());
   for (std::size_t number = 0; number < floats; ++number) {
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = dense.values()[floats * i + number];
-    auto packed = pack_floats(values, static_cast<std::size_t>(lattice.counts[0]));
+    auto packed = pack_floats(std::span(dense.values()).subspan(number),
+                              static_cast<std::size_t>(lattice.counts[0]), floats);
     if (!packed) return std::move(packed).error();
     members[kMembers[number]] = *std::move(packed);
     description["values"].push_back(kMembers[number]);
@@ -73,9 +73,12 @@ Result<models::Model> read_dense_field(const nlohmann::json& description, const 
   for (std::size_t number = 0; number < floats; ++number) {
     const auto member = members.find(names[number]);
     if (member == members.end()) return invalid_input("lacks numbers of its dense field");
-    const auto part =
-        unpack_floats(member->second, lattice.places(), static_cast<std::size_t>(lattice.counts[0]));
+    auto part = unpack_floats(member->second, lattice.places(), static_cast<std::size_t>(lattice.counts[0]));
     if (!part) return part.error();
+    if (floats == 1) {
+      values = *std::move(part);
+      break;
+    }
     values.resize(floats * part->size());
     for (std::size_t i = 0; i < part->size(); ++i) values[floats * i + number] = (*part)[i];
   }

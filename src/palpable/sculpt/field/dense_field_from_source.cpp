@@ -122,6 +122,13 @@ Result<std::vector<float>> marched(const DistanceSource& source, const Lattice& 
   return std::move(front->values);
 }
 
+/// Whether a stored distance is negative: a solid between the places of the lattice is lost.
+bool has_inside(const std::vector<float>& values, DenseContent content) {
+  for (std::size_t i = 0; i < values.size(); i += models::floats_of(content))
+    if (values[i] < 0.0F) return true;
+  return false;
+}
+
 }  // namespace
 
 Result<Lattice> lattice_around(const Box& bounds, const DenseFieldOptions& options) {
@@ -146,6 +153,10 @@ Result<models::DenseField> dense_field_from_source(const DistanceSource& source,
   auto values = options.content == DenseContent::distance ? exact_distances(source, *lattice, work)
                                                           : marched(source, *lattice, work);
   if (!values) return values.error();
+  if (!has_inside(*values, options.content))
+    return invalid_input("has no surface as a dense field of " + std::to_string(options.resolution) +
+                         " cells: no place of the lattice is inside it, so it is thinner than a cell; more "
+                         "cells or an adaptive field hold it");
   auto field = models::DenseField::from(*lattice, options.content, *std::move(values), {});
   if (!field) return field.error();
   const FieldOptions near;

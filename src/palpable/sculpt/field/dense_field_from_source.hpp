@@ -29,7 +29,8 @@ struct DenseFieldOptions {
 Result<models::Lattice> lattice_around(const Box& bounds, const DenseFieldOptions& options);
 
 /// Samples the field. Long work: all threads for sampling (fast marching uses one), reports progress, polls
-/// cancel. The result does not depend on the number of threads. Errors: as lattice_around(); interrupted.
+/// cancel. The result does not depend on the number of threads. Errors: as lattice_around(); invalid_input
+/// for a solid without a place of the lattice inside it; interrupted.
 Result<models::DenseField> dense_field_from_source(const DistanceSource& source,
                                                    const DenseFieldOptions& options, const Work& work);
 

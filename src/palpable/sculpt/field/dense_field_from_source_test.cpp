@@ -129,6 +129,28 @@ TEST(DenseFieldFromSource, RefusesWhatWouldNotFitBeforeAnythingIsAskedAndSaysWha
   EXPECT_FALSE(lattice_around(solid.bounds(), options)) << "more would fit than it says: " << sentence;
 }
 
+/// A plate of 40 x 40 x 0.1 mm.
+class Plate final : public DistanceSource {
+ public:
+  models::DistanceSample at(Vec3 p, Hint&) const override {
+    return {box_distance(p, -kHalf_m, kHalf_m), {0.0, 0.0, p.z < 0.0 ? -1.0 : 1.0}};
+  }
+  Box bounds() const override { return {-kHalf_m, kHalf_m}; }
+
+ private:
+  static constexpr Vec3 kHalf_m{0.02, 0.02, 5e-5};
+};
+
+TEST(DenseFieldFromSource, APlateBetweenThePlacesIsRefusedInsteadOfLost) {
+  for (const DenseContent content : {DenseContent::distance, DenseContent::distance_and_force}) {
+    // Of 32 cells a layer of places lies in the plate, of 40 none.
+    EXPECT_TRUE(dense_field_from_source(Plate(), {content, 32}, Work{}));
+    const auto lost = dense_field_from_source(Plate(), {content, 40}, Work{});
+    ASSERT_FALSE(lost);
+    EXPECT_EQ(lost.error().code, ErrorCode::invalid_input);
+  }
+}
+
 TEST(DenseFieldFromSource, StopsWhenItIsCancelled) {
   const Ball ball(0.03);
   const std::atomic<bool> cancel{true};

@@ -43,8 +43,6 @@ struct HouseScene {
   /// Nothing is solid outside of them, and all is within them, but for niches of this depth.
   std::vector<ConvexHull> hulls;
   double niches_m = 0.0;
-  /// Whether a house has storeys of which one has slits: these may stay hollow.
-  bool may_be_hollow = false;
   std::string words;
 
   double hull_distance(Vec3 p) const {
@@ -213,9 +211,9 @@ class HouseMaker {
     scene.words += "bay, ";
   }
 
-  /// The walls over an outline, without a floor or a ceiling, with niches. Returns whether neighbouring walls
-  /// may be divided differently.
-  bool add_walls(HouseScene& scene, const Outline& corners, double low_m, double high_m) {
+  /// The walls over an outline, without a floor or a ceiling, with niches. Neighbouring walls may be divided
+  /// differently.
+  void add_walls(HouseScene& scene, const Outline& corners, double low_m, double high_m) {
     const auto rows = static_cast<std::uint32_t>(whole(1, 3));
     const bool has_slits = whole(0, 3) == 0, has_niches = whole(0, 1) == 0;
     const Vec3 up{0, 0, high_m - low_m};
@@ -242,7 +240,6 @@ class HouseMaker {
     }
     scene.words += std::to_string(corners.size()) + (has_slits ? " walls with slits, " : " walls, ");
     scene.hulls.push_back(prism_hull(corners, low_m, high_m));
-    return has_slits;
   }
 
   void add_house(HouseScene& scene, Vec3 at) {
@@ -253,8 +250,7 @@ class HouseMaker {
     const int storeys = whole(1, 2);
     for (int storey = 0; storey < storeys; ++storey) {
       const double high_m = low_m + mm(5, 20);
-      const bool has_slits = add_walls(scene, corners, low_m, high_m);
-      scene.may_be_hollow = scene.may_be_hollow || (has_slits && storeys > 1);
+      add_walls(scene, corners, low_m, high_m);
       // A floor inside, that nobody sees.
       if (whole(0, 3) == 0 && corners.size() == 4) {
         const Vec3 inner = corners[0] + Vec3{0, 0, 0.5 * (low_m + high_m)};

@@ -4,6 +4,7 @@
 
 #include "palpable/sculpt/triangles/coincident_triangles.hpp"
 #include "palpable/sculpt/triangles/enclosed_cells.hpp"
+#include "palpable/sculpt/triangles/joined_bodies.hpp"
 #include "palpable/sculpt/triangles/joined_sheets.hpp"
 #include "palpable/sculpt/triangles/mesh_edges.hpp"
 #include "palpable/sculpt/triangles/mesh_orientation.hpp"
@@ -340,21 +341,27 @@ RepairedMesh repaired(const Mesh& mesh, double touching_m, const OpenSheetOption
     if (found.count > 0) join_sheets(whole, given, found, {same_m, touching_m}, options, seed);
   }
   result.sheet_count = found.count + division.sheet_count;
-  if (result.sheet_count == 0) return result;
-  result.sheets.vertices_m = whole.vertices_m;
-  result.sheets.triangles = std::move(division.sheets);
-  result.sheet_of = std::move(division.sheet_of);
-  if (found.count == 0) return result;
-  whole.triangles.clear();
-  for (std::size_t t = 0; t < given.size(); ++t) {
-    const bool is_sheet = found.of_triangle[t] != OpenSheets::kNone;
-    (is_sheet ? result.sheets.triangles : whole.triangles).push_back(given[t]);
-    if (is_sheet)
-      result.sheet_of.push_back(found.of_triangle[t] + static_cast<std::uint32_t>(division.sheet_count));
+  if (result.sheet_count > 0) {
+    result.sheets.vertices_m = whole.vertices_m;
+    result.sheets.triangles = std::move(division.sheets);
+    result.sheet_of = std::move(division.sheet_of);
   }
-  // Rays from a body may have met the sheets around it.
-  repair.turned_parts = orient_outwards(whole, seed, division.oriented);
-  result.holes = holes_of(whole.vertices_m, whole.triangles);
+  if (found.count > 0) {
+    whole.triangles.clear();
+    for (std::size_t t = 0; t < given.size(); ++t) {
+      const bool is_sheet = found.of_triangle[t] != OpenSheets::kNone;
+      (is_sheet ? result.sheets.triangles : whole.triangles).push_back(given[t]);
+      if (is_sheet)
+        result.sheet_of.push_back(found.of_triangle[t] + static_cast<std::uint32_t>(division.sheet_count));
+    }
+    // Rays from a body may have met the sheets around it.
+    repair.turned_parts = orient_outwards(whole, seed, division.oriented);
+    result.holes = holes_of(whole.vertices_m, whole.triangles);
+  }
+  if (join_bodies(whole, result.holes, {same_m, touching_m}, options, seed)) {
+    orient_outwards(whole, seed, division.oriented);
+    result.holes = holes_of(whole.vertices_m, whole.triangles);
+  }
   return result;
 }
 

@@ -89,7 +89,7 @@ struct RepairedMesh {
 /// Open surfaces of them are sheets, unless their holes are small (OpenSheetOptions::most_two_sided_lids).
 /// Surfaces that are not consistently oriented and have edges of more than two triangles are examined for
 /// cells too. The rest is oriented as in mesh_orientation.hpp and judged as in open_sheets.hpp, with
-/// `touching_m`.
+/// `touching_m`. Bodies that are left with holes may be joined (joined_bodies.hpp).
 RepairedMesh repaired(const Mesh& mesh, double touching_m, const OpenSheetOptions& options,
                       std::uint64_t seed, MeshRepair& repair);
 
