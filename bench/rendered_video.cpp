@@ -138,8 +138,9 @@ Raster<Rgb8> RenderedVideo::picture(int frame, const Work& work) const {
       for (int x = 0; x < camera_.width; ++x) {
         Colour sum{};
         for (int k = 0; k < kOpenings; ++k) {
-          // Each opening looks at another place of the pixel, so that edges are smooth.
-          const double u = x + (k - 1) / 3.0, v = y + (k % 2 == 0 ? -0.25 : 0.25);
+          // Each opening looks at another place of the pixel, so that edges are smooth; their mean is its
+          // centre.
+          const double u = x + (k - 1) / 3.0, v = y + (k == 1 ? 1.0 / 3 : -1.0 / 6);
           const Pose& pose = poses[static_cast<std::size_t>(k)];
           const Vec3 direction =
               unit(pose.rotate({(u - camera_.cx) / camera_.fx, (v - camera_.cy) / camera_.fy, 1.0}));

@@ -8,8 +8,10 @@
 #include "palpable/models/field/superquadric.hpp"
 #include "palpable/vision/image/luma.hpp"
 #include "palpable/vision/motion/depth/marker_scale.hpp"
+#include "palpable/vision/motion/depth/rolled_pictures.hpp"
 #include "palpable/vision/motion/depth/video_depth.hpp"
 #include "palpable/vision/motion/structure/moving_points.hpp"
+#include "palpable/vision/motion/tracks/rolling_shutter.hpp"
 #include "palpable/vision/motion/tracks/usable_frames.hpp"
 
 #include <algorithm>
@@ -20,6 +22,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <string>
 #include <string_view>
@@ -202,12 +205,18 @@ Raster<Rgb8> picture_of(const RenderedVideo& video, int frame, const std::string
   return video.picture(frame, work);
 }
 
+std::vector<int> numbers_of(const RenderedVideo& video) {
+  std::vector<int> out(static_cast<std::size_t>(video.frames()));
+  std::iota(out.begin(), out.end(), 0);
+  return out;
+}
+
 Result<CameraMotion> motion_of(const std::vector<vision::PointTrack>& tracks, const RenderedVideo& video,
                                const recipes::VideoRecipe& recipe, const Work& work) {
   const vision::VideoCamera camera{video.camera(), true};
   return recipe.motion_method == recipes::VideoMotion::filter
              ? vision::motion_by_filter(tracks, video.frames(), camera, recipe.filter, work)
-             : vision::motion_from_tracks(tracks, video.frames(), camera, recipe.motion, work);
+             : vision::motion_from_tracks(tracks, numbers_of(video), camera, recipe.motion, work);
 }
 
 Result<Figures> run(const RenderedVideo& video, Arguments& arguments, const Work& work) {
@@ -222,13 +231,15 @@ Result<Figures> run(const RenderedVideo& video, Arguments& arguments, const Work
   Stopwatch watch;
   const auto usable = vision::usable_frames(greys, arguments.recipe.frames, work);
   if (!usable) return usable.error();
-  const auto tracks = vision::track_points(greys, arguments.recipe.tracks, work);
+  auto tracks = vision::track_points(greys, arguments.recipe.tracks, work);
   if (!tracks) return tracks.error();
   StageSeconds seconds;
   seconds.tracks = watch.next();
   const auto motion = motion_of(*tracks, video, arguments.recipe, work);
   if (!motion) return motion.error();
   seconds.motion = watch.next();
+  *tracks = vision::without_rolling_shutter(*tracks, motion->readout, video.camera().width,
+                                            video.camera().height, numbers_of(video));
   const auto path = path_errors(*motion, video);
   if (!path) return path.error();
   Figures out = path->figures;
@@ -240,6 +251,11 @@ Result<Figures> run(const RenderedVideo& video, Arguments& arguments, const Work
     if (const auto scale = vision::scale_from_markers(greys, *motion, {}, work))
       out.scale_error_percent = 100 * (scale->metres_per_unit / path->score.true_from_found.scale - 1);
   if (arguments.depth) {
+    for (int i = 0; i < video.frames(); ++i) {
+      auto& picture = pictures[static_cast<std::size_t>(i)];
+      if (motion->poses[static_cast<std::size_t>(i)])
+        picture = vision::without_rolling_shutter(picture, *motion, i, numbers_of(video));
+    }
     std::vector<const Raster<Rgb8>*> views;
     for (const auto& picture : pictures) views.push_back(&picture);
     watch.next();

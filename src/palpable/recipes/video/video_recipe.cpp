@@ -5,6 +5,8 @@
 #include "palpable/core/numbers/quantile.hpp"
 #include "palpable/recipes/solid/fused_depth_recipe.hpp"
 #include "palpable/vision/image/luma.hpp"
+#include "palpable/vision/motion/depth/rolled_pictures.hpp"
+#include "palpable/vision/motion/tracks/rolling_shutter.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -31,6 +33,10 @@ struct Frames {
   VideoFigures figures;
   // The one in which a length is known; -1 = none.
   int of_length = -1;
+  // Whether they were taken at equal times, as points that can be followed show.
+  bool are_of_video = true;
+  // Those without rolling shutter, where there is one.
+  std::vector<VideoFrame> corrected;
 };
 
 double brightness_of(const std::vector<Raster<std::uint8_t>>& greys) {
@@ -108,6 +114,7 @@ Result<std::vector<vision::PointTrack>> tracks_of(Frames& frames, const VideoRec
   frames.notes.emplace_back(
       "The pictures were taken far apart: their points were matched, which takes longer than following "
       "them.");
+  frames.are_of_video = false;
   return vision::match_photos(frames.greys, recipe.photos, work);
 }
 
@@ -272,6 +279,35 @@ Result<ScaledDepth> scaled_depth(const Frames& frames, const VideoRecipe& recipe
   return out;
 }
 
+std::vector<int> numbers_of(const Frames& frames) {
+  std::vector<int> out;
+  for (const VideoFrame* frame : frames.frames) out.push_back(frame->number);
+  return out;
+}
+
+// Replaces the frames by pictures as if all rows had been read at once.
+void remove_rolling_shutter(Frames& frames, const CameraMotion& motion, const Work& work) {
+  if (motion.readout == vision::Readout{}) return;
+  const std::vector<int> numbers = numbers_of(frames);
+  frames.corrected.resize(frames.frames.size());
+  parallel_for(work, static_cast<int>(frames.frames.size()), 1, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      if (!motion.poses[i]) continue;
+      frames.corrected[i] = {numbers[i],
+                             vision::without_rolling_shutter(frames.frames[i]->picture, motion, k, numbers)};
+      frames.greys[i] = vision::luma8(frames.corrected[i].picture);
+    }
+  });
+  for (std::size_t i = 0; i < frames.frames.size(); ++i)
+    if (motion.poses[i]) frames.frames[i] = &frames.corrected[i];
+  frames.notes.emplace_back(fmt::format(
+      "The camera reads each picture's {} one after the other, within {:.0f} % of the time between two "
+      "pictures (rolling shutter): this was corrected.",
+      std::abs(motion.readout.rows) >= std::abs(motion.readout.columns) ? "rows" : "columns",
+      100 * std::max(std::abs(motion.readout.rows), std::abs(motion.readout.columns))));
+}
+
 Result<CameraMotion> motion_of(Frames& frames, const vision::VideoCamera& camera, const VideoRecipe& recipe,
                                const Work& work) {
   const auto tracks = tracks_of(frames, recipe, work);
@@ -281,10 +317,18 @@ Result<CameraMotion> motion_of(Frames& frames, const vision::VideoCamera& camera
     frames.figures.cuts.push_back(frames.frames[static_cast<std::size_t>(cut)]->number);
   std::vector<int> shared = shared_points(*tracks, count);
   frames.figures.followed_points = quantile_of(shared, 0.5);
+  vision::BatchMotionOptions batch = recipe.motion;
+  if (!frames.are_of_video) batch.rolling_shutter = 0;
+  const std::vector<int> numbers = numbers_of(frames);
   auto motion = recipe.motion_method == VideoMotion::filter
                     ? vision::motion_by_filter(*tracks, count, camera, recipe.filter, work)
-                    : vision::motion_from_tracks(*tracks, count, camera, recipe.motion, work);
-  if (motion) frames.figures.moving_points = vision::moving_points(*tracks, *motion, recipe.moving).share();
+                    : vision::motion_from_tracks(*tracks, numbers, camera, batch, work);
+  if (!motion) return motion;
+  const auto& size = frames.greys.front();
+  const auto seen =
+      vision::without_rolling_shutter(*tracks, motion->readout, size.width(), size.height(), numbers);
+  frames.figures.moving_points = vision::moving_points(seen, *motion, recipe.moving).share();
+  remove_rolling_shutter(frames, *motion, work);
   return motion;
 }
 

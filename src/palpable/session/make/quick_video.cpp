@@ -51,6 +51,8 @@ VideoInput quick_video(const VideoInput& video, const QuickVideo& options) {
 recipes::VideoRecipe quick_recipe(recipes::VideoRecipe recipe, const QuickVideo& options) {
   recipe.depth.maps = std::min(recipe.depth.maps, options.maps);
   recipe.depth.facing_too = 0;
+  // Frames that are far apart do not show the camera's shake, from which the readout follows.
+  recipe.motion.rolling_shutter = 0;
   recipe.tracks.most_points = std::min(recipe.tracks.most_points, options.most_points);
   recipe.tracks.least_distance_px = std::max(4.0, recipe.tracks.least_distance_px / 2);
   recipe.field.field.resolution = std::min(recipe.field.field.resolution, options.resolution);

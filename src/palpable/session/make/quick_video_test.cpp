@@ -40,6 +40,11 @@ TEST(QuickRecipe, OfACorrectedSurfaceIsItsSuperquadricsAlone) {
   EXPECT_FALSE(quick.grown);
 }
 
+TEST(QuickRecipe, EstimatesNoRollingShutter) {
+  EXPECT_EQ(quick_recipe({}, {}).motion.rolling_shutter, 0);
+  EXPECT_EQ(recipes::VideoRecipe{}.motion.rolling_shutter, 1);
+}
+
 TEST(QuickRecipe, SearchesDepthOnOneFamilyOfPlanes) {
   EXPECT_EQ(quick_recipe({}, {}).depth.facing_too, 0);
   EXPECT_EQ(recipes::VideoRecipe{}.depth.facing_too, 1);

@@ -28,6 +28,23 @@ struct ProjectionError {
   }
 };
 
+// The same for a rolling shutter: the place is moved along its track to where it was when the middle of the
+// frame was read.
+struct RolledProjectionError {
+  ProjectionError error;
+  PlaceMotion motion;
+  ImagePoint at;
+
+  template <class T>
+  bool operator()(const T* pose, const T* point, const T* focal_scale, const T* readout, T* residual) const {
+    if (!error(pose, point, focal_scale, residual)) return false;
+    const T t = readout[0] * at.y + readout[1] * at.x;
+    residual[0] += t * motion.velocity.x - t * t * (motion.acceleration.x / 2);
+    residual[1] += t * motion.velocity.y - t * t * (motion.acceleration.y / 2);
+    return true;
+  }
+};
+
 Eigen::Vector3d centre_of(const BundlePose& pose) {
   const Vec3 c = camera_pose(pose).translation_m;
   return {c.x, c.y, c.z};
@@ -92,15 +109,25 @@ double projection_error_px(const Pinhole& camera, const BundlePose& pose, const 
   return std::hypot(residual[0], residual[1]);
 }
 
-void adjust_bundle(Bundle& bundle, const Pinhole& camera, const BundleOptions& options, const Work& work) {
+BundleCosts adjust_bundle(Bundle& bundle, const Pinhole& camera, const BundleOptions& options,
+                          const Work& work) {
   ceres::Problem problem;
+  std::array<double, 2> readout{bundle.readout.rows, bundle.readout.columns};
   for (const Observation& observation : bundle.observations) {
-    auto* cost = new ceres::AutoDiffCostFunction<ProjectionError, 2, 6, 3, 1>(
-        new ProjectionError{&camera, observation.place});  // owned by the problem
-    problem.AddResidualBlock(cost, new ceres::HuberLoss(options.robust_px),
-                             bundle.poses[static_cast<std::size_t>(observation.pose)].data(),
-                             bundle.points[static_cast<std::size_t>(observation.point)].data(),
-                             &bundle.focal_scale);
+    double* pose = bundle.poses[static_cast<std::size_t>(observation.pose)].data();
+    double* point = bundle.points[static_cast<std::size_t>(observation.point)].data();
+    const ProjectionError error{&camera, observation.place};
+    auto* loss = new ceres::HuberLoss(options.robust_px);
+    // All owned by the problem.
+    if (options.refine_readout)
+      problem.AddResidualBlock(
+          new ceres::AutoDiffCostFunction<RolledProjectionError, 2, 6, 3, 1, 2>(new RolledProjectionError{
+              error, observation.motion, reading_place(observation.place, camera.width, camera.height)}),
+          loss, pose, point, &bundle.focal_scale, readout.data());
+    else
+      problem.AddResidualBlock(
+          new ceres::AutoDiffCostFunction<ProjectionError, 2, 6, 3, 1>(new ProjectionError(error)), loss,
+          pose, point, &bundle.focal_scale);
   }
   if (problem.HasParameterBlock(bundle.poses[0].data()))
     problem.SetParameterBlockConstant(bundle.poses[0].data());
@@ -121,6 +148,7 @@ void adjust_bundle(Bundle& bundle, const Pinhole& camera, const BundleOptions& o
       problem.SetParameterBlockConstant(&bundle.focal_scale);
     }
   }
+  if (problem.HasParameterBlock(readout.data())) ordering->AddElementToGroup(readout.data(), 1);
   StopWhenCancelled stop(work);
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::SPARSE_SCHUR;
@@ -133,6 +161,8 @@ void adjust_bundle(Bundle& bundle, const Pinhole& camera, const BundleOptions& o
   solver.callbacks.push_back(&stop);
   ceres::Solver::Summary summary;
   ceres::Solve(solver, &problem, &summary);
+  bundle.readout = {readout[0], readout[1]};
+  return {summary.initial_cost, summary.final_cost};
 }
 
 }  // namespace palpable::vision

@@ -4,6 +4,7 @@
 
 #include "palpable/core/picture/camera.hpp"
 #include "palpable/vision/motion/structure/camera_motion.hpp"
+#include "palpable/vision/motion/tracks/rolling_shutter.hpp"
 
 #include <array>
 #include <vector>
@@ -22,6 +23,8 @@ struct Observation {
   int pose = 0;
   int point = 0;
   ImagePoint place;
+  /// Only for an unknown readout.
+  PlaceMotion motion = {};
 };
 
 /// The variables of a bundle adjustment: poses, points and observations.
@@ -31,6 +34,7 @@ struct Bundle {
   std::vector<Observation> observations;
   /// Factor of both focal lengths.
   double focal_scale = 1.0;
+  Readout readout = {};
 };
 
 struct BundleOptions {
@@ -39,6 +43,13 @@ struct BundleOptions {
   int most_iterations = 30;
   /// Whether the focal length is refined too.
   bool refine_focal_length = false;
+  /// Whether the readout is refined too. If not, it is zero.
+  bool refine_readout = false;
+};
+
+/// Half the sum of the robust squared errors, px^2.
+struct BundleCosts {
+  double before = 0.0, after = 0.0;
 };
 
 /// Reprojection error: the distance between the observed and the projected position, px; infinite behind the
@@ -49,6 +60,7 @@ double projection_error_px(const Pinhole& camera, const BundlePose& pose, const 
 /// Minimises the sum of robust squared reprojection errors over poses and points (Ceres, sparse Schur
 /// complement). The first pose is fixed, and the scale by one coordinate of the farthest other one. Polls
 /// cancel between iterations and returns early then.
-void adjust_bundle(Bundle& bundle, const Pinhole& camera, const BundleOptions& options, const Work& work);
+BundleCosts adjust_bundle(Bundle& bundle, const Pinhole& camera, const BundleOptions& options,
+                          const Work& work);
 
 }  // namespace palpable::vision

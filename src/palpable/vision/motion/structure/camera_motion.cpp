@@ -36,13 +36,20 @@ std::vector<Parameter> parameters_of(BatchMotionOptions& o) {
            &o.views_for_focal_length,
            {2, 100},
            "",
-           "Poses that an unknown focal length needs to be refined"}};
+           "Poses that an unknown focal length needs to be refined"},
+          {"rolling_shutter", &o.rolling_shutter, {0, 1}, "", "1: a rolling shutter is estimated"},
+          {"least_readout_gain",
+           &o.least_readout_gain,
+           {0, 1},
+           "",
+           "Share by which it must lower the squared errors"}};
 }
 
-Result<CameraMotion> motion_from_tracks(std::span<const PointTrack> tracks, int frame_count,
-                                        const VideoCamera& camera, const BatchMotionOptions& options,
-                                        const Work& work) {
+Result<CameraMotion> motion_from_tracks(std::span<const PointTrack> tracks,
+                                        std::span<const int> frame_numbers, const VideoCamera& camera,
+                                        const BatchMotionOptions& options, const Work& work) {
   if (auto checked = check_ranges(options); !checked) return checked.error();
+  const int frame_count = static_cast<int>(frame_numbers.size());
   const std::vector<int> keyframes = choose_keyframes(tracks, frame_count, camera.pinhole.width, options);
   const auto pair = choose_first_pair(tracks, keyframes, camera.pinhole, options, work);
   if (!pair) return pair.error();
@@ -62,6 +69,8 @@ Result<CameraMotion> motion_from_tracks(std::span<const PointTrack> tracks, int 
   reconstruction.refine(options.final_iterations, work);
   reconstruction.add_all_frames(frame_count, work);
   reconstruction.refine(options.final_iterations, work);
+  if (options.rolling_shutter == 1)
+    reconstruction.find_readout(frame_numbers, options.final_iterations, work);
   if (work.cancelled()) return Work::interrupted();
   return reconstruction.result();
 }

@@ -5,6 +5,7 @@
 #include "palpable/core/frame.hpp"
 #include "palpable/core/picture/camera.hpp"
 #include "palpable/vision/motion/tracks/point_tracks.hpp"
+#include "palpable/vision/motion/tracks/rolling_shutter.hpp"
 
 #include <optional>
 #include <span>
@@ -31,6 +32,9 @@ struct CameraMotion {
   std::vector<StructurePoint> points;
   /// RMS reprojection error, px.
   double reprojection_rms_px = 0.0;
+  /// The poses are those of the middle of each frame's readout, and reprojection errors are those of places
+  /// that were moved there (without_rolling_shutter()).
+  Readout readout = {};
 };
 
 struct BatchMotionOptions {
@@ -59,6 +63,10 @@ struct BatchMotionOptions {
   /// Poses from which on an unknown focal length is refined, 2 … 100: with fewer views a longer one cannot be
   /// distinguished from a greater distance.
   int views_for_focal_length = 4;
+  /// 1: the readout of a rolling shutter is estimated …
+  int rolling_shutter = 1;
+  /// … and used if it lowers the robust squared errors by this share, 0 … 1.
+  double least_readout_gain = 0.02;
 };
 std::vector<Parameter> parameters_of(BatchMotionOptions& options);
 
@@ -72,11 +80,13 @@ struct VideoCamera {
 /// Computes the poses of all frames and the positions of the tracked points by bundle adjustment (Triggs et
 /// al. 2000). It starts with the pair of keyframes that determines most points; further keyframes are added
 /// by their known points. Then all variables are refined together with a robust loss, including an unknown
-/// focal length. The world frame is the camera of the first keyframe, scaled so that the median depth of the
-/// points is 1. Long work: reports progress, polls cancel. Errors: usage for options out of range;
-/// invalid_input if the camera hardly moved, only rotated, or too few points are tracked; interrupted.
-Result<CameraMotion> motion_from_tracks(std::span<const PointTrack> tracks, int frame_count,
-                                        const VideoCamera& camera, const BatchMotionOptions& options,
-                                        const Work& work);
+/// focal length, and the readout of a rolling shutter where it lowers the errors. `frame_numbers`: of each
+/// frame, in the video; equal steps are equal times. The world frame is the camera of the first keyframe,
+/// scaled so that the median depth of the points is 1. Long work: reports progress, polls cancel. Errors:
+/// usage for options out of range; invalid_input if the camera hardly moved, only rotated, or too few points
+/// are tracked; interrupted.
+Result<CameraMotion> motion_from_tracks(std::span<const PointTrack> tracks,
+                                        std::span<const int> frame_numbers, const VideoCamera& camera,
+                                        const BatchMotionOptions& options, const Work& work);
 
 }  // namespace palpable::vision

@@ -5,6 +5,7 @@
 #include "palpable/vision/motion/structure/bundle.hpp"
 
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -20,6 +21,13 @@ inline CameraPose facing_origin(double angle) {
   pose.rotation = {c, 0, -s, 0, 1, 0, s, 0, c};
   pose.translation_m = {s, 0, -c};
   return pose;
+}
+
+/// The numbers of frames of which none is left out.
+inline std::vector<int> consecutive_numbers(int frames) {
+  std::vector<int> out(static_cast<std::size_t>(frames));
+  std::iota(out.begin(), out.end(), 0);
+  return out;
 }
 
 /// Where the camera sees a point in front of it.

@@ -136,12 +136,12 @@ void Reconstruction::triangulate_all() {
           triangulated_point(observations_of(i), camera_, {options_.least_angle_deg, options_.outlier_px});
 }
 
-void Reconstruction::refine(int iterations, const Work& work) {
-  Bundle bundle;
-  std::vector<int> pose_index(frames_.size(), -1);
+Reconstruction::Parts Reconstruction::parts() const {
+  Parts out;
+  auto& [bundle, pose_index, point_tracks] = out;
+  pose_index.assign(frames_.size(), -1);
   for (std::size_t k = 0; k < frames_.size(); ++k)
     if (poses_[k]) pose_index[k] = static_cast<int>(bundle.poses.size()), bundle.poses.push_back(*poses_[k]);
-  std::vector<std::size_t> point_tracks;
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     if (!points_[i]) continue;
     for (std::size_t k = 0; k < frames_.size(); ++k)
@@ -151,6 +151,31 @@ void Reconstruction::refine(int iterations, const Work& work) {
     bundle.points.push_back(*points_[i]);
     point_tracks.push_back(i);
   }
+  return out;
+}
+
+void Reconstruction::find_readout(std::span<const int> frame_numbers, int iterations, const Work& work) {
+  Parts known = parts();
+  for (std::size_t k = 0; k < frames_.size(); ++k)
+    for (Observation& o : known.bundle.observations)
+      if (o.pose == known.pose_index[k])
+        o.motion = place_motion(tracks_[at(known.point_tracks, o.point)], frames_[k], frame_numbers);
+  const BundleCosts costs =
+      adjust_bundle(known.bundle, camera_,
+                    {.robust_px = robust_px_, .most_iterations = iterations, .refine_readout = true}, work);
+  if (costs.after > (1 - options_.least_readout_gain) * costs.before) return;
+  const Readout found = known.bundle.readout;
+  if (std::max(std::abs(found.rows), std::abs(found.columns)) > 1) return;
+  // A sensor is read along one of its sides.
+  readout_ =
+      std::abs(found.rows) >= std::abs(found.columns) ? Readout{found.rows, 0} : Readout{0, found.columns};
+  own_tracks_ = without_rolling_shutter(tracks_, readout_, camera_.width, camera_.height, frame_numbers);
+  tracks_ = own_tracks_;
+  refine(iterations, work);
+}
+
+void Reconstruction::refine(int iterations, const Work& work) {
+  auto [bundle, pose_index, point_tracks] = parts();
   const bool refine_focal =
       !focal_length_known_ && std::ssize(bundle.poses) >= options_.views_for_focal_length;
   adjust_bundle(bundle, camera_,
@@ -188,7 +213,9 @@ void Reconstruction::add_all_frames(int frame_count, const Work& work) {
 }
 
 CameraMotion Reconstruction::result() const {
-  return motion_result({camera_, frames_, poses_, points_}, tracks_);
+  CameraMotion out = motion_result({camera_, frames_, poses_, points_}, tracks_);
+  out.readout = readout_;
+  return out;
 }
 
 }  // namespace palpable::vision

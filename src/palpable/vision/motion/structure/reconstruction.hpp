@@ -31,12 +31,22 @@ class Reconstruction {
   void triangulate_all();
   /// Refines everything, removes points with large errors, and poses that too few points are left for.
   void refine(int iterations, const Work& work);
+  /// Finds the readout of a rolling shutter and removes its effect from the tracks, if that lowers the
+  /// errors enough. `frame_numbers`: of all frames, in the video.
+  void find_readout(std::span<const int> frame_numbers, int iterations, const Work& work);
   /// Computes the pose of every frame, not only of keyframes, from the points that it observes.
   void add_all_frames(int frame_count, const Work& work);
   /// The result in the frame of the first camera with a pose, scaled to a median depth of 1.
   CameraMotion result() const;
 
  private:
+  /// What is known, and which pose and track each part of it belongs to.
+  struct Parts {
+    Bundle bundle;
+    std::vector<int> pose_index;
+    std::vector<std::size_t> point_tracks;
+  };
+  Parts parts() const;
   void drop_unsupported_poses();
   std::vector<std::size_t> seen_points(int frame) const;
   const BundlePose* nearest_pose(int index) const;
@@ -44,6 +54,9 @@ class Reconstruction {
   std::vector<PosedObservation> observations_of(std::size_t track) const;
 
   std::span<const PointTrack> tracks_;
+  /// The tracks without rolling shutter, if there is one.
+  std::vector<PointTrack> own_tracks_;
+  Readout readout_;
   std::vector<int> frames_;
   Pinhole camera_;
   bool focal_length_known_ = true;
