@@ -63,7 +63,8 @@ class PassivityObserver {
     Vector<DeviceFrame> guide_N;
     /// Ticks until a force acts, 0 ... kMostDelay.
     std::size_t delay = 0;
-    /// stored_J is the energy of contact springs, 0 out of contact, and not a potential defined everywhere.
+    /// What the law stores is the energy of contact springs, 0 out of contact, and not a potential defined
+    /// everywhere. That holds also where stored_J is not known.
     bool is_spring = true;
     /// The damping that the law guarantees in contact, N·s/m; 0 out of contact.
     double damping_Ns_per_m = 0.0;
@@ -126,8 +127,9 @@ class PassivityObserver {
   }
 
   void end_work(const Step& step) noexcept {
-    // A spring may return energy after a tick without force. A law that stores no energy may not.
-    const bool ends = !step.contact || !std::isfinite(step.stored_J);
+    // A spring may return energy after a tick without force, in which a damper cancelled it. A law that
+    // stores no energy may not.
+    const bool ends = !step.contact || !(step.is_spring || std::isfinite(step.stored_J));
     if (ends && !step.weakened && step.held_force_N == Vector<DeviceFrame>{}) {
       began_in_air_ = true;
       work_J_ = 0.0;
