@@ -122,6 +122,10 @@ class TickPipeline {
                         double dt_s) const noexcept;
   /// Reduces the forces of this tick to what the contact may return.
   void limit_returns(double dt_s) noexcept;
+  /// The hand's velocity, and its expected change until a force acts, for what forces give it: where the
+  /// reading flickers, those of the place within its steps.
+  Vector<DeviceFrame> velocity_m_per_s(double dt_s) const noexcept;
+  Vector<DeviceFrame> gains_m_per_s() const noexcept;
   /// The velocity as far as the sensor's step lets it be known.
   Vector<DeviceFrame> sure_velocity_m_per_s(double dt_s) const noexcept;
   void control_energy(double dt_s) noexcept;

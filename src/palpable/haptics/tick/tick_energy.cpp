@@ -245,8 +245,8 @@ double TickPipeline::unsure_J(Vector<DeviceFrame> force_N) const noexcept {
 }
 
 double TickPipeline::on_the_way_J(Forces (*sent_as)(const Sent&), double dt_s) const noexcept {
-  const Vector<DeviceFrame> v = motion_.velocity_m_per_s();
-  const Vector<DeviceFrame> gains = motion_.gains_m_per_s();
+  const Vector<DeviceFrame> v = velocity_m_per_s(dt_s);
+  const Vector<DeviceFrame> gains = gains_m_per_s();
   const Vector<DeviceFrame> w = rotation_.velocity_rad_per_s();
   double coming_J = 0.0;
   for (std::size_t age = 0; age < delay_; ++age) {
@@ -259,11 +259,11 @@ double TickPipeline::on_the_way_J(Forces (*sent_as)(const Sent&), double dt_s) c
 
 double TickPipeline::returned_share(const ReturnLimit& limit, const Forces& wanted,
                                     Forces (*sent_as)(const Sent&), double dt_s) const noexcept {
-  const Vector<DeviceFrame> v = motion_.velocity_m_per_s();
+  const Vector<DeviceFrame> v = velocity_m_per_s(dt_s);
   const Vector<DeviceFrame> w = rotation_.velocity_rad_per_s();
   ReturnLimit::Sending sending;
-  sending.power_W = dot(wanted.force_N, v) + std::max(0.0, dot(wanted.force_N, motion_.gains_m_per_s())) +
-                    dot(wanted.torque_Nm, w);
+  sending.power_W =
+      dot(wanted.force_N, v) + std::max(0.0, dot(wanted.force_N, gains_m_per_s())) + dot(wanted.torque_Nm, w);
   if (sending.power_W <= 0.0) return 1.0;
   sending.on_the_way_J = on_the_way_J(sent_as, dt_s);
   sending.unsure_J = std::max(unsure_J(wanted.force_N), unsure_J(sent_as(held()).force_N));
@@ -287,13 +287,21 @@ void TickPipeline::limit_returns(double dt_s) noexcept {
   reduce(uncontrolled_returns_, uncontrolled_rise_, uncontrolled_N_, uncontrolled_Nm_, as_uncontrolled);
 }
 
+Vector<DeviceFrame> TickPipeline::velocity_m_per_s(double dt_s) const noexcept {
+  return fine_.flickers() ? (1.0 / dt_s) * moved_ : motion_.velocity_m_per_s();
+}
+
+Vector<DeviceFrame> TickPipeline::gains_m_per_s() const noexcept {
+  return fine_.flickers() ? Vector<DeviceFrame>{} : motion_.gains_m_per_s();
+}
+
 Vector<DeviceFrame> TickPipeline::sure_velocity_m_per_s(double dt_s) const noexcept {
   // The reading of a hand at rest may go to and fro by a step: over the longest window that is up to this
   // velocity, with a margin for windows that are a little shorter.
   constexpr double kMargin = 1.5;
   const double unsure = kMargin * 2.0 * fine_.half_step_m() / ((VelocityEstimator::kSamples - 1) * dt_s);
   const auto sure = [&](double v) { return std::copysign(std::max(0.0, std::abs(v) - unsure), v); };
-  const Vec3 v = motion_.velocity_m_per_s().v;
+  const Vec3 v = velocity_m_per_s(dt_s).v;
   return {{sure(v.x), sure(v.y), sure(v.z)}};
 }
 
@@ -305,7 +313,11 @@ void TickPipeline::control_energy(double dt_s) noexcept {
   // steps show as much, and a force that is reduced for it comes back a tick later.
   constexpr double kUnfelt_J = 1e-7;
   const double made_J = observer_.made_J();
-  const double wanted = made_J > kUnfelt_J ? passivity_factor(gives_W, made_J, dt_s) : 1.0;
+  const double paid = made_J > kUnfelt_J ? passivity_factor(gives_W, made_J, dt_s) : 1.0;
+  // What is not paid back weakens a force whatever its direction, down to nothing for twice what is free.
+  constexpr double kFree_J = 5e-6;
+  const double free_J = std::max(kFree_J, unsure_J(written_N_));
+  const double wanted = std::min(paid, std::clamp(2.0 - observer_.unpaid_J() / free_J, 0.0, 1.0));
   if (wanted >= 1.0) return;
   const Sent& before = sent_[newest_];
   const double factor = without_step(wanted, {written_N_, written_Nm_}, {before.written_N, before.written_Nm},
