@@ -74,8 +74,10 @@ class SurfaceFlight {
   /// More than the rounding error of a height above the surface.
   static constexpr double kRounding_m = 1e-7;
 
+  /// In free air nothing is left of an earlier contact.
   Flown arrive(double clearance_m) noexcept {
     proxy_.clearance_m = clearance_m;
+    proxy_.step_share = 0.0;
     proxy_.place_m = path_.to();
     return Flown::arrived;
   }

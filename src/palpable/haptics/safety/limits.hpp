@@ -68,24 +68,35 @@ Limited<Frame> cap_rise(Vector<Frame> force_N, Vector<Frame> before_N, double ma
 class Ramp {
  public:
   /// Times in seconds from 1 to 0 and from 0 to 1, both > 0. The factor begins at 0.
-  Ramp(double down_s, double up_s) : down_s_(down_s), up_s_(up_s) {}
+  Ramp(double down_s, double up_s) : down_s_(down_s), up_s_(up_s), next_up_s_(up_s) {}
 
   /// The factor after `dt_s`; it rises towards 1 while `wanted`, else it falls towards 0. It stays where it
   /// is in a step that is not above 0. Tick path.
   double step(bool wanted, double dt_s) noexcept {
     if (!(dt_s > 0.0)) return value_;
-    value_ = wanted ? std::min(1.0, value_ + dt_s / up_s_) : std::max(0.0, value_ - dt_s / down_s_);
+    value_ = wanted ? std::min(1.0, value_ + dt_s / next_up_s_) : std::max(0.0, value_ - dt_s / down_s_);
+    if (!wanted || value_ >= 1.0) next_up_s_ = up_s_;
     return value_;
   }
   /// To 1 at once: for a hand in free air, where the force is 0 anyway.
-  void finish() noexcept { value_ = 1.0; }
-  /// To 0 at once.
-  void reset() noexcept { value_ = 0.0; }
+  void finish() noexcept {
+    value_ = 1.0;
+    next_up_s_ = up_s_;
+  }
+  /// To 0 at once; the next rise takes the time from 0 to 1, or `up_s` > 0 if that is shorter.
+  void reset() noexcept { reset(up_s_); }
+  void reset(double up_s) noexcept {
+    value_ = 0.0;
+    next_up_s_ = std::min(up_s, up_s_);
+  }
   double value() const noexcept { return value_; }
+  /// How long a rise from 0 to 1 takes now, s.
+  double up_s() const noexcept { return next_up_s_; }
 
  private:
   double down_s_;
   double up_s_;
+  double next_up_s_;
   double value_ = 0.0;
 };
 

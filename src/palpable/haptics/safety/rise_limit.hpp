@@ -11,11 +11,12 @@ namespace palpable::haptics {
 
 /// Limits how fast a force grows (cap_rise) and ramps it up and down, without generating energy. If the force
 /// of a spring that stores U was held back (by the limit, a ramp, a dropped force), the hand has put only the
-/// input energy P into it: what it put in during this contact, also before a dropped force, less what it got
-/// back. A hand at rest meets the whole spring nevertheless. A hand that moves out meets, after a twentieth
-/// of the depth, a spring that begins deeper, with the potential V = (sqrt(U) - c)^2 = P and the share dV/dU
-/// = 1 - c / sqrt(U) of the law's force; docs/real-time.md ("Rise limit") derives it. Damping and friction,
-/// which are not the spring's, stay whole. A tick is account(), then limit(). Tick path; no allocation.
+/// input energy P into it: what it put in during this contact, also before a dropped force and into dampers
+/// and friction since, less what it got back. A hand at rest meets the whole spring nevertheless. A hand that
+/// moves out meets, after a twentieth of the depth, a spring that begins deeper, with the potential V =
+/// (sqrt(U) - c)^2 = P and the share dV/dU = 1 - c / sqrt(U) of the law's force; docs/real-time.md ("Rise
+/// limit") derives it. From then on V follows P. Damping and friction, which are not the spring's, stay
+/// whole. A tick is account(), then take_back(), then limit(). Tick path; no allocation.
 class RiseLimit {
  public:
   struct Input {
@@ -25,11 +26,13 @@ class RiseLimit {
     Vector<DeviceFrame> spring_N;
     /// What a change of scene added to stored_J since the last call.
     double changed_J = 0.0;
-    /// What the hand received since the last call, of force and torque, J; how far it moved in the sense of
-    /// the spring's force, m; and the ticks until a force acts.
+    /// What the hand received since the last call, of force and torque, J, and how far that may be wrong by
+    /// the sensor's step; what the forces that are on their way will give it; and how far it moved in the
+    /// sense of the spring's force, m.
     double received_J = 0.0;
+    double unsure_J = 0.0;
+    double coming_J = 0.0;
     double moved_out_m = 0.0;
-    double delay_ticks = 0.0;
     /// The ramp, 0 ... 1, and by how much it may rise in this tick.
     double gain = 1.0;
     double gain_rise = 1.0;
@@ -45,9 +48,10 @@ class RiseLimit {
     root_ = std::sqrt(stored_J_);
     if (!has_spring_) {
       begins_ = false;
-      release_left_ = spring_offset_ = rendered_J_ = surplus_J_ = input_energy_J_ = 0.0;
+      release_left_ = spring_offset_ = rendered_J_ = surplus_J_ = input_energy_J_ = unsure_J_ = 0.0;
       return;
     }
+    unsure_J_ = std::max(unsure_J_, in.unsure_J);
     input_energy_J_ = std::clamp(input_before_J - in.received_J, 0.0, stored_J_);
     // While the force went to zero the hand may have received energy, but it put in none.
     if (begins_) begin_release(std::min(input_before_J, input_energy_J_));
@@ -61,7 +65,7 @@ class RiseLimit {
       spring_offset_ =
           std::max(0.0, spring_offset_ + root_ - std::sqrt(std::max(0.0, stored_J_ - in.changed_J)));
     set_offset(spring_offset_);
-    follow_ramp(in.gain_rise);
+    follow(in);
   }
 
   /// The force of this tick, of the one that the law wants after the cap; `rest_N` of it is not the spring's.
@@ -78,10 +82,21 @@ class RiseLimit {
   /// The passivity controller reduced the force that limit() returned.
   void weakened_to(Vector<DeviceFrame> force_N) noexcept { force_N_ = force_N; }
 
+  /// The account of energy shows that so much was made, J: a spring that is held back does not return it.
+  void take_back(double made_J) noexcept {
+    if (!is_weaker() || !(made_J > 0.0)) return;
+    if (release_left_ > 0.0) {
+      input_energy_J_ = std::max(0.0, input_energy_J_ - made_J);
+    } else {
+      surplus_J_ = std::max(-rendered_J_, surplus_J_ - made_J);
+    }
+  }
+
   /// The spring was held back: its force by limit(), or another part of it, a torque, after it.
   void note_limited() noexcept {
-    if (has_spring_)
-      begin_release(release_left_ > 0.0 ? input_energy_J_ : std::min(input_energy_J_, input_energy_J()));
+    if (!has_spring_) return;
+    const double returned_J = gain_ < 1.0 ? input_energy_J() : std::min(input_energy_J(), rendered_J_);
+    begin_release(release_left_ > 0.0 ? input_energy_J_ : std::min(input_energy_J_, returned_J));
   }
 
   /// The motors hold no force any more, in the same touch.
@@ -122,9 +137,10 @@ class RiseLimit {
     // A spring that stores U at a force f is 2 U / f deep.
     const double over_m = kReleaseDepth * 2.0 * stored_J_ / norm(spring_N_);
     release_left_ = std::max(0.0, release_left_ - std::max(0.0, in.moved_out_m) / over_m);
-    // Stronger forces than the next ones are still on their way to the motors.
-    const double coming_J = in.delay_ticks * std::max(0.0, in.received_J);
-    if (in.moved_out_m > 0.0 && input_energy_J_ <= coming_J + std::max(0.0, in.received_J))
+    // Stronger forces than the next ones are still on their way to the motors, and the next tick may give
+    // more than this one: the hand becomes faster.
+    constexpr double kGrowth = 2.0;
+    if (in.moved_out_m > 0.0 && input_energy_J_ <= in.coming_J + kGrowth * std::max(0.0, in.received_J))
       release_left_ = 0.0;
     if (gain_ >= 1.0 && input_energy_J_ >= stored_J_) release_left_ = 0.0;
     if (release_left_ > 0.0) {
@@ -132,9 +148,8 @@ class RiseLimit {
       set_offset(goal + (1.0 - release_left_) * (last_offset - goal));
       return;
     }
-    input_energy_J_ = std::max(0.0, input_energy_J_ - coming_J);
-    set_offset(std::max(goal, root_ - std::sqrt(input_energy_J_)));
-    surplus_J_ = std::max(0.0, input_energy_J_ - rendered_J_);
+    set_offset(std::max(goal, root_ - std::sqrt(std::max(0.0, input_energy_J_ - in.coming_J))));
+    surplus_J_ = input_energy_J_ - rendered_J_;
   }
 
   void set_offset(double offset) noexcept {
@@ -143,16 +158,23 @@ class RiseLimit {
     rendered_J_ = spring_offset_ > 0.0 ? over * over : stored_J_;
   }
 
-  void follow_ramp(double gain_rise) noexcept {
+  /// The spring follows the ramp and P. What the hand puts into dampers and friction comes back into it, at
+  /// the ramp's rate; where a held force gave more than V lost, a hand that moves out does not get that
+  /// twice.
+  void follow(const Input& in) noexcept {
     const double goal = root_ * (1.0 - gain_);
-    const double before_J = rendered_J_;
+    // A plain sum of forces times movements begins anew where the force is zero: nothing is owed beyond that.
+    const bool owes = spring_offset_ > 0.0 && rendered_J_ > 0.0 && force_N_ != Vector<DeviceFrame>{};
+    if (gain_ >= 1.0 && !owes) input_energy_J_ = rendered_J_;
+    const double sure_J = std::max(0.0, input_energy_J_ - unsure_J_);
     if (spring_offset_ < goal) {
       set_offset(goal);
-    } else if (surplus_J_ > 0.0 && spring_offset_ > 0.0) {
-      set_offset(
-          std::max({goal, spring_offset_ - gain_rise * root_, root_ - std::sqrt(rendered_J_ + surplus_J_)}));
+    } else if (rendered_J_ > input_energy_J_ && in.moved_out_m > 0.0) {
+      set_offset(root_ - std::sqrt(input_energy_J_));
+    } else if (rendered_J_ < sure_J && spring_offset_ > 0.0) {
+      set_offset(std::max({goal, spring_offset_ - in.gain_rise * root_, root_ - std::sqrt(sure_J)}));
     }
-    surplus_J_ = std::clamp(surplus_J_ + before_J - rendered_J_, 0.0, stored_J_ - rendered_J_);
+    surplus_J_ = input_energy_J_ - rendered_J_;
   }
 
   Vector<DeviceFrame> rendered(Vector<DeviceFrame> law_N, Vector<DeviceFrame> rest_N) const noexcept {
@@ -178,8 +200,11 @@ class RiseLimit {
   double spring_offset_ = 0.0;
   /// V, the energy that the rendered spring stores.
   double rendered_J_ = 0.0;
-  /// The input energy beyond V, while the ramp is below 1: P = V + this, if no release is going on.
+  /// The input energy beyond V: P = V + this, if no release is going on. Below 0 where a held force gave more
+  /// than V lost.
   double surplus_J_ = 0.0;
+  /// How far P may be wrong, in this contact.
+  double unsure_J_ = 0.0;
   /// P during a release.
   double input_energy_J_ = 0.0;
   /// The part of a release that is still to come: 1 for a hand that has not moved out, 0 at its end.

@@ -47,13 +47,15 @@ class CountedHand final : public device::Device {
   /// No tick comes for so long; after 5 ms the watchdog cuts the force.
   void stall(int ticks) {
     for (int n = 1; n < ticks; ++n) {
-      if (n == 5) {
-        hand_.cut_force();
-        written_N_ = written_Nm_ = {};
-        std::fill(on_the_way_.begin(), on_the_way_.end(), Motors{});
-      }
+      if (n == 5) cut();
       write(written_N_);
     }
+  }
+  /// The watchdog ends the force.
+  void cut() {
+    hand_.cut_force();
+    written_N_ = written_Nm_ = {};
+    std::fill(on_the_way_.begin(), on_the_way_.end(), Motors{});
   }
   /// To be called in free air. A new account begins once no force is on its way to the motors any more: a
   /// force that acts late belongs to the contact that it comes from.

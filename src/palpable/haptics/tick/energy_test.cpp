@@ -79,7 +79,8 @@ TEST(EnergyOfRolling, IsNotGeneratedAtBendsForAnyDelay) {
     most_J = std::max(most_J, made_by(Law::rolling, hand, 1.0, &contact));
   }
   // An earlier version used the slope directly below the hand and generated 560 uJ at a delay of two ticks.
-  EXPECT_LE(most_J, 2e-6);
+  // By the account: with steps of 7 to 64 um a newton's work is known to no less than 7 uJ.
+  EXPECT_LE(most_J, 1e-5);
 }
 
 /// White noise, walls of one pixel, or upright steps, with slopes up to `steepest`.

@@ -323,7 +323,9 @@ class HandFaults : public testing::TestWithParam<TouchedScenes> {};
 TEST_P(HandFaults, FiftyMillisecondsWithoutATickEndInForceThatRisesFromZero) {
   EXPECT_TRUE(is_harmless(attack(GetParam(), [](FaultyTouch& touch, std::mt19937&) {
     touch.stall(50);
-    touch.found.unexpected += touch.force_N() < kBegins_N ? 0 : 1;
+    // It comes back within 50 ms: by 3 % in the first tick, of 10 N at most.
+    constexpr double kFirst_N = 0.3;
+    touch.found.unexpected += touch.force_N() < kFirst_N ? 0 : 1;
   })));
 }
 

@@ -28,7 +28,6 @@ class ShownWork {
     /// The device's reading; valid or not.
     Point<DeviceFrame> position;
     bool is_valid = true;
-    Vector<DeviceFrame> velocity_m_per_s;
     double dt_s = 0.001;
     Vector<DeviceFrame> written_N;
     /// The part of the force whose energy a guide's limited reserve supplies.
@@ -37,6 +36,8 @@ class ShownWork {
     std::uint32_t flags = 0;
     /// False where the work alone proves nothing: a law that is no contact, or a torque.
     bool is_contact_law = true;
+    /// The law's springs keep what the hand gave in a contact, also through a tick without force.
+    bool has_spring = false;
   };
 
   ShownWork(const device::Traits& device, const TickOptions& options)
@@ -71,8 +72,9 @@ class ShownWork {
     step.dt_s = tick.dt_s;
     step.stored_J = std::numeric_limits<double>::quiet_NaN();
     step.contact = (tick.flags & flag::kContact) != 0;
+    step.is_spring = tick.has_spring;
     observer_.update(step);
-    count_since_zero(held, moved_m, step.moved_m);
+    count_since_zero(held, moved_m, step);
   }
 
   /// Ticks are missing before the next one.
@@ -86,19 +88,17 @@ class ShownWork {
   double made_max_J() const noexcept { return observer_.made_max_J(); }
   /// The sum of forces times movements, the most of it since the force was last zero, J. It is an upper
   /// bound, never below made_max_J(): of a stall the part of the movement counts that gives the hand more, a
-  /// hand gets back after a stall what it delivered before it, and a force that the controller reduced to
-  /// zero ends no sum that is above zero.
+  /// hand gets back after a stall what it delivered before it, and a force that the controller, or in contact
+  /// a damper, reduced to zero ends no sum that is above zero.
   double since_zero_max_J() const noexcept { return since_zero_max_J_; }
 
  private:
   Vector<DeviceFrame> moved(const Tick& tick) noexcept {
-    since_place_s_ += tick.dt_s;
     if (!tick.is_valid || !is_finite(tick.position)) return {};
     const Point<DeviceFrame> before = fine_.place();
-    const Point<DeviceFrame> now = fine_.update(tick.position, tick.velocity_m_per_s, since_place_s_);
+    const Point<DeviceFrame> now = fine_.update(tick.position);
     const bool knew = knows_place_;
     knows_place_ = true;
-    since_place_s_ = 0.0;
     return knew ? now - before : Vector<DeviceFrame>{};
   }
 
@@ -108,11 +108,13 @@ class ShownWork {
     Vector<DeviceFrame> guide_N;
     bool weakened = false;
   };
-  /// `held` acted during the whole movement, or, in a stall, during a part of it.
-  void count_since_zero(const Sent& held, Vector<DeviceFrame> moved_m, Vector<DeviceFrame> part_m) noexcept {
+  /// `held` acted during the whole movement, or, in a stall, during a part of it (`step`).
+  void count_since_zero(const Sent& held, Vector<DeviceFrame> moved_m,
+                        const PassivityObserver::Step& step) noexcept {
     const Vector<DeviceFrame> force_N = held.force_N - held.guide_N;
-    const bool ends = held.force_N == Vector<DeviceFrame>{} && !(held.weakened && since_zero_J_ > 0.0);
-    since_zero_J_ = ends ? 0.0 : since_zero_J_ + std::max(dot(force_N, moved_m), dot(force_N, part_m));
+    const bool goes_on = (held.weakened || (step.contact && step.is_spring)) && since_zero_J_ > 0.0;
+    const bool ends = held.force_N == Vector<DeviceFrame>{} && !goes_on;
+    since_zero_J_ = ends ? 0.0 : since_zero_J_ + std::max(dot(force_N, moved_m), dot(force_N, step.moved_m));
     since_zero_max_J_ = std::max(since_zero_max_J_, since_zero_J_);
   }
 
@@ -124,7 +126,6 @@ class ShownWork {
   std::size_t delay_;
   bool counts_ = false;
   bool knows_place_ = false;
-  double since_place_s_ = 0.0;
   double since_zero_J_ = 0.0;
   double since_zero_max_J_ = 0.0;
 };

@@ -43,6 +43,24 @@ TEST(ShownWork, IsWhatTheHandReceivedBeyondWhatItGave) {
   EXPECT_NEAR(pressed(2.0, 0.001, 0).since_zero_max_J(), 3e-3, 1e-12);
 }
 
+TEST(ShownWork, GoesOnThroughATickInContactWhoseForceADamperCancelled) {
+  // The hand gives 1 mJ, and gets back 0.9 mJ after a tick without force.
+  const auto received_J = [](bool has_spring) {
+    ShownWork work(without_delay(), {});
+    const double forces_N[]{0.0, 1.0, 0.0, 0.9, 0.0};
+    const double places_m[]{0.001, 0.0, -0.001, -0.001, 0.0};
+    for (int n = 0; n < 5; ++n) {
+      ShownWork::Tick tick = at(places_m[n], forces_N[n], n > 0 ? flag::kContact : 0U);
+      tick.has_spring = has_spring;
+      work.take(tick);
+    }
+    EXPECT_LE(work.made_max_J(), work.since_zero_max_J());
+    return work.made_max_J();
+  };
+  EXPECT_EQ(received_J(true), 0.0);
+  EXPECT_NEAR(received_J(false), 0.9e-3, 1e-12) << "a law that stores nothing made it";
+}
+
 TEST(ShownWork, CountsAMovementInAStallUntilTheWatchdogEndsTheForce) {
   // 2 N over 5 of 50 ms of 2 mm are less than the hand gave.
   EXPECT_EQ(pressed(2.0, 0.05, flag::kStalled).made_max_J(), 0.0);
@@ -72,6 +90,7 @@ TEST(ShownWork, IsNeverAboveTheSumSinceTheForceWasZero) {
       const std::uint32_t flags = kinds[std::min<std::size_t>(random() % 20U, 6U)];
       ShownWork::Tick tick =
           at(z_m += uniform(-1e-3, 1e-3), random() % 3U == 0 ? 0.0 : uniform(-1.0, 2.0), flags);
+      tick.has_spring = hand % 2 == 0;
       tick.dt_s = (flags & flag::kStalled) != 0 ? uniform(0.001, 0.05) : 0.001;
       work.take(tick);
       ASSERT_LE(work.made_max_J(), work.since_zero_max_J() * (1.0 + 1e-12))

@@ -76,7 +76,11 @@ const TouchSample& TickPipeline::step(double clock_t_s, double clock_dt_s) noexc
   if (stalled) {
     flags_ |= flag::kStalled;
     ++counts_.stalls;
+    // The force comes back within the time for which it was gone: a slower one lets a loaded hand sink more.
+    // A ramp that was rising takes no less time than it would have.
+    const double up_s = ramp_.value() < 1.0 ? std::max(dt_s, ramp_.up_s()) : dt_s;
     drop_force();
+    ramp_.reset(up_s);
   }
   const ReadingUse use = accept(reading, dt_s);
   count_received();
@@ -125,7 +129,7 @@ void TickPipeline::take(const device::Reading& reading, const JudgedReading& jud
   position_ = reading.position;
   motion_.update(position_, judged.passed_s);
   const Point<DeviceFrame> before = fine_.place();
-  const Point<DeviceFrame> now = fine_.update(position_, motion_.velocity_m_per_s(), judged.passed_s);
+  const Point<DeviceFrame> now = fine_.update(position_);
   if (!judged.first) moved_ = now - before;
   if (!has_torque_) return;
   if (judged.first) rotation_.begin();

@@ -111,10 +111,21 @@ class TickPipeline {
   /// is no longer than the rise limit allows, or than the law's own, or takes no more than the rise limit
   /// from what the law wants.
   double without_step(double share, const Forces& wanted, const Forces& before, double dt_s) const noexcept;
+  /// The forces that a touch sent without a guide's pull, and as they would be without the controller.
+  static Forces as_written(const Sent& sent) noexcept;
+  static Forces as_uncontrolled(const Sent& sent) noexcept;
+  /// How far the work of a force on the hand is not known within the sensor's step, J.
+  double unsure_J(Vector<DeviceFrame> force_N) const noexcept;
+  /// What the forces that were sent but do not act yet will give the hand, J; >= 0.
+  double on_the_way_J(Forces (*sent_as)(const Sent&), double dt_s) const noexcept;
   double returned_share(const ReturnLimit& limit, const Forces& wanted, Forces (*sent_as)(const Sent&),
                         double dt_s) const noexcept;
   /// Reduces the forces of this tick to what the contact may return.
   void limit_returns(double dt_s) noexcept;
+  /// The hand's velocity, and its expected change until a force acts, for what forces give it: where the
+  /// reading flickers, those of the place within its steps.
+  Vector<DeviceFrame> velocity_m_per_s(double dt_s) const noexcept;
+  Vector<DeviceFrame> gains_m_per_s() const noexcept;
   /// The velocity as far as the sensor's step lets it be known.
   Vector<DeviceFrame> sure_velocity_m_per_s(double dt_s) const noexcept;
   void control_energy(double dt_s) noexcept;

@@ -10,6 +10,14 @@
 
 namespace palpable::haptics {
 
+TickPipeline::Forces TickPipeline::as_written(const Sent& sent) noexcept {
+  return {sent.written_N - sent.guide_N, sent.written_Nm};
+}
+
+TickPipeline::Forces TickPipeline::as_uncontrolled(const Sent& sent) noexcept {
+  return {sent.uncontrolled_N - sent.guide_N, sent.uncontrolled_Nm};
+}
+
 bool TickPipeline::has_spring() const noexcept {
   return now_.energy == EnergyModel::spring && (!fading() || coming_.energy == EnergyModel::spring);
 }
@@ -58,21 +66,24 @@ void TickPipeline::account_spring(double dt_s, bool wanted) noexcept {
   spring_N_ = p.uncapped_N;
   RiseLimit::Input in;
   in.gain = ramp_.step(wanted, wanted ? risen_s : dt_s);
-  in.gain_rise = risen_s / options_.ramp_up_s;
+  in.gain_rise = risen_s / ramp_.up_s();
   in.spring_N = p.spring_N;
   in.stored_J = is_accounted() ? p.stored_J : std::numeric_limits<double>::quiet_NaN();
   in.changed_J = changed_J_ = fading() ? p.stored_J - potential(faded_before_).stored_J : 0.0;
-  in.delay_ticks = static_cast<double>(delay_);
   const double spring_N = norm(p.spring_N);
+  in.unsure_J = unsure_J(p.spring_N);
   if (spring_N > 0.0) in.moved_out_m = dot(p.spring_N, moved_) / spring_N;
   if ((flags_ & flag::kStalled) != 0) {
     account_stall(in, dt_s);
     return;
   }
-  in.received_J = received_.written_J;
-  rise_.account(in);
-  in.received_J = received_.uncontrolled_J;
-  uncontrolled_rise_.account(in);
+  const auto account = [&](RiseLimit& rise, double received_J, Forces (*sent_as)(const Sent&)) {
+    in.received_J = received_J;
+    in.coming_J = rise.is_weaker() ? on_the_way_J(sent_as, risen_s) : 0.0;
+    rise.account(in);
+  };
+  account(rise_, received_.written_J, as_written);
+  account(uncontrolled_rise_, received_.uncontrolled_J, as_uncontrolled);
 }
 
 void TickPipeline::count_received() noexcept {
@@ -156,26 +167,26 @@ void TickPipeline::observe(double dt_s) noexcept {
   }
   step.stored_J = given_J(rise_);
   step.changed_J = changed_J(rise_);
-  observer_.update(step);
+  rise_.take_back(observer_.update(step));
   step.stored_J = given_J(uncontrolled_rise_);
   step.changed_J = changed_J(uncontrolled_rise_);
   step.weakened = false;
   step.held_force_N = held().uncontrolled_N;
   step.rotation_J = stalled ? received_.uncontrolled_J : dot(held().uncontrolled_Nm, rotated_);
-  without_controller_.update(step);
+  uncontrolled_rise_.take_back(without_controller_.update(step));
 }
 
 void TickPipeline::count_shown_work() noexcept {
   ShownWork::Tick shown;
   shown.position = sample_.device_position;
   shown.is_valid = sample_.status == device::Status::ok && !sample_.has(flag::kImplausible);
-  shown.velocity_m_per_s = motion_.velocity_m_per_s();
   shown.dt_s = sample_.dt_s;
   shown.written_N = written_N_;
   shown.guide_N = guide_N_;
   shown.flags = sample_.flags;
   shown.is_contact_law =
       !has_torque_ && (now_.energy == EnergyModel::spring || now_.energy == EnergyModel::none);
+  shown.has_spring = now_.energy == EnergyModel::spring;
   shown_.take(shown);
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   counts_.work_made_max_J = shown_.counts() ? shown_.made_max_J() : kUnknown;
@@ -227,22 +238,35 @@ double TickPipeline::without_step(double share, const Forces& wanted, const Forc
                    least(wanted.torque_Nm.v, before.torque_Nm.v, options_.max_torque_rate_Nm_per_s * dt_s)});
 }
 
-double TickPipeline::returned_share(const ReturnLimit& limit, const Forces& wanted,
-                                    Forces (*sent_as)(const Sent&), double dt_s) const noexcept {
-  const Vector<DeviceFrame> v = motion_.velocity_m_per_s();
+double TickPipeline::unsure_J(Vector<DeviceFrame> force_N) const noexcept {
+  // The place is known to half a step, and the way in a tick, by two readings, to a whole one.
+  const Vec3 f = force_N.v;
+  return 3.0 * fine_.half_step_m() * (std::abs(f.x) + std::abs(f.y) + std::abs(f.z));
+}
+
+double TickPipeline::on_the_way_J(Forces (*sent_as)(const Sent&), double dt_s) const noexcept {
+  const Vector<DeviceFrame> v = velocity_m_per_s(dt_s);
+  const Vector<DeviceFrame> gains = gains_m_per_s();
   const Vector<DeviceFrame> w = rotation_.velocity_rad_per_s();
-  ReturnLimit::Sending sending;
-  sending.power_W = dot(wanted.force_N, v) + std::max(0.0, dot(wanted.force_N, motion_.gains_m_per_s())) +
-                    dot(wanted.torque_Nm, w);
-  if (sending.power_W <= 0.0) return 1.0;
+  double coming_J = 0.0;
   for (std::size_t age = 0; age < delay_; ++age) {
     const Forces sent = sent_as(sent_[(newest_ + sent_.size() - age) % sent_.size()]);
-    sending.on_the_way_J += dt_s * std::max(0.0, dot(sent.force_N, v) + dot(sent.torque_Nm, w));
+    coming_J += dt_s * std::max(0.0, dot(sent.force_N, v) + std::max(0.0, dot(sent.force_N, gains)) +
+                                         dot(sent.torque_Nm, w));
   }
-  const auto sum = [](Vec3 of) { return std::abs(of.x) + std::abs(of.y) + std::abs(of.z); };
-  // The place is known to half a step, and the way in a tick, by two readings, to a whole one.
-  sending.unsure_J =
-      3.0 * fine_.half_step_m() * std::max(sum(wanted.force_N.v), sum(sent_as(held()).force_N.v));
+  return coming_J;
+}
+
+double TickPipeline::returned_share(const ReturnLimit& limit, const Forces& wanted,
+                                    Forces (*sent_as)(const Sent&), double dt_s) const noexcept {
+  const Vector<DeviceFrame> v = velocity_m_per_s(dt_s);
+  const Vector<DeviceFrame> w = rotation_.velocity_rad_per_s();
+  ReturnLimit::Sending sending;
+  sending.power_W =
+      dot(wanted.force_N, v) + std::max(0.0, dot(wanted.force_N, gains_m_per_s())) + dot(wanted.torque_Nm, w);
+  if (sending.power_W <= 0.0) return 1.0;
+  sending.on_the_way_J = on_the_way_J(sent_as, dt_s);
+  sending.unsure_J = std::max(unsure_J(wanted.force_N), unsure_J(sent_as(held()).force_N));
   sending.force_N = norm(wanted.force_N);
   sending.dt_s = dt_s;
   sending.mass_kg = device_.traits().mass_kg;
@@ -259,12 +283,16 @@ void TickPipeline::limit_returns(double dt_s) noexcept {
     torque_Nm = share * torque_Nm;
     rise.weakened_to(force_N);
   };
-  reduce(returns_, rise_, written_N_, written_Nm_, [](const Sent& sent) {
-    return Forces{sent.written_N - sent.guide_N, sent.written_Nm};
-  });
-  reduce(uncontrolled_returns_, uncontrolled_rise_, uncontrolled_N_, uncontrolled_Nm_, [](const Sent& sent) {
-    return Forces{sent.uncontrolled_N - sent.guide_N, sent.uncontrolled_Nm};
-  });
+  reduce(returns_, rise_, written_N_, written_Nm_, as_written);
+  reduce(uncontrolled_returns_, uncontrolled_rise_, uncontrolled_N_, uncontrolled_Nm_, as_uncontrolled);
+}
+
+Vector<DeviceFrame> TickPipeline::velocity_m_per_s(double dt_s) const noexcept {
+  return fine_.flickers() ? (1.0 / dt_s) * moved_ : motion_.velocity_m_per_s();
+}
+
+Vector<DeviceFrame> TickPipeline::gains_m_per_s() const noexcept {
+  return fine_.flickers() ? Vector<DeviceFrame>{} : motion_.gains_m_per_s();
 }
 
 Vector<DeviceFrame> TickPipeline::sure_velocity_m_per_s(double dt_s) const noexcept {
@@ -273,7 +301,7 @@ Vector<DeviceFrame> TickPipeline::sure_velocity_m_per_s(double dt_s) const noexc
   constexpr double kMargin = 1.5;
   const double unsure = kMargin * 2.0 * fine_.half_step_m() / ((VelocityEstimator::kSamples - 1) * dt_s);
   const auto sure = [&](double v) { return std::copysign(std::max(0.0, std::abs(v) - unsure), v); };
-  const Vec3 v = motion_.velocity_m_per_s().v;
+  const Vec3 v = velocity_m_per_s(dt_s).v;
   return {{sure(v.x), sure(v.y), sure(v.z)}};
 }
 
@@ -285,7 +313,11 @@ void TickPipeline::control_energy(double dt_s) noexcept {
   // steps show as much, and a force that is reduced for it comes back a tick later.
   constexpr double kUnfelt_J = 1e-7;
   const double made_J = observer_.made_J();
-  const double wanted = made_J > kUnfelt_J ? passivity_factor(gives_W, made_J, dt_s) : 1.0;
+  const double paid = made_J > kUnfelt_J ? passivity_factor(gives_W, made_J, dt_s) : 1.0;
+  // What is not paid back weakens a force whatever its direction, down to nothing for twice what is free.
+  constexpr double kFree_J = 5e-6;
+  const double free_J = std::max(kFree_J, unsure_J(written_N_));
+  const double wanted = std::min(paid, std::clamp(2.0 - observer_.unpaid_J() / free_J, 0.0, 1.0));
   if (wanted >= 1.0) return;
   const Sent& before = sent_[newest_];
   const double factor = without_step(wanted, {written_N_, written_Nm_}, {before.written_N, before.written_Nm},

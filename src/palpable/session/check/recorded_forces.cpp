@@ -110,9 +110,11 @@ void RecordedForces::check_work(const device::TouchSample& tick, const RecordedT
   shown.flags = tick.flags;
   // Neither for other laws, nor with a guide, whose reserve gives energy, nor beside the work of a torque
   // does that of the force prove anything.
-  shown.is_contact_law = touch != nullptr && haptics::description_of(touch->law.law).is_contact &&
-                         !touch->guide && !(session_.traits && session_.traits->has_torque);
-  if (touch != nullptr) shown.velocity_m_per_s = touch->scene_from_device.inverse() * tick.velocity_m_per_s;
+  const haptics::LawDescription* law = touch != nullptr ? &haptics::description_of(touch->law.law) : nullptr;
+  shown.is_contact_law =
+      law != nullptr && law->is_contact && !touch->guide && !(session_.traits && session_.traits->has_torque);
+  // As the law's own EnergyModel.
+  shown.has_spring = law != nullptr && law->conservative && !(touch->law.force_shading.value_or(0.0) > 0.0);
   work_.take(shown);
   if (shown.is_contact_law && work_.made_J() > kEnergyMade_J)
     findings_.add(FindingKind::energy_made, tick, work_.made_J());
