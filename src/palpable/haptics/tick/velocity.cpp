@@ -3,7 +3,9 @@
 #include "palpable/haptics/tick/velocity.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <cstddef>
+#include <limits>
 
 namespace palpable::haptics {
 
@@ -15,27 +17,33 @@ Vector<DeviceFrame> VelocityEstimator::update(Point<DeviceFrame> position, doubl
   times_s_[at(0)] = 0.0;
   count_ = std::min(count_ + 1, kSamples);
   if (count_ < 2) return {};
-  return {{slope(&Vec3::x), slope(&Vec3::y), slope(&Vec3::z)}};
+  std::array<double, kSamples> per_s{};
+  for (int age = 1; age < count_; ++age) per_s[static_cast<std::size_t>(age)] = -1.0 / times_s_[at(age)];
+  return {{slope(&Vec3::x, per_s), slope(&Vec3::y, per_s), slope(&Vec3::z, per_s)}};
 }
 
-double VelocityEstimator::slope(double Vec3::*axis) noexcept {
+double VelocityEstimator::slope(double Vec3::*axis, const std::array<double, kSamples>& per_s) noexcept {
   // A reading that goes to and fro by a step is a whole step off the line through its ends. That must not
   // depend on how its numbers are rounded.
   constexpr double kRounding = 1e-6;
   const double fits_m = (1.0 + kRounding) * resolution_m_;
   const double now_m = positions_m_[at(0)].*axis;
-  const auto slope_over = [&](int age) { return (now_m - positions_m_[at(age)].*axis) / -times_s_[at(age)]; };
-  double best = slope_over(1);
-  age_s_.*axis = -0.5 * times_s_[at(1)];
+  const auto rise_m = [&](int age) { return now_m - positions_m_[at(age)].*axis; };
+  // The slopes of lines through the newest sample that pass the samples after the oldest one closely enough.
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  int oldest = 1;
   for (int age = 2; age < count_; ++age) {
-    const double line = slope_over(age);
-    for (int between = 1; between < age; ++between)
-      if (std::abs(now_m + line * times_s_[at(between)] - positions_m_[at(between)].*axis) > fits_m)
-        return best;
-    best = line;
-    age_s_.*axis = -0.5 * times_s_[at(age)];
+    const double between_m = rise_m(age - 1);
+    const double between_per_s = per_s[static_cast<std::size_t>(age - 1)];
+    least = std::max(least, (between_m - fits_m) * between_per_s);
+    most = std::min(most, (between_m + fits_m) * between_per_s);
+    const double line = rise_m(age) * per_s[static_cast<std::size_t>(age)];
+    if (line < least || line > most) break;
+    oldest = age;
   }
-  return best;
+  age_s_.*axis = -0.5 * times_s_[at(oldest)];
+  return rise_m(oldest) / -times_s_[at(oldest)];
 }
 
 }  // namespace palpable::haptics

@@ -32,7 +32,8 @@ class VelocityEstimator {
   Vec3 age_s() const noexcept { return age_s_; }
 
  private:
-  double slope(double Vec3::*axis) noexcept;
+  /// `per_s`: one over the age of each sample, by its number.
+  double slope(double Vec3::*axis, const std::array<double, kSamples>& per_s) noexcept;
   /// Index of the sample `age` samples ago.
   std::size_t at(int age) const noexcept {
     return static_cast<std::size_t>((newest_ + kSamples - age) % kSamples);
