@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <variant>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace palpable;
@@ -16,8 +17,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string address(rest.substr(0, rest.find('\n')));
   rest.remove_prefix(std::min(rest.size(), address.size() + 1));
   static_cast<void>(session::is_live_address(address));
-  if (const auto parsed = session::parse_frames_address(address)) {
-    if (!(parsed->rate_hz >= 0.1 && parsed->rate_hz <= 240.0)) std::abort();
+  if (const auto parsed = session::parse_live_address(address)) {
+    const auto* frames = std::get_if<session::FramesAddress>(&*parsed);
+    if (frames != nullptr && !(frames->rate_hz >= 0.1 && frames->rate_hz <= 240.0)) std::abort();
+    const auto* network = std::get_if<session::HttpCameras>(&*parsed);
+    // What would be a second line of the request.
+    if (network != nullptr && network->left.target.find_first_of("\r\n ") != std::string::npos) std::abort();
   } else if (parsed.error().message.empty()) {
     std::abort();
   }

@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <string_view>
+#include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,6 +20,112 @@ namespace {
 constexpr std::array<std::string_view, 10> kSchemes{
     "frames:", "camera:", "openni:", "freenect:", "realsense:", "rtsp:", "http:", "https:", "ros:", "robot:"};
 
+constexpr std::string_view kHttp = "http://";
+
+/// "host:port", "[::1]:port" or either without a port. nullopt for no host, or a port that is none.
+std::optional<std::pair<std::string, std::string>> host_and_port(std::string_view authority) {
+  std::string_view host = authority.substr(0, authority.find(':'));
+  std::string_view rest = authority.substr(host.size());
+  if (authority.starts_with('[')) {
+    const auto end = authority.find(']');
+    if (end == std::string_view::npos) return std::nullopt;
+    host = authority.substr(1, end - 1);
+    rest = authority.substr(end + 1);
+  }
+  if (host.empty() || (!rest.empty() && !rest.starts_with(':'))) return std::nullopt;
+  if (rest.empty()) return std::pair(std::string(host), std::string("80"));
+  const auto port = rest.substr(1);
+  int number = 0;
+  const auto [end, fault] = std::from_chars(port.data(), port.data() + port.size(), number);
+  constexpr int kMost = 65535;
+  if (fault != std::errc() || end != port.data() + port.size() || number < 1 || number > kMost)
+    return std::nullopt;
+  return std::pair(std::string(host), std::to_string(number));
+}
+
+/// One camera's address, without options.
+Result<HttpAddress> parse_http(std::string_view address) {
+  const auto usage = [&](std::string message) {
+    return Error{ErrorCode::usage, std::move(message), std::string(address)};
+  };
+  if (!address.starts_with(kHttp)) return usage("a camera's address begins with http://");
+  const bool is_plain =
+      std::all_of(address.begin(), address.end(), [](char c) { return c > ' ' && c < '\x7F' && c != '#'; });
+  if (!is_plain)
+    return usage("a camera's address has no spaces, further # or characters outside of ASCII (write %20)");
+  const auto rest = address.substr(kHttp.size());
+  const auto authority = rest.substr(0, rest.find_first_of("/?"));
+  if (authority.find('@') != std::string_view::npos)
+    return usage("names and passwords are not sent to cameras; give an address that needs none");
+  auto place = host_and_port(authority);
+  if (!place) return usage("a camera's address is http://HOST:PORT/PATH");
+  std::string target(rest.substr(authority.size()));
+  if (!target.starts_with('/')) target.insert(0, 1, '/');
+  return HttpAddress{std::move(place->first), std::move(place->second), std::move(target),
+                     std::string(authority), std::string(address)};
+}
+
+Result<LiveAddress> parse_http_cameras(std::string_view address) {
+  const auto hash = address.find('#');
+  auto left = parse_http(address.substr(0, hash));
+  if (!left) return std::move(left).error();
+  HttpCameras cameras{*std::move(left), std::nullopt};
+  if (hash == std::string_view::npos) return LiveAddress(std::move(cameras));
+  constexpr std::string_view kRight = "right=";
+  const auto option = address.substr(hash + 1);
+  if (!option.starts_with(kRight))
+    return Error{ErrorCode::usage, "after # an address of a camera may have right=http://… only",
+                 std::string(address)};
+  auto right = parse_http(option.substr(kRight.size()));
+  if (!right) return std::move(right).error();
+  cameras.right = *std::move(right);
+  return LiveAddress(std::move(cameras));
+}
+
+Result<LiveAddress> parse_frames(device::DeviceUrl url) {
+  const double rate_hz = url.take_number("fps", 30.0, 0.1, 240.0);
+  const int repeats = url.take_count("loop", 0, 0, 1);
+  if (auto finished = url.finish(); !finished) return std::move(finished).error();
+  return LiveAddress(FramesAddress{std::string(url.path()), rate_hz, repeats == 1});
+}
+
+/// "1280x480"; nullopt for anything else.
+std::optional<std::pair<int, int>> size_in(std::string_view text) {
+  constexpr int kMost = 16384;
+  int width = 0, height = 0;
+  const char* end = text.data() + text.size();
+  const auto across = std::from_chars(text.data(), end, width);
+  if (across.ec != std::errc() || across.ptr == end || *across.ptr != 'x') return std::nullopt;
+  const auto down = std::from_chars(across.ptr + 1, end, height);
+  const bool is_size = down.ec == std::errc() && down.ptr == end && width > 0 && width <= kMost &&
+                       height > 0 && height <= kMost;
+  return is_size ? std::optional(std::pair(width, height)) : std::nullopt;
+}
+
+Result<LiveAddress> parse_video(device::DeviceUrl url) {
+  const auto usage = [&](std::string message) {
+    return Error{ErrorCode::usage, std::move(message), "camera:" + url.path()};
+  };
+  const auto number = url.path_number(sources::kMostVideoDevice);
+  if (!number) return number.error();
+  sources::VideoDevice left{*number};
+  const int right = url.take_count("right", -1, 0, sources::kMostVideoDevice);
+  left.rate_hz = url.take_count("fps", 0, 1, 240);
+  const auto format = url.take_word("format", {"", "mjpeg", "yuyv"});
+  if (!format.empty())
+    left.coding = format == "mjpeg" ? sources::CameraCoding::jpeg : sources::CameraCoding::yuyv;
+  if (const auto text = url.take_text("size"); !text.empty()) {
+    const auto size = size_in(text);
+    if (!size) return usage("size is WIDTHxHEIGHT in pixels, such as 1280x480, not \"" + text + "\"");
+    std::tie(left.width, left.height) = *size;
+  }
+  if (auto finished = url.finish(); !finished) return std::move(finished).error();
+  if (right >= 0 && right == left.number) return usage("the right camera is another one than the left");
+  VideoCameras cameras{left, std::nullopt};
+  if (right >= 0) (cameras.right = left)->number = right;
+  return LiveAddress(cameras);
+}
+
 }  // namespace
 
 bool is_live_address(const std::string& input) {
@@ -24,18 +133,17 @@ bool is_live_address(const std::string& input) {
                      [&](auto scheme) { return input.starts_with(scheme); });
 }
 
-Result<FramesAddress> parse_frames_address(const std::string& address) {
+Result<LiveAddress> parse_live_address(const std::string& address) {
+  if (address.starts_with(kHttp)) return parse_http_cameras(address);
   auto url = device::DeviceUrl::parse(address);
   if (!url) return std::move(url).error();
-  if (url->scheme() != "frames")
-    return Error{
-        ErrorCode::usage,
-        fmt::format("live sources of the kind {}: are not supported yet; frames:FOLDER is", url->scheme()),
-        address};
-  const double rate_hz = url->take_number("fps", 30.0, 0.1, 240.0);
-  const int repeats = url->take_count("loop", 0, 0, 1);
-  if (auto finished = url->finish(); !finished) return std::move(finished).error();
-  return FramesAddress{std::string(url->path()), rate_hz, repeats == 1};
+  if (url->scheme() == "frames") return parse_frames(*std::move(url));
+  if (url->scheme() == "camera") return parse_video(*std::move(url));
+  return Error{ErrorCode::usage,
+               fmt::format("live sources of the kind {}: are not supported yet; frames:FOLDER, camera:N and "
+                           "http://HOST:PORT/PATH are",
+                           url->scheme()),
+               address};
 }
 
 }  // namespace palpable::session

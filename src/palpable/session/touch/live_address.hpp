@@ -3,8 +3,11 @@
 #pragma once
 
 #include "palpable/core/result.hpp"
+#include "palpable/sources/live/video_device.hpp"
 
+#include <optional>
 #include <string>
+#include <variant>
 
 namespace palpable::session {
 
@@ -18,7 +21,37 @@ struct FramesAddress {
   bool repeats = false;
 };
 
-/// Parses frames:FOLDER?fps=30&loop=0. Errors: usage for another scheme, or an unknown or wrong option.
-Result<FramesAddress> parse_frames_address(const std::string& address);
+/// A camera that sends MJPEG by HTTP.
+struct HttpAddress {
+  std::string host;
+  std::string port = "80";
+  /// The path with its query, as the server is asked for it.
+  std::string target = "/";
+  /// Host and port as the address has them.
+  std::string authority;
+  /// The address, for sentences.
+  std::string shown;
+};
+
+/// One camera that sends pairs, or two.
+struct HttpCameras {
+  HttpAddress left;
+  std::optional<HttpAddress> right;
+};
+
+/// One camera of this machine that sends pairs, or two.
+struct VideoCameras {
+  sources::VideoDevice left;
+  std::optional<sources::VideoDevice> right;
+};
+
+using LiveAddress = std::variant<FramesAddress, HttpCameras, VideoCameras>;
+
+/// Parses frames:FOLDER?fps=30&loop=0, camera:N?right=N&size=1280x480&fps=30&format=mjpeg (all that both
+/// cameras have in common; format: mjpeg, yuyv), or
+/// http://HOST:PORT/PATH?QUERY#right=http://HOST:PORT/PATH?QUERY (what stands before # is the camera's own).
+/// Errors: usage for another scheme, an unknown or wrong option, an address with a user's name, a space or a
+/// character outside of ASCII.
+Result<LiveAddress> parse_live_address(const std::string& address);
 
 }  // namespace palpable::session

@@ -156,12 +156,14 @@ void LiveFeed::run(TouchSession& session) {
     asked_ = Clock::now();
     auto frame = source_->take(Clock::now() + kPatience);
     asked_ = Clock::time_point{};
+    if (const auto notice = source_->notice()) say(*notice);
     if (!frame) {
       if (!std::exchange(said_unreadable, true))
         say(frame.error().sentence() + "; the touch goes on with the next picture.");
       continue;
     }
     if (!*frame) {
+      if (const auto loss = source_->loss()) call_old(*loss);
       if (!source_->has_ended()) continue;
       ended_ = true;
       say("The live pictures have ended; the surface of the last one stays.");
@@ -198,6 +200,29 @@ void LiveFeed::feel(TouchSession& session, const LiveFrame& frame) {
   latencies_.record_ns(1e9 * newest_latency_s_);
 }
 
+/// Says why the surface is old, until a picture that came later is felt.
+void LiveFeed::call_old(const std::string& sentence) {
+  {
+    const std::lock_guard lock(mutex_);
+    old_since_ = Clock::now();
+  }
+  say(sentence);
+}
+
+/// Ends that the surface is called old if it is so, and a picture that came since then is felt and new.
+bool LiveFeed::end_old(double current_s) {
+  const std::lock_guard lock(mutex_);
+  if (!old_since_ || newest_felt_ < *old_since_ || seconds_between(newest_felt_, Clock::now()) > current_s)
+    return false;
+  old_since_.reset();
+  return true;
+}
+
+bool LiveFeed::is_called_old() const {
+  const std::lock_guard lock(mutex_);
+  return old_since_.has_value();
+}
+
 double LiveFeed::age_s() const {
   const std::lock_guard lock(mutex_);
   return seconds_between(newest_felt_, Clock::now());
@@ -216,19 +241,18 @@ bool LiveFeed::is_slow() const {
 void LiveFeed::watch() {
   // Not at each picture of a source that hardly keeps up.
   const double current_s = 0.5 * options_.lost_s;
-  for (bool is_old = false; !ending_ && !ended_; std::this_thread::sleep_for(kPatience)) {
+  for (; !ending_ && !ended_; std::this_thread::sleep_for(kPatience)) {
     const double age = age_s();
-    if (is_old && age < current_s) {
-      is_old = false;
+    if (end_old(current_s)) {
       say("The pictures come again.");
-    } else if (!is_old && age > options_.lost_s) {
-      is_old = true;
-      say(is_slow() ? fmt::format("The surface is {:.1f} s behind the pictures: they are read too slowly; "
-                                  "smaller ones would help.",
-                                  age)
-                    : fmt::format("No readable picture has come for {:.1f} s; the surface of the last one "
-                                  "stays.",
-                                  options_.lost_s));
+    } else if (!is_called_old() && age > options_.lost_s) {
+      call_old(is_slow()
+                   ? fmt::format("The surface is {:.1f} s behind the pictures: they are read too slowly; "
+                                 "smaller ones would help.",
+                                 age)
+                   : fmt::format("No readable picture has come for {:.1f} s; the surface of the last one "
+                                 "stays.",
+                                 options_.lost_s));
     }
   }
 }

@@ -82,6 +82,9 @@ class LiveFeed {
   void refresh_picture(models::Scene& scene);
   void run(TouchSession& session);
   void feel(TouchSession& session, const LiveFrame& frame);
+  void call_old(const std::string& sentence);
+  bool end_old(double current_s);
+  bool is_called_old() const;
   void watch();
   double age_s() const;
   bool is_slow() const;
@@ -107,6 +110,8 @@ class LiveFeed {
   mutable std::mutex mutex_;
   Clock::time_point begin_;
   Clock::time_point newest_felt_;
+  /// When a sentence said that the surface is old, if no newer picture is felt yet.
+  std::optional<Clock::time_point> old_since_;
   std::uint64_t arrived_ = 0;
   /// From the arrival of the newest felt frame to the first force that knows it.
   double newest_latency_s_ = 0.0;

@@ -179,7 +179,7 @@ TEST(LiveFeed, RefusesWrongOptionsAndAddresses) {
   EXPECT_EQ(check(options).error().code, ErrorCode::usage);
   EXPECT_TRUE(is_live_address("camera:0"));
   EXPECT_FALSE(is_live_address("frames.palp"));
-  EXPECT_EQ(open_live_source("camera:0", {}, {}).error().code, ErrorCode::usage);
+  EXPECT_EQ(open_live_source("robot:sample", {}, {}).error().code, ErrorCode::usage);
   EXPECT_EQ(open_live_source("frames:/nowhere", {}, {}).error().code, ErrorCode::invalid_input);
   EXPECT_EQ(open_live_source("frames:/nowhere?fps=0", {}, {}).error().code, ErrorCode::usage);
   EXPECT_EQ(open_live_source("frames:/nowhere?speed=2", {}, {}).error().code, ErrorCode::usage);

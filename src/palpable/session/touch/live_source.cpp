@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/touch/live_source.hpp"
 
+#include "palpable/session/touch/camera_pairs.hpp"
+#include "palpable/session/touch/http_camera.hpp"
 #include "palpable/session/touch/live_address.hpp"
 #include "palpable/session/touch/matched_source.hpp"
+#include "palpable/session/touch/recorded_pairs.hpp"
 #include "palpable/sources/live/frame_folder.hpp"
+#include "palpable/sources/live/video_device.hpp"
 
 #include <algorithm>
 #include <string_view>
 #include <thread>
 #include <utility>
+#include <variant>
 
 namespace palpable::session {
 namespace {
@@ -99,17 +104,51 @@ class PacedPairs final : public PairSource {
   Pacer pacer_;
 };
 
+Result<std::unique_ptr<sources::CameraStream>> open_camera(const HttpAddress& address) {
+  return sources::CameraStream::open([address] { return connect_http_camera(address); }, address.shown);
+}
+
+Result<std::unique_ptr<sources::CameraStream>> open_camera(const sources::VideoDevice& device) {
+  return sources::CameraStream::open(
+      [device] { return sources::open_video_device(device); },
+      device.number < 0 ? "camera:" : "camera:" + std::to_string(device.number));
+}
+
+/// `Cameras`: HttpCameras or VideoCameras.
+template <class Cameras>
+Result<std::unique_ptr<PairSource>> open_pairs(const Cameras& cameras, sources::StereoLayout layout) {
+  auto left = open_camera(cameras.left);
+  if (!left) return std::move(left).error();
+  if (!cameras.right) return camera_pairs(*std::move(left), nullptr, layout);
+  auto right = open_camera(*cameras.right);
+  if (!right) return std::move(right).error();
+  return camera_pairs(*std::move(left), *std::move(right), layout);
+}
+
 }  // namespace
 
 Result<std::unique_ptr<LiveSource>> open_live_source(const std::string& address,
-                                                     const std::optional<StereoRig>& rig, const Work& work) {
-  const auto parsed = parse_frames_address(address);
+                                                     const LivePairOptions& options, const Work& work) {
+  const auto parsed = parse_live_address(address);
   if (!parsed) return parsed.error();
-  auto folder = sources::FrameFolder::open(parsed->folder);
+  const auto matched = [&](Result<std::unique_ptr<PairSource>> pairs) -> Result<std::unique_ptr<LiveSource>> {
+    if (pairs && !options.record_to.empty()) pairs = recorded_pairs(*std::move(pairs), options.record_to);
+    if (!pairs) return std::move(pairs).error();
+    return matched_source(*std::move(pairs), options.rig, work);
+  };
+  if (const auto* network = std::get_if<HttpCameras>(&*parsed))
+    return matched(open_pairs(*network, options.layout));
+  if (const auto* local = std::get_if<VideoCameras>(&*parsed))
+    return matched(open_pairs(*local, options.layout));
+  const auto& frames = std::get<FramesAddress>(*parsed);
+  auto folder = sources::FrameFolder::open(frames.folder);
   if (!folder) return std::move(folder).error();
   if (folder->has_pairs())
-    return matched_source(std::make_unique<PacedPairs>(*std::move(folder), *parsed), rig, work);
-  return std::unique_ptr<LiveSource>(std::make_unique<PacedDepths>(*std::move(folder), *parsed));
+    return matched(std::unique_ptr<PairSource>(std::make_unique<PacedPairs>(*std::move(folder), frames)));
+  if (!options.record_to.empty())
+    return Error{ErrorCode::usage, "frames of depth are in a folder already; pairs of cameras are recorded",
+                 frames.folder};
+  return std::unique_ptr<LiveSource>(std::make_unique<PacedDepths>(*std::move(folder), frames));
 }
 
 }  // namespace palpable::session

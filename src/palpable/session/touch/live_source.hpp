@@ -6,10 +6,12 @@
 #include "palpable/core/picture/image.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
+#include "palpable/sources/stereo/stereo_file.hpp"
 #include "palpable/vision/depth_camera/depth_noise.hpp"
 
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,16 +42,32 @@ class LiveSource {
   virtual bool has_ended() const = 0;
   /// The colour picture of the frame that was taken last; nullopt if there is none.
   virtual std::optional<Image> colour() = 0;
+  /// A sentence that a camera was lost, if that is new; it is said once for each loss, and the source goes
+  /// on.
+  virtual std::optional<std::string> loss() { return std::nullopt; }
+  /// Another sentence for the user, if there is a new one.
+  virtual std::optional<std::string> notice() { return std::nullopt; }
   /// "depth camera", for titles.
   virtual std::string_view kind() const { return "depth camera"; }
   /// The noise of its depth, after the first frame.
   virtual vision::DepthNoise noise() const { return {}; }
 };
 
-/// Opens frames:FOLDER?fps=30&loop=0: the frames of a folder, paced as from a camera. Pairs are matched
-/// (matched_source()) with `rig` and `work`. Errors: parse_frames_address(); invalid_input as
-/// sources::FrameFolder::open().
+/// How the pairs of a live stereo camera are taken and matched.
+struct LivePairOptions {
+  /// As in matched_source().
+  std::optional<StereoRig> rig = {};
+  /// How one picture holds a pair.
+  sources::StereoLayout layout = sources::StereoLayout::automatic;
+  /// The folder to which the pairs are recorded (recorded_pairs()); empty: none.
+  std::filesystem::path record_to = {};
+};
+
+/// Opens a live source (live_address.hpp): the frames of a folder, paced as from a camera, or a stereo
+/// camera. Pairs are matched (matched_source()) with `options` and `work`. Errors: parse_live_address();
+/// invalid_input as sources::FrameFolder::open(), connect_http_camera() and
+/// sources::open_video_device(); as recorded_pairs(), and usage for frames of depth that shall be recorded.
 Result<std::unique_ptr<LiveSource>> open_live_source(const std::string& address,
-                                                     const std::optional<StereoRig>& rig, const Work& work);
+                                                     const LivePairOptions& options, const Work& work);
 
 }  // namespace palpable::session

@@ -48,6 +48,8 @@ class MatchedSource final : public LiveSource {
 
   bool has_ended() const override { return pairs_->has_ended(); }
   std::optional<Image> colour() override { return colour_; }
+  std::optional<std::string> loss() override { return pairs_->loss(); }
+  std::optional<std::string> notice() override { return pairs_->notice(); }
   std::string_view kind() const override { return "stereo camera"; }
 
   /// Depth z = f B / d, so an error of d is one of z^2 / (f B) times it.

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace palpable::session {
 
@@ -33,6 +34,10 @@ class PairSource {
   /// As LiveSource::take().
   virtual Result<std::optional<LivePair>> take(std::chrono::steady_clock::time_point deadline) = 0;
   virtual bool has_ended() const = 0;
+  /// As LiveSource::loss().
+  virtual std::optional<std::string> loss() { return std::nullopt; }
+  /// As LiveSource::notice().
+  virtual std::optional<std::string> notice() { return std::nullopt; }
 };
 
 /// The depth of a stereo camera's pairs, matched by `fast`, in at most 240 x 180 pixels. `rig`: for pictures

@@ -9,7 +9,6 @@
 #include "palpable/sources/picture/picture.hpp"
 
 #include <algorithm>
-#include <span>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -81,6 +80,20 @@ Result<double> scale_of(const fs::path& depth) {
 
 }  // namespace
 
+Result<void> check_frame_size(int width, int height) {
+  if (auto possible = check_picture_size(width, height); !possible) return possible;
+  const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+  if (pixels > kMostFramePixels) return too_many_pixels(pixels);
+  return {};
+}
+
+Result<Image> decode_frame_picture(std::span<const std::byte> file) {
+  auto picture = decode_picture(file);
+  if (!picture) return picture;
+  if (auto size = check_frame_size(picture->width, picture->height); !size) return std::move(size).error();
+  return picture;
+}
+
 std::vector<FrameNames> frames_among(const std::set<std::string>& names) {
   std::vector<std::string> found;
   for (const std::string& file : names)
@@ -145,15 +158,8 @@ Result<Image> FrameFolder::picture(const std::string& name) const {
   const fs::path path = folder_ / name;
   const auto file = read_frame_file(path);
   if (!file) return file.error();
-  auto picture = decode_picture(*file);
-  if (!picture) {
-    picture.error().place = path.string();
-    return picture;
-  }
-  const auto pixels =
-      static_cast<std::uint64_t>(picture->width) * static_cast<std::uint64_t>(picture->height);
-  if (pixels > kMostFramePixels)
-    return Error{ErrorCode::invalid_input, too_many_pixels(pixels).message, path.string()};
+  auto picture = decode_frame_picture(*file);
+  if (!picture) picture.error().place = path.string();
   return picture;
 }
 

@@ -122,7 +122,17 @@ Result<StereoPictures> from_multi_picture(Bytes file, const MpIndex& index) {
   return StereoPictures{std::move(pictures[0]), std::move(pictures[1]), {}};
 }
 
-Result<StereoPictures> split(const Image& both, StereoLayout layout) {
+Result<StereoPictures> same_size(Result<StereoPictures> pair) {
+  if (!pair || (pair->left.width == pair->right.width && pair->left.height == pair->right.height))
+    return pair;
+  const auto size = [](const Image& i) { return std::to_string(i.width) + " x " + std::to_string(i.height); };
+  return invalid_input("the two pictures of a pair have the same size, but the left has " + size(pair->left) +
+                       " pixels and the right " + size(pair->right));
+}
+
+}  // namespace
+
+Result<StereoPictures> split_pair(const Image& both, StereoLayout layout) {
   if (layout == StereoLayout::automatic)
     layout = both.width > both.height ? StereoLayout::side_by_side : StereoLayout::over_under;
   const bool across = layout == StereoLayout::side_by_side || layout == StereoLayout::side_by_side_crossed;
@@ -133,16 +143,6 @@ Result<StereoPictures> split(const Image& both, StereoLayout layout) {
     std::swap(pair.left, pair.right);
   return pair;
 }
-
-Result<StereoPictures> same_size(Result<StereoPictures> pair) {
-  if (!pair || (pair->left.width == pair->right.width && pair->left.height == pair->right.height))
-    return pair;
-  const auto size = [](const Image& i) { return std::to_string(i.width) + " x " + std::to_string(i.height); };
-  return invalid_input("the two pictures of a pair have the same size, but the left has " + size(pair->left) +
-                       " pixels and the right " + size(pair->right));
-}
-
-}  // namespace
 
 bool is_stereo_jpeg(std::span<const std::byte> file) {
   const auto jps = jps_descriptor(file);
@@ -161,7 +161,7 @@ Result<StereoPictures> decode_stereo(std::span<const std::byte> file, StereoLayo
   }
   const auto both = decode_picture(file);
   if (!both) return both.error();
-  auto pair = split(*both, layout);
+  auto pair = split_pair(*both, layout);
   if (!pair || !described || (*jps & (kHalfWidth | kHalfHeight)) == 0U) return pair;
   const bool across = (*jps & kHalfWidth) != 0U;
   if (auto size = check_picture_size(2 * std::int64_t{pair->left.width}, pair->left.height); !size)

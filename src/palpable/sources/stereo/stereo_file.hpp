@@ -37,6 +37,9 @@ struct StereoPictures {
 /// count. The start of the file, up to its picture data, is sufficient.
 bool is_stereo_jpeg(std::span<const std::byte> file);
 
+/// Cuts a picture that contains a pair into two. Errors: invalid_input for one that is too narrow or too low.
+Result<StereoPictures> split_pair(const Image& both, StereoLayout layout);
+
 /// Decodes a pair in one file: MPO, JPS (its descriptor is applied, and squeezed halves are widened), or any
 /// picture that contains both. Errors: invalid_input.
 Result<StereoPictures> decode_stereo(std::span<const std::byte> file,

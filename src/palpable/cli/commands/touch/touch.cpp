@@ -91,6 +91,8 @@ void add_touch(Program& program) {
                   "  palpable touch sample:map --route \"Mill Lane to Church Lane\"\n"
                   "  palpable touch room.palp --law rolling\n"
                   "  palpable touch room.palp --device falcon:0 --device falcon:1    two hands\n"
+                  "  palpable touch http://192.168.1.20:8080/video    a stereo camera (MJPEG), live\n"
+                  "  palpable touch \"camera:0?size=1280x480\"    a stereo camera of this machine\n"
                   "  palpable touch \"frames:folder?fps=30&loop=1\"    frames of a depth camera, live\n"
                   "  palpable touch left.png right.png --headless --seconds 10 --json",
                   [arguments](Console& console) { return touch(*arguments, console); });
@@ -139,6 +141,8 @@ void add_touch(Program& program) {
   options.number("--seconds", arguments->seconds, {0.01, 86400.0}, "How long a headless touch lasts");
   options.number("--rate", arguments->rate_hz, {100.0, 4000.0},
                  "Servo rate in Hz (1000 unless a paper states another)");
+  options.text("--record-frames", arguments->frames_recording,
+               "Record the pairs of a live stereo camera into this folder, for frames:FOLDER");
   options.output("--record", arguments->recording, {},
                  "Record every tick into this file; the second hand's into FILE-2, and so on");
   options.last_output_writes([arguments](const std::string& file) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/commands/touch/touch_live.hpp"
 
+#include "palpable/cli/arguments/stereo_options.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/session/touch/live_address.hpp"
 #include "palpable/sources/calibration/calibration.hpp"
@@ -65,7 +66,10 @@ Result<void> open_live(const TouchArguments& arguments, TouchPlan& plan, const N
                        const Work& work) {
   const auto& inputs = arguments.scene.make.inputs;
   const auto address = std::find_if(inputs.begin(), inputs.end(), session::is_live_address);
-  if (address == inputs.end()) return {};
+  if (address == inputs.end()) {
+    if (arguments.frames_recording.empty()) return {};
+    return Error{ErrorCode::usage, "is for live sources", "--record-frames"};
+  }
   if (inputs.size() > 1)
     return Error{ErrorCode::usage, "a live source is touched alone, without further inputs", *address};
   if (arguments.keys || !arguments.as_published.empty() || !arguments.route.empty())
@@ -77,7 +81,8 @@ Result<void> open_live(const TouchArguments& arguments, TouchPlan& plan, const N
   if (!options) return options.error();
   const auto rig = rig_of(arguments.scene.make.stereo.calibration);
   if (!rig) return rig.error();
-  auto source = session::open_live_source(*address, *rig, work);
+  auto source = session::open_live_source(
+      *address, {*rig, layout_of(arguments.scene.make.stereo), arguments.frames_recording}, work);
   if (!source) return std::move(source).error();
   note_on_options(arguments.scene.make, notes);
   auto feed = session::LiveFeed::open(*std::move(source), *options, work);

@@ -33,6 +33,8 @@ struct TouchArguments {
   int stop_button = 0;
   bool no_cushion = false;
   std::string recording;
+  /// The folder to which the pictures of a live stereo camera are recorded; empty: none.
+  std::string frames_recording;
   int port = 0;
   bool headless = false;
   bool keys = false;

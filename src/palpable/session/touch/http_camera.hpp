@@ -1,0 +1,20 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/session/touch/live_address.hpp"
+#include "palpable/sources/live/camera_link.hpp"
+
+#include <chrono>
+#include <memory>
+
+namespace palpable::session {
+
+/// Connects to a camera that sends MJPEG by HTTP, and asks for its stream. Its link is lost when the
+/// connection ends, when what comes is no such stream (sources::MultipartReader), when nothing comes for
+/// `silence`, and when no whole picture comes for six times that. The look-up of a name is not limited in
+/// time. Errors (invalid_input, without a place): nobody listens there, no answer in time.
+Result<std::unique_ptr<sources::CameraLink>> connect_http_camera(
+    const HttpAddress& address, std::chrono::milliseconds silence = std::chrono::seconds(5));
+
+}  // namespace palpable::session

@@ -1,0 +1,87 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/touch/live_address.hpp"
+
+#include <string>
+#include <variant>
+
+#include <gtest/gtest.h>
+
+namespace palpable::session {
+namespace {
+
+TEST(LiveAddress, ReadsTheAddressOfACamera) {
+  const auto parsed = parse_live_address("http://camera.local:8081/video?size=1#right=http://[::1]/b?c&d=e");
+  ASSERT_TRUE(parsed) << parsed.error().sentence();
+  const auto& cameras = std::get<HttpCameras>(*parsed);
+  EXPECT_EQ(cameras.left.host, "camera.local");
+  EXPECT_EQ(cameras.left.port, "8081");
+  EXPECT_EQ(cameras.left.authority, "camera.local:8081");
+  EXPECT_EQ(cameras.left.target, "/video?size=1");
+  EXPECT_EQ(cameras.left.shown, "http://camera.local:8081/video?size=1");
+  ASSERT_TRUE(cameras.right);
+  EXPECT_EQ(cameras.right->host, "::1");
+  EXPECT_EQ(cameras.right->port, "80");
+  EXPECT_EQ(cameras.right->target, "/b?c&d=e");
+  for (const char* short_one : {"http://host", "http://host?x"})
+    EXPECT_TRUE(parse_live_address(short_one)) << short_one;
+  EXPECT_EQ(std::get<HttpCameras>(*parse_live_address("http://host?x")).left.target, "/?x");
+}
+
+TEST(LiveAddress, ReadsCamerasOfThisMachine) {
+  const auto parsed = parse_live_address("camera:1?right=3&size=640x480&fps=15&format=yuyv");
+  ASSERT_TRUE(parsed) << parsed.error().sentence();
+  const auto& cameras = std::get<VideoCameras>(*parsed);
+  EXPECT_EQ(cameras.left.number, 1);
+  EXPECT_EQ(cameras.left.width, 640);
+  EXPECT_EQ(cameras.left.height, 480);
+  EXPECT_EQ(cameras.left.rate_hz, 15);
+  EXPECT_EQ(cameras.left.coding, sources::CameraCoding::yuyv);
+  ASSERT_TRUE(cameras.right);
+  EXPECT_EQ(cameras.right->number, 3);
+  EXPECT_EQ(cameras.right->width, 640);
+  // Opening it lists the cameras that there are.
+  EXPECT_EQ(std::get<VideoCameras>(*parse_live_address("camera:")).left.number, -1);
+  const auto plain = std::get<VideoCameras>(*parse_live_address("camera:0"));
+  EXPECT_FALSE(plain.right || plain.left.coding || plain.left.width != 0 || plain.left.rate_hz != 0);
+}
+
+TEST(LiveAddress, RefusesWhatIsNone) {
+  for (const char* wrong : {"http://",
+                            "http:host",
+                            "http:///path",
+                            "http://:80/",
+                            "http://a:0/",
+                            "http://a:65536/",
+                            "http://a:b/",
+                            "http://[::1/",
+                            "http://[::1]x/",
+                            "http://me:secret@a/",
+                            "http://a/b c",
+                            "http://a/\r\nX: y",
+                            "http://a/\xC3\xA4",
+                            "http://a/#left=1",
+                            "http://a/#right=file:///etc/passwd",
+                            "http://a/#right=http://b/#right=http://c@d/",
+
+                            "camera:64",
+                            "camera:x",
+                            "camera:0?right=0",
+                            "camera:0?right=64",
+                            "camera:0?size=640",
+                            "camera:0?size=0x1",
+                            "camera:0?size=1x1x",
+                            "camera:0?fps=0",
+                            "camera:0?format=h264",
+                            "camera:0?loop=1",
+                            "https://a/",
+                            "rtsp://a/",
+                            "robot:sample"}) {
+    const auto parsed = parse_live_address(wrong);
+    ASSERT_FALSE(parsed) << wrong;
+    EXPECT_EQ(parsed.error().code, ErrorCode::usage) << wrong;
+  }
+}
+
+}  // namespace
+}  // namespace palpable::session

@@ -1,0 +1,128 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sources/live/camera_stream.hpp"
+
+#include "palpable/sources/live/frame_folder.hpp"
+#include "palpable/sources/picture/picture.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace palpable::sources {
+namespace {
+
+/// BT.601, 16 ... 235 and 16 ... 240.
+Image from_yuyv(const CameraFrame& frame) {
+  Image picture{frame.width, frame.height, 3, 8, {}};
+  const auto pixels = static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
+  picture.samples.resize(3 * pixels);
+  const auto at = [&](std::size_t k) { return static_cast<float>(std::to_integer<int>(frame.bytes[k])); };
+  const auto sample = [](float value) { return std::clamp(value / 255.0F, 0.0F, 1.0F); };
+  for (std::size_t k = 0; k < pixels; ++k) {
+    const std::size_t pair = 4 * (k / 2);
+    const float y = 1.164F * (at(2 * k) - 16.0F), u = at(pair + 1) - 128.0F, v = at(pair + 3) - 128.0F;
+    float* rgb = picture.samples.data() + 3 * k;
+    rgb[0] = sample(y + 1.596F * v);
+    rgb[1] = sample(y - 0.392F * u - 0.813F * v);
+    rgb[2] = sample(y + 2.017F * u);
+  }
+  return picture;
+}
+
+}  // namespace
+
+Result<Image> picture_of(const CameraFrame& frame) {
+  if (frame.coding == CameraCoding::jpeg) {
+    if (picture_format_of(frame.bytes) != PictureFormat::jpeg)
+      return invalid_input("sends pictures that are not JPEG");
+    return decode_frame_picture(frame.bytes);
+  }
+  if (auto size = check_frame_size(frame.width, frame.height); !size) return std::move(size).error();
+  const auto needed = 2 * static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
+  if (frame.width % 2 != 0 || frame.bytes.size() < needed)
+    return invalid_input(fmt::format("sends {} bytes of a picture of {} pixels", frame.bytes.size(),
+                                     size_text(frame.width, frame.height)));
+  return from_yuyv(frame);
+}
+
+Result<std::unique_ptr<CameraStream>> CameraStream::open(OpenLink open, std::string name,
+                                                         std::chrono::milliseconds retry) {
+  auto link = open();
+  if (!link) {
+    link.error().place = name;
+    return std::move(link).error();
+  }
+  std::unique_ptr<CameraStream> stream(new CameraStream(std::move(open), std::move(name), retry));
+  stream->thread_ =
+      std::thread([raw = stream.get(), first = *std::move(link)]() mutable { raw->run(std::move(first)); });
+  return stream;
+}
+
+CameraStream::~CameraStream() {
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+  }
+  changed_.notify_all();
+  if (thread_.joinable()) thread_.join();
+}
+
+Result<std::optional<CameraFrame>> CameraStream::take(std::chrono::steady_clock::time_point deadline) {
+  std::unique_lock lock(mutex_);
+  changed_.wait_until(lock, deadline, [&] { return newest_ || (lost_ && !came_); });
+  if (newest_) return std::exchange(newest_, std::nullopt);
+  if (lost_ && !came_) return *lost_;
+  return std::optional<CameraFrame>();
+}
+
+std::optional<std::string> CameraStream::loss() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(unsaid_, std::nullopt);
+}
+
+void CameraStream::run(std::unique_ptr<CameraLink> link) {
+  while (!ending_) {
+    if (link) lose(follow(*link));
+    link.reset();
+    std::unique_lock lock(mutex_);
+    if (changed_.wait_for(lock, retry_, [&] { return ending_.load(); })) return;
+    lock.unlock();
+    if (auto again = open_()) link = *std::move(again);
+  }
+}
+
+/// Why the link was lost.
+Error CameraStream::follow(CameraLink& link) {
+  constexpr std::chrono::milliseconds kPatience{100};
+  const std::uint64_t base = base_;
+  while (!ending_) {
+    auto frame = link.next(kPatience);
+    if (!frame) return std::move(frame).error();
+    if (!*frame) continue;
+    (*frame)->number += base;
+    base_ = (*frame)->number + 1;
+    {
+      const std::lock_guard lock(mutex_);
+      newest_ = *std::move(frame);
+      is_here_ = came_ = true;
+    }
+    changed_.notify_all();
+  }
+  return {};
+}
+
+void CameraStream::lose(Error error) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (std::exchange(is_here_, false))
+      unsaid_ =
+          fmt::format("The camera {} was lost: it {}. It is tried again every second.", name_, error.message);
+    error.place = name_;
+    lost_ = std::move(error);
+  }
+  changed_.notify_all();
+}
+
+}  // namespace palpable::sources
