@@ -128,6 +128,8 @@ describe('the page with a headset', () => {
     await page.evaluate(() => ((window as unknown as Emulated).heard = ''));
   };
   const enter = async () => {
+    // Where a first try of this test has left it in the headset.
+    if ((await state()) === 'on') return;
     await page.getByRole('button', { name: 'Show it in the headset' }).click();
     await hears('stands before you in the headset');
   };

@@ -155,7 +155,7 @@ export class TouchPage {
       pointing: this.pointing,
       page: depth.page,
       surface: () => this.surface,
-      say: depth.tell,
+      say: depth.say,
       wake: () => this.wake(),
       hold: (pads) => this.feedback.vibrator.hold(pads),
     });
