@@ -1,14 +1,13 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // True depth on the screen: known points are measured in the drawn pixels, and the settings are used by keys.
-import { fileURLToPath } from 'node:url';
 import type { Browser, Page } from 'playwright-core';
-import { build, type Rollup } from 'vite';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { anaglyph, glasses, type Colour } from '../src/view/depth/anaglyph';
 import type { Fit } from '../src/view/depth/fit';
 import { straightPitch } from '../src/view/depth/layout';
 import type { Mark, Shot } from './depth_scene';
+import { centre, marks, pixelsOf, scriptOf, stagePage, top, type Pixels } from './discs';
 import { launch } from './harness';
 
 let browser: Browser;
@@ -16,15 +15,8 @@ beforeAll(async () => (browser = await launch()));
 afterAll(() => browser?.close());
 
 const eyeDistance = 0.063;
-/** The surface's highest point; with it and the default settings, the plane of the scene that lies in the screen. */
-const top = 0.02;
+/** With the default settings, the plane of the scene that lies in the screen. */
 const screenPlane = 0.01384;
-const marks: Mark[] = [0, 1].flatMap((row) =>
-  [0, 1, 2, 3, 4].map((column): Mark => {
-    const k = 5 * row + column;
-    return { x: (column - 2) * 0.018, y: row === 0 ? 0.03 : -0.03, height: ((7 * k) % 10) * (top / 9), kind: 'disc', colour: [255, 255, 255] };
-  }),
-);
 const flatEdge: Mark = { x: -0.02, y: 0, height: screenPlane, kind: 'edge', colour: [255, 255, 255] };
 const lowEdge: Mark = { x: 0.02, y: 0, height: 0, kind: 'edge', colour: [40, 120, 200] };
 const marble = { x: 0, y: -0.0145, z: 0.015 };
@@ -38,11 +30,8 @@ const screens = [
 /** Shares of the distance from the screen. */
 const heads = [{ x: 0, y: 0, z: 0 }, { x: 0.25, y: -0.1, z: -0.2 }, { x: -0.15, y: 0.15, z: 0.4 }];
 
-interface Picture {
+interface Picture extends Pixels {
   fit: Fit;
-  width: number;
-  height: number;
-  at(left: number, top: number): Colour;
 }
 
 /** Where an eye sees a point of the scene, in pixels from the middle of its window: where the line from the eye meets the screen. */
@@ -52,42 +41,19 @@ function expected(mark: { x: number; y: number; height: number }, { fit }: Pictu
   return { right: (eye.x + (x - eye.x) * along) / pixel, down: -(eye.y + (y - eye.y) * along) / pixel };
 }
 
-/** The centre of what is bright around a place: `of` gives a pixel's brightness. */
-function centre({ at, width, height }: Picture, left: number, top: number, radius: number, of: (colour: Colour) => number) {
-  let [sum, x, y] = [0, 0, 0];
-  for (let j = Math.max(0, Math.floor(top - radius)); j <= Math.min(height - 1, top + radius); ++j)
-    for (let i = Math.max(0, Math.floor(left - radius)); i <= Math.min(width - 1, left + radius); ++i) {
-      const weight = of(at(i, j));
-      [sum, x, y] = [sum + weight, x + weight * (i + 0.5), y + weight * (j + 0.5)];
-    }
-  return { left: x / sum, top: y / sum };
-}
-
 describe('the drawn depth', () => {
   let page: Page;
   beforeAll(async () => {
-    const entry = fileURLToPath(new URL('depth_scene.ts', import.meta.url));
-    const built = (await build({
-      configFile: false,
-      logLevel: 'error',
-      publicDir: false,
-      build: { write: false, target: 'es2022', minify: false, lib: { entry, formats: ['iife'], name: 'scene' } },
-    })) as Rollup.RollupOutput[];
     page = await (await browser.newContext({ viewport: { width: 1000, height: 600 } })).newPage();
-    await page.setContent('<style>body { margin: 0; --stage: #000; --clay: #000; --force: #000; --marble: #f00 } #stage canvas { display: block; width: 100%; height: 100% }</style><div id="stage"></div>');
-    await page.addScriptTag({ content: built[0]!.output[0].code });
+    await page.setContent(stagePage);
+    await page.addScriptTag({ content: await scriptOf('depth_scene.ts') });
     await page.evaluate(([all, probe]) => window.depthScene.build([0.1, 0.08], all, probe), [[...marks, flatEdge, lowEdge], marble] as [Mark[], typeof marble]);
   });
   afterAll(() => page?.context().close());
 
   async function take(shot: Shot): Promise<Picture> {
     const { fit, pixels } = await page.evaluate((wanted) => window.depthScene.take(wanted), shot);
-    const bytes = Buffer.from(pixels, 'base64');
-    const at = (left: number, top: number): Colour => {
-      const k = 4 * (top * shot.width + left);
-      return [bytes[k]!, bytes[k + 1]!, bytes[k + 2]!];
-    };
-    return { fit: fit!, width: shot.width, height: shot.height, at };
+    return { fit: fit!, ...pixelsOf(pixels, shot.width, shot.height) };
   }
   const near = (of: string, measured: number, wanted: number) => expect(Math.abs(measured - wanted), `${of}: ${measured}, in theory ${wanted}`).toBeLessThanOrEqual(0.5);
 

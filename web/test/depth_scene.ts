@@ -41,6 +41,8 @@ const discRadius = 0.002;
 const levelRadius = 0.004;
 
 let view: View3d | null = null;
+/** The view that was built. */
+export const theView = () => view!;
 
 window.depthScene = {
   build([sizeX, sizeY], marks, marble) {
@@ -77,11 +79,16 @@ window.depthScene = {
     view!.resize();
     view!.head(head);
     view!.draw(0);
-    const copy = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true })!;
-    copy.drawImage(view!.canvas, 0, 0);
-    const { data } = copy.getImageData(0, 0, width, height);
-    let text = '';
-    for (let k = 0; k < data.length; k += 8192) text += String.fromCharCode(...data.subarray(k, k + 8192));
-    return { fit: view!.fit, pixels: btoa(text) };
+    return { fit: view!.fit, pixels: pixelsIn(view!.canvas, width, height) };
   },
 };
+
+/** What a canvas shows, in base 64. */
+export function pixelsIn(canvas: HTMLCanvasElement, width: number, height: number): string {
+  const copy = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true })!;
+  copy.drawImage(canvas, 0, 0);
+  const { data } = copy.getImageData(0, 0, width, height);
+  let text = '';
+  for (let k = 0; k < data.length; k += 8192) text += String.fromCharCode(...data.subarray(k, k + 8192));
+  return btoa(text);
+}

@@ -23,3 +23,25 @@ it('requests one frame at a time while something moves, and none at rest', () =>
   run(5016);
   expect(seen).toEqual([[null, 100], [16, 16], [null, 16]]);
 });
+
+it('leaves the frames to a headset while that drives it, and loses none when it ends', () => {
+  const asked: (() => void)[] = [];
+  let [frames, moving] = [0, true];
+  const loop = new FrameLoop(() => ((frames += 1), moving), (callback) => asked.push(callback), () => 0);
+  loop.request();
+  loop.drive(true);
+  expect(asked).toHaveLength(1);
+  // The frame that the window still owes is not drawn beside those of the headset.
+  asked.pop()!();
+  expect(frames).toBe(0);
+  loop.tick();
+  loop.tick();
+  loop.request();
+  expect([frames, asked.length]).toEqual([2, 0]);
+  loop.drive(false);
+  loop.drive(false);
+  moving = false;
+  expect(asked).toHaveLength(1);
+  asked.pop()!();
+  expect([frames, asked.length]).toEqual([3, 0]);
+});

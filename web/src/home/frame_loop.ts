@@ -1,10 +1,13 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Requests animation frames only while something moves.
+// Requests animation frames only while something moves; a headset brings its own frames.
 
 export class FrameLoop {
   private pending = false;
   private last: number | null = null;
+  /** Counts the frames that were requested: one that comes after a change of the clock is none. */
+  private turn = 0;
+  private isDriven = false;
   /** Number of frames so far, for tests. */
   count = 0;
 
@@ -20,17 +23,35 @@ export class FrameLoop {
 
   /** Requests a frame after a change. */
   request(): void {
-    if (this.pending) return;
+    if (this.pending || this.isDriven) return;
     this.pending = true;
     const requested = this.clock();
+    const turn = this.turn;
     this.ask(() => {
-      const now = this.clock();
-      this.pending = false;
-      this.count += 1;
-      const passed = this.last === null ? null : now - this.last;
-      this.last = now;
-      if (this.frame(now, passed, now - requested)) this.request();
-      else this.last = null;
+      if (turn === this.turn) this.run(requested);
     });
+  }
+
+  /** Whether a headset calls tick() for each of its frames, so that none is requested from the window. */
+  drive(driven: boolean): void {
+    if (driven === this.isDriven) return;
+    this.isDriven = driven;
+    this.turn += 1;
+    this.pending = false;
+    this.request();
+  }
+
+  tick(): void {
+    this.run(this.clock());
+  }
+
+  private run(requested: number): void {
+    const now = this.clock();
+    this.pending = false;
+    this.count += 1;
+    const passed = this.last === null ? null : now - this.last;
+    this.last = now;
+    if (this.frame(now, passed, now - requested)) this.request();
+    else this.last = null;
   }
 }

@@ -32,7 +32,7 @@ export interface KeyTarget {
   listPlaces(): void;
   nameHere(): void;
   sayWay(): void;
-  /** Is no longer led to a name, else leaves the guided start. */
+  /** Leaves the headset, else is no longer led to a name, else leaves the guided start. */
   leave(): void;
   /** Zooms by a factor. */
   zoom(factor: number): void;
@@ -89,7 +89,7 @@ export const keyRows: KeyRow[] = [
   { shown: 'L', does: 'What is here: list the names, the nearest first; Enter leads to one', keys: ['l'], act: (target) => target.listPlaces() },
   { shown: 'T', does: 'Type a name for this place', keys: ['t'], act: (target) => target.nameHere() },
   { shown: 'G', does: 'Say the way to the name again', keys: ['g'], act: (target) => target.sayWay() },
-  { shown: 'Escape', does: 'No longer be led to a name; leave the guided start', keys: ['Escape'], act: (target) => target.leave() },
+  { shown: 'Escape', does: 'Leave the headset; no longer be led to a name; leave the guided start', keys: ['Escape'], act: (target) => target.leave() },
   {
     shown: 'W, S',
     does: 'In the egocentric view: walk 5 millimetres ahead, back; with Shift 20',

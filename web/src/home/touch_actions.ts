@@ -15,6 +15,7 @@ import { bindButtons } from './bindings';
 import type { GuidedStart } from './guided_start';
 import { showHelp } from './help';
 import { fineStep, type KeyTarget, type Move } from './keys';
+import type { HeadsetPanel } from './headset_panel';
 import type { Narrator } from './narrator';
 import type { ReplayPanel } from '../replay/replay_panel';
 import type { ProbeMotion } from './probe_motion';
@@ -33,6 +34,7 @@ export interface ActionParts {
   picture: ViewActions;
   feedback: Feedback;
   guided: GuidedStart;
+  headset: HeadsetPanel;
   replay: ReplayPanel;
   paused(): boolean;
   say(words: Words | string, importance: Importance): void;
@@ -78,6 +80,7 @@ export class TouchActions implements KeyTarget {
     this.parts.names.sayWay();
   }
   leave(): void {
+    if (this.parts.headset.leave()) return;
     if (this.parts.replay.isOpen) return this.parts.replay.close();
     if (!this.parts.names.stopFinding()) this.parts.guided.leave();
   }

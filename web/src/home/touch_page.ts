@@ -5,7 +5,7 @@ import type { HeightsFrame, PictureFrame } from '../codec';
 import { element } from '../dom';
 import { protocolVersion, type Hello, type Scene, type Settings as ProgramSettings, type State, type ToPage } from '../generated/protocol';
 import { Names } from '../names/names';
-import { bindPointers } from '../probe/pointers';
+import { bindPointers, Pointing } from '../probe/pointers';
 import { ProbeActions } from '../probe/probe_actions';
 import { Probes } from '../probe/probes';
 import { Walking } from '../probe/walking';
@@ -24,6 +24,7 @@ import { DepthPanel, type DepthTarget } from './depth_panel';
 import { FrameLoop } from './frame_loop';
 import { GuidedStart, type GuidedPage, type KeptProgress } from './guided_start';
 import type { HeadPanel } from './head_panel';
+import { HeadsetPanel } from './headset_panel';
 import { fillHelp, showSteps } from './help';
 import { press } from './keys';
 import { Narrator } from './narrator';
@@ -97,12 +98,20 @@ export class TouchPage {
     moves: () => this.frames.request(),
     draw: () => this.showProbes(),
   });
+  private readonly pointing = new Pointing(this.own, {
+    surface: () => (this.isLive ? this.surface : null),
+    moved: () => this.frames.request(),
+    came: (probe) => this.actions.came(probe),
+    left: (probe) => this.actions.left(probe),
+    full: () => this.actions.full(),
+  });
   private readonly picture: ViewActions;
   private readonly depth: DepthPanel;
   private readonly guided: GuidedStart;
   private readonly replay: Replay;
   private readonly keys: TouchActions;
   private readonly head: HeadPanel | null;
+  private readonly headset: HeadsetPanel;
   private hello: Hello | null = null;
   private paused = false;
   /** Whether the program is connected; otherwise nothing is felt, moved or heard. */
@@ -143,6 +152,15 @@ export class TouchPage {
     };
     this.depth = new DepthPanel(this.stage, depth);
     this.head = followHead?.(this.stage, depth) ?? null;
+    this.headset = new HeadsetPanel(this.stage, {
+      frames: this.frames,
+      pointing: this.pointing,
+      page: depth.page,
+      surface: () => this.surface,
+      say: depth.say,
+      wake: () => this.wake(),
+      hold: (pads) => this.feedback.vibrator.hold(pads),
+    });
     this.guided = new GuidedStart(this.guidedPage(), progress);
     this.replay = new Replay({
       probes: this.probes,
@@ -203,6 +221,7 @@ export class TouchPage {
       picture: this.picture,
       feedback: this.feedback,
       guided: this.guided,
+      headset: this.headset,
       replay: this.replay.panel,
       paused: () => this.paused,
       say: (words, importance) => this.voice.say(words, importance),
@@ -219,6 +238,7 @@ export class TouchPage {
     this.stage.set(settings.touch.heightFactor, settings.page);
     this.depth.show();
     this.head?.follow();
+    this.headset.follow();
     this.picture.follow();
     this.voice.set(settings.page.speech);
     this.feedback.set(settings);
@@ -353,6 +373,7 @@ export class TouchPage {
     }
     if (!this.loaded.isComplete) return;
     this.stage.show(surface, picture, cells);
+    this.headset.follow();
     this.walking.show();
     this.showProbes();
   }
@@ -428,15 +449,7 @@ export class TouchPage {
 
   private bindStage(): void {
     const { element: stage } = this.stage;
-    bindPointers(stage, this.own, {
-      surface: () => (this.isLive ? this.surface : null),
-      placeAt: (left, top) => this.stage.placeAt(left, top),
-      wake: () => this.wake(),
-      moved: () => this.frames.request(),
-      came: (probe) => this.actions.came(probe),
-      left: (probe) => this.actions.left(probe),
-      full: () => this.actions.full(),
-    });
+    bindPointers(stage, this.pointing, { placeAt: (left, top) => this.stage.placeAt(left, top), wake: () => this.wake() });
     stage.addEventListener('click', ({ clientX, clientY }) => this.names.clicked(this.stage.placeAt(clientX, clientY)));
     stage.addEventListener('keydown', (event) => {
       this.wake();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { expect, it } from 'vitest';
 import { Surface } from '../surface';
-import { bindPointers } from './pointers';
+import { bindPointers, Pointing } from './pointers';
 import { Probes } from './probes';
 
 const flat = new Surface(10, 10, new Float32Array(100), 0.1, 0.1);
@@ -11,15 +11,14 @@ it('a mouse that rests moves no probe where the page moves below it', () => {
   const { own } = new Probes();
   const stage = Object.assign(new EventTarget(), { getBoundingClientRect: () => ({ left: 0, top: 0 }), clientLeft: 0, clientTop: 0 });
   let moves = 0;
-  bindPointers(stage as unknown as HTMLElement, own, {
+  const pointing = new Pointing(own, {
     surface: () => flat,
-    placeAt: (left, top) => ({ x: left / 1000, y: top / 1000 }),
-    wake: () => undefined,
     moved: () => (moves += 1),
     came: () => undefined,
     left: () => undefined,
     full: () => undefined,
   });
+  bindPointers(stage as unknown as HTMLElement, pointing, { placeAt: (left, top) => ({ x: left / 1000, y: top / 1000 }), wake: () => undefined });
   const event = (pointerType: string, screenX: number, clientX: number) =>
     stage.dispatchEvent(Object.assign(new Event('pointermove'), { pointerType, pointerId: 1, screenX, screenY: 5, clientX, clientY: 5 }));
   event('mouse', 30, 30);

@@ -4,12 +4,8 @@
 import type { PageProbes } from './page_probes';
 import type { Place, Surface } from '../surface';
 
-export interface PointersTarget {
+export interface PointingTarget {
   surface(): Surface | null;
-  /** The place under a point of the stage (CSS pixels from its upper left corner). */
-  placeAt(left: number, top: number): Place | null;
-  /** A user action: sound may start. */
-  wake(): void;
   /** A probe has a new target. */
   moved(): void;
   came(probe: number): void;
@@ -18,11 +14,52 @@ export interface PointersTarget {
   full(): void;
 }
 
-export function bindPointers(stage: HTMLElement, probes: PageProbes, target: PointersTarget): void {
+/** What pointers do with the probes, whatever they are: each has a number. */
+export class Pointing {
+  constructor(
+    private readonly probes: PageProbes,
+    private readonly target: PointingTarget,
+  ) {}
+
+  /** `pressure`: of a pen, 0 to 1. */
+  aim(pointer: number, place: Place | null, pressure = 0): void {
+    const surface = this.target.surface();
+    const probe = this.probes.movedBy(pointer);
+    const moved = probe === null ? undefined : this.probes.at(probe);
+    if (surface === null || moved === undefined) return;
+    if (place) moved.aim(place, surface, performance.now());
+    if (pressure > 0) moved.penPressure(pressure);
+    this.target.moved();
+  }
+
+  press(pointer: number, place: Place | null, pressure = 0): void {
+    const surface = this.target.surface();
+    if (surface === null || place === null) return;
+    const pressed = this.probes.press(pointer, surface.clamp(place));
+    if (pressed === null) return this.target.full();
+    if (pressed.isNew) this.target.came(pressed.probe);
+    this.aim(pointer, place, pressure);
+  }
+
+  release(pointer: number): void {
+    const gone = this.probes.release(pointer);
+    if (gone !== null) this.target.left(gone);
+  }
+}
+
+export interface StagePointers {
+  /** The place under a point of the stage (CSS pixels from its upper left corner). */
+  placeAt(left: number, top: number): Place | null;
+  /** A user action: sound may start. */
+  wake(): void;
+}
+
+export function bindPointers(stage: HTMLElement, pointing: Pointing, { placeAt, wake }: StagePointers): void {
   const placeOf = (event: PointerEvent): Place | null => {
     const box = stage.getBoundingClientRect();
-    return target.placeAt(event.clientX - box.left - stage.clientLeft, event.clientY - box.top - stage.clientTop);
+    return placeAt(event.clientX - box.left - stage.clientLeft, event.clientY - box.top - stage.clientTop);
   };
+  const pressureOf = (event: PointerEvent): number => (event.pointerType === 'pen' ? event.pressure : 0);
   /** Where the mouse is on the screen. */
   let mouse = { x: NaN, y: NaN };
   /** Browsers report a mouse that rests also where the page has moved below it: then the hand has done nothing. */
@@ -32,33 +69,14 @@ export function bindPointers(stage: HTMLElement, probes: PageProbes, target: Poi
     mouse = { x: event.screenX, y: event.screenY };
     return before.x === mouse.x && before.y === mouse.y;
   };
-  const aim = (event: PointerEvent): void => {
-    const surface = target.surface();
-    const probe = probes.movedBy(event.pointerId);
-    const moved = probe === null ? undefined : probes.at(probe);
-    if (surface === null || moved === undefined) return;
-    const place = placeOf(event);
-    if (place) moved.aim(place, surface, performance.now());
-    if (event.pointerType === 'pen' && event.pressure > 0) moved.penPressure(event.pressure);
-    target.moved();
-  };
-  const release = (event: PointerEvent): void => {
-    const gone = probes.release(event.pointerId);
-    if (gone !== null) target.left(gone);
-  };
+  const release = (event: PointerEvent): void => pointing.release(event.pointerId);
   stage.addEventListener('pointermove', (event) => {
-    if (!rests(event)) aim(event);
+    if (!rests(event)) pointing.aim(event.pointerId, placeOf(event), pressureOf(event));
   });
   stage.addEventListener('pointerdown', (event) => {
-    target.wake();
+    wake();
     stage.setPointerCapture(event.pointerId);
-    const surface = target.surface();
-    const place = placeOf(event);
-    if (surface === null || place === null) return;
-    const pressed = probes.press(event.pointerId, surface.clamp(place));
-    if (pressed === null) return target.full();
-    if (pressed.isNew) target.came(pressed.probe);
-    aim(event);
+    pointing.press(event.pointerId, placeOf(event), pressureOf(event));
   });
   stage.addEventListener('pointerup', release);
   stage.addEventListener('pointercancel', release);

@@ -47,7 +47,8 @@ const depthSliders = [
   pageSlider('depthBefore', (value) => (value === 0 ? '0 %, all behind it' : value === 100 ? '100 %, all before it' : `${value} %`), 'depth-before'),
   pageSlider('depthShare', (value) => (value === 100 ? '100 %, true' : `${value} %`), 'depth-share'),
 ];
-sliders.push(...depthSliders);
+const headsetSlider = pageSlider('headsetSize', (value) => `${value} %`, 'headset-size');
+sliders.push(...depthSliders, headsetSlider);
 /** The preferences' controls: by id, the preference. */
 const checks = { sound: 'sound', speech: 'speech', vibration: 'vibration', gamepads: 'gamepads', 'depth-comfort': 'depthComfort', 'swap-eyes': 'swapEyes' } as const;
 const selects = { surface: 'surface', view: 'view', 'depth-mode': 'depthMode', theme: 'theme' } as const;
@@ -104,6 +105,7 @@ export class Controls {
       ...Object.fromEntries(soundSliders.map(({ id }) => [id, noSound])),
       'height-factor': this.isRelief ? null : 'reliefs only',
       tilt: isFlat ? 'in 3D only' : null,
+      [headsetSlider.id]: isFlat ? 'in 3D only' : null,
       ...Object.fromEntries(depthSliders.map(({ id }) => [id, noDepth])),
     };
     sliders.forEach(({ id, min, max, read, words }, k) => this.ranges[k]!.show({ min, max, value: read(settings), words, disabled: disabled[id] ?? null }));

@@ -21,7 +21,7 @@ export interface Preferences {
   edgeVolume: number;
   nameVolume: number;
   findVolume: number;
-  /** Of the phone. */
+  /** Of the phone, and of a headset's controllers. */
   vibration: boolean;
   /** Of gamepads. A browser that was asked for gamepads once polls them until the page is closed: off unless chosen. */
   gamepads: boolean;
@@ -37,6 +37,8 @@ export interface Preferences {
   /** Whether disparities are kept within a degree. */
   depthComfort: boolean;
   swapEyes: boolean;
+  /** Of the scene in a headset: per cent of its true size, or of a table's where it is larger. */
+  headsetSize: number;
   /** Of the camera that follows the head: its horizontal angle of view and how far it looks down, degrees; and how far it is above the screen's upper edge, millimetres. */
   cameraAngle: number;
   cameraTilt: number;
@@ -72,6 +74,7 @@ export const defaults: Preferences = {
   depthShare: 100,
   depthComfort: true,
   swapEyes: false,
+  headsetSize: 100,
   cameraAngle: 60,
   cameraTilt: 0,
   cameraAbove: 10,
@@ -104,6 +107,7 @@ export const ranges = {
   screenDistance: { min: 200, max: 4000 },
   depthBefore: percent,
   depthShare: { min: 10, max: 200 },
+  headsetSize: { min: 10, max: 1000 },
   cameraAngle: { min: 30, max: 120 },
   cameraTilt: { min: -45, max: 45 },
   cameraAbove: { min: 0, max: 300 },

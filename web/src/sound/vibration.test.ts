@@ -15,9 +15,26 @@ function recorded(answer: boolean | null = true) {
       return answer;
     },
     pads: (rumble: Rumble) => void calls.push(rumble),
+    held: (pads: readonly Gamepad[], rumble: Rumble) => void pads.forEach(() => calls.push(rumble)),
   };
   return { calls, said, vibrator: new Vibrator(motors, (sentence) => said.push(sentence)) };
 }
+
+it('is felt in the controllers of a headset instead of the phone, unless it is off', () => {
+  const { calls, vibrator } = recorded();
+  const pad = {} as Gamepad;
+  vibrator.set(true, false);
+  vibrator.hold(() => [pad]);
+  vibrator.contact(1, 0);
+  expect(calls).toEqual([{ duration: 80, strong: 1, weak: 0.5 }]);
+  vibrator.set(false, false);
+  vibrator.contact(1, 0);
+  expect(calls).toHaveLength(1);
+  vibrator.set(true, false);
+  vibrator.hold(null);
+  vibrator.contact(0, 0);
+  expect(calls[1]).toEqual([12]);
+});
 
 describe('the phone', () => {
   it('gets one pulse for a contact, longer when harder, and two short ones for an edge', () => {

@@ -19,6 +19,8 @@ export interface Motors {
   phone(pattern: readonly number[]): boolean | null;
   /** After the first call the browser polls gamepads until the page is closed. */
   pads(rumble: Rumble): void;
+  /** Those of a headset, which the browser reads anyway. */
+  held(pads: readonly Gamepad[], rumble: Rumble): void;
 }
 
 /** What is said, each once. */
@@ -56,6 +58,7 @@ const sum = (pattern: readonly number[]) => pattern.reduce((total, part) => tota
 export class Vibrator {
   private phone = false;
   private gamepads = false;
+  private held: (() => readonly Gamepad[]) | null = null;
   /** When the running pattern ends (ms): a texture waits for it, an event replaces it. */
   private busyUntil = -Infinity;
   private readonly told = new Set<string>();
@@ -68,6 +71,11 @@ export class Vibrator {
   set(phone: boolean, gamepads: boolean): void {
     this.phone = phone;
     this.gamepads = gamepads;
+  }
+
+  /** Also the controllers in the hands vibrate, as long as vibration is on; null: there are none. */
+  hold(pads: (() => readonly Gamepad[]) | null): void {
+    this.held = pads;
   }
 
   contact(strength: number, now: number): void {
@@ -87,6 +95,8 @@ export class Vibrator {
     this.busyUntil = now + sum(pattern);
     if (this.gamepads) this.motors.pads(rumble);
     if (!this.phone) return;
+    // A headset is no phone in the hand.
+    if (this.held !== null) return this.motors.held(this.held(), rumble);
     const answer = this.motors.phone(pattern);
     if (answer === true) return;
     const which = answer === null ? 'none' : 'refused';
@@ -104,15 +114,19 @@ export const browserMotors: Motors = {
     if (navigator.userActivation?.hasBeenActive === false) return true;
     return navigator.vibrate([...pattern]);
   },
-  pads: ({ duration, strong, weak }) => {
-    for (const pad of connectedPads()) {
-      const effect = { duration, strongMagnitude: strong, weakMagnitude: weak };
-      if (pad.vibrationActuator) void pad.vibrationActuator.playEffect('dual-rumble', effect).catch(() => undefined);
-      // Firefox and some joysticks have single motors instead.
-      else for (const motor of pad.hapticActuators ?? []) void motor.pulse(Math.max(strong, weak), duration).catch(() => undefined);
-    }
-  },
+  pads: (rumble) => shake(connectedPads(), rumble),
+  held: (pads, rumble) => shake(pads, rumble),
 };
+
+function shake(pads: readonly Pad[], { duration, strong, weak }: Rumble): void {
+  for (const pad of pads) {
+    // Controllers of headsets, Firefox and some joysticks have single motors.
+    const single = pad.hapticActuators ?? [];
+    for (const motor of single) void motor.pulse(Math.max(strong, weak), duration).catch(() => undefined);
+    if (single.length > 0 || !pad.vibrationActuator) continue;
+    void pad.vibrationActuator.playEffect('dual-rumble', { duration, strongMagnitude: strong, weakMagnitude: weak }).catch(() => undefined);
+  }
+}
 
 type Pad = Omit<Gamepad, 'vibrationActuator'> & {
   vibrationActuator?: GamepadHapticActuator | null;

@@ -11,6 +11,7 @@ import type { Fit } from './depth/fit';
 import type { ScreenPoint } from './depth/frustum';
 import { clampHead, headStep, headWords, restingHead } from './depth/head';
 import { bindGestures } from './gestures';
+import type { Headset } from './headset/headset';
 import type { ProbeView, View } from './view';
 import { View3d } from './view3d';
 import { FlatView } from './view_flat';
@@ -129,6 +130,7 @@ export class Stage {
   resetView(): void {
     this.camera.reset();
     this.moveHead(restingHead);
+    this.headset?.again();
     if (this.kind === '3d' && this.look.tilt !== defaults.tilt) this.target.tilted(defaults.tilt);
     this.aim();
   }
@@ -171,6 +173,11 @@ export class Stage {
     this.view?.head(this.headMoved);
     this.target.changed();
   }
+  /** Null: the view cannot be shown in one. */
+  get headset(): Headset | null {
+    return this.view?.headset ?? null;
+  }
+
   private moveHeadBy({ x, y, z }: ScreenPoint): void {
     const { headMoved } = this;
     this.moveHead({ x: headMoved.x + x, y: headMoved.y + y, z: headMoved.z + z });

@@ -7,6 +7,7 @@ import type { Place, Surface } from '../surface';
 import type { CameraPose } from './camera';
 import type { Fit } from './depth/fit';
 import type { ScreenPoint } from './depth/frustum';
+import type { Headset } from './headset/headset';
 import type { Speed } from './pace';
 
 export interface ProbeView extends Place {
@@ -21,7 +22,7 @@ export interface ProbeView extends Place {
 /** The preferences that views follow. */
 export type Look = Pick<
   Preferences,
-  'surface' | 'tilt' | 'depthMode' | 'eyeDistance' | 'screenDistance' | 'depthBefore' | 'depthShare' | 'depthComfort' | 'swapEyes' | 'pixelSize'
+  'surface' | 'tilt' | 'depthMode' | 'eyeDistance' | 'screenDistance' | 'depthBefore' | 'depthShare' | 'depthComfort' | 'swapEyes' | 'pixelSize' | 'headsetSize'
 >;
 export const plainLook: Look = defaults;
 
@@ -32,6 +33,8 @@ export interface View {
   set(heightFactor: number, look: Look): void;
   /** How the scene is shown on the screen in a depth mode; null: as a usual picture. */
   readonly fit: Fit | null;
+  /** Null: a headset cannot show it. */
+  readonly headset: Headset | null;
   /** Sets how far the head has moved from its resting place (depth/head.ts). */
   head(moved: ScreenPoint): void;
   /** Sets all probes; numbers are shown if there are several. True if the view has changed. */

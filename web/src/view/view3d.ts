@@ -7,6 +7,7 @@ import {
   Color,
   DirectionalLight,
   DoubleSide,
+  Group,
   Line,
   LineBasicMaterial,
   Mesh,
@@ -30,6 +31,7 @@ import { DepthPicture, turnOf } from './depth/depth_picture';
 import { fitOf, type Fit } from './depth/fit';
 import type { ScreenPoint } from './depth/frustum';
 import { restingHead } from './depth/head';
+import { Headset } from './headset/headset';
 import { inWindow, layouts, usedShare, windowOf, type Layout } from './depth/layout';
 import { Marble3d, marbleRadius } from './marble3d';
 import { Pace, type Speed } from './pace';
@@ -44,7 +46,10 @@ const coarsest = 0.5;
 export class View3d implements View {
   readonly canvas = document.createElement('canvas');
   private readonly renderer: WebGLRenderer;
+  readonly headset: Headset;
   private readonly scene = new Scene();
+  /** What is in the scene's frame: all but the controllers of a headset. */
+  private readonly block = new Group();
   private readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.005, 10);
   private readonly sun = new DirectionalLight(0xffffff, 2.6);
   private marbles: Marble3d[] = [];
@@ -73,7 +78,9 @@ export class View3d implements View {
     this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, powerPreference: 'low-power' });
     this.renderer.setPixelRatio(this.pixelRatio);
     this.depth = new DepthPicture(this.renderer);
-    this.scene.add(new AmbientLight(0xffffff, 0.75), this.sun, this.traced);
+    this.block.add(this.sun, this.sun.target, this.traced);
+    this.scene.add(new AmbientLight(0xffffff, 0.75), this.block);
+    this.headset = new Headset(this.renderer, this.scene, this.block, () => this.resize());
     this.traced.visible = false;
     this.traced.frustumCulled = false;
     container.append(this.canvas);
@@ -95,6 +102,7 @@ export class View3d implements View {
     const resample = look.depthMode !== this.look.depthMode;
     this.heightFactor = heightFactor;
     this.look = { ...look };
+    this.headset.setSize(look.headsetSize);
     if (rebuild) this.build();
     if (resample) this.resize();
     this.place();
@@ -150,7 +158,7 @@ export class View3d implements View {
 
   resize(): void {
     const { clientWidth, clientHeight } = this.canvas;
-    if (clientWidth === 0 || clientHeight === 0) return;
+    if (this.headset.isShowing || clientWidth === 0 || clientHeight === 0) return;
     // Interleaved lines are those of the screen.
     this.renderer.setPixelRatio(this.isInterleaved ? window.devicePixelRatio : this.pixelRatio);
     this.renderer.setSize(clientWidth, clientHeight, false);
@@ -160,7 +168,7 @@ export class View3d implements View {
   }
 
   draw(waited: number): Speed {
-    if (!this.stale) return 'fine';
+    if (this.headset.draw() || !this.stale) return 'fine';
     this.stale = false;
     if (this.layout === null) this.renderer.render(this.scene, this.camera);
     else this.depth.draw(this.scene, this.layout, this.used, this.look.swapEyes, this.corner());
@@ -173,6 +181,7 @@ export class View3d implements View {
   }
 
   dispose(): void {
+    this.headset.dispose();
     this.texture?.dispose();
     for (const mesh of [this.ground, this.walls]) discard(mesh);
     for (const marble of this.marbles) marble.dispose();
@@ -188,11 +197,11 @@ export class View3d implements View {
     const marble = new Marble3d();
     marble.recolour(colour, force);
     this.marbles.push(marble);
-    this.scene.add(marble.group);
+    this.block.add(marble.group);
   }
 
   private drop(marble: Marble3d): void {
-    this.scene.remove(marble.group);
+    this.block.remove(marble.group);
     marble.dispose();
   }
 
@@ -225,6 +234,7 @@ export class View3d implements View {
   /** Places the camera or the eyes at the tilt angle so that the whole block is visible, then applies the pose. */
   private place(): void {
     if (this.surface === null) return;
+    this.headset.follow(this.surface, this.heightFactor, this.pose);
     const tilt = (cameraTilt(this.look.tilt, this.surface) * Math.PI) / 180;
     const turn = (this.pose.turn * Math.PI) / 180;
     const upright = new Vector3(0, 0, 1);
@@ -307,7 +317,7 @@ export class View3d implements View {
 
   private build(): void {
     for (const mesh of [this.ground, this.walls]) {
-      if (mesh) this.scene.remove(mesh);
+      if (mesh) this.block.remove(mesh);
       discard(mesh);
     }
     if (this.surface === null) return;
@@ -316,7 +326,7 @@ export class View3d implements View {
       this.look.surface === 'unlit' && map ? new MeshBasicMaterial({ map }) : new MeshStandardMaterial({ map, roughness: 0.85 });
     this.ground = new Mesh(groundOf(this.surface, this.heightFactor), material);
     this.walls = new Mesh(wallsOf(this.surface, this.heightFactor), new MeshStandardMaterial({ roughness: 0.9, side: DoubleSide }));
-    this.scene.add(this.ground, this.walls);
+    this.block.add(this.ground, this.walls);
     this.showMarbles();
     this.place();
     this.recolour();

@@ -12,6 +12,7 @@ const lightFrom = { x: -0.5, y: 0.6, z: 0.62 };
 const newtonPixels = 30;
 
 export class FlatView implements View {
+  readonly headset = null;
   readonly canvas = document.createElement('canvas');
   readonly fit = null;
   private surface: Surface | null = null;
