@@ -20,6 +20,7 @@ export class PageProbe {
   private scale = 1;
   /** When this page moved it last (ms). */
   movedAt = -Infinity;
+  private ledByKeys = false;
 
   constructor(place: Place = { x: 0, y: 0 }) {
     this.target = { ...place };
@@ -37,6 +38,10 @@ export class PageProbe {
     return this.changed || this.target.x !== this.marblePlace.x || this.target.y !== this.marblePlace.y;
   }
 
+  /** Whether keys moved it last, not a pointer. */
+  get isByKeys(): boolean {
+    return this.ledByKeys;
+  }
   get place(): Place {
     return this.marblePlace;
   }
@@ -48,6 +53,7 @@ export class PageProbe {
   /** Moves by pointer: the marble follows with a delay. */
   aim(place: Place, surface: Surface, now: number): void {
     this.target = surface.clamp(place);
+    this.ledByKeys = false;
     this.movedAt = now;
   }
 
@@ -62,6 +68,7 @@ export class PageProbe {
     this.put(surface.clamp(wanted));
     if (press !== 0) this.setPress(this.pressDepth + press);
     this.changed = true;
+    this.ledByKeys = true;
     this.movedAt = now;
     return Math.hypot(this.target.x - wanted.x, this.target.y - wanted.y) < 1e-9;
   }
@@ -70,6 +77,7 @@ export class PageProbe {
   jump(place: Place, now: number): void {
     this.put(place);
     this.setPress(usualPress * pressScale(this.scale));
+    this.ledByKeys = true;
     this.movedAt = now;
   }
 

@@ -7,7 +7,7 @@ import { Probes } from './probes';
 
 const flat = new Surface(10, 10, new Float32Array(100), 0.1, 0.1);
 
-it('a mouse that rests moves no probe where the page moves below it', () => {
+it('a mouse that rests or is bumped takes no probe from the keys', () => {
   const { own } = new Probes();
   const stage = Object.assign(new EventTarget(), { getBoundingClientRect: () => ({ left: 0, top: 0 }), clientLeft: 0, clientTop: 0 });
   let moves = 0;
@@ -26,8 +26,14 @@ it('a mouse that rests moves no probe where the page moves below it', () => {
   expect(moves).toBe(1);
   event('mouse', 31, 21);
   expect(moves).toBe(2);
+  own.current.step(0.001, 0, 0, flat, 0);
+  for (const x of [35, 38, 32]) event('mouse', x, x);
+  expect(moves).toBe(2);
+  event('mouse', 40, 40);
+  event('mouse', 41, 41);
+  expect(moves).toBe(4);
   // A pen at rest has a pressure that changes.
   event('pen', 31, 21);
   event('pen', 31, 21);
-  expect(moves).toBe(4);
+  expect(moves).toBe(6);
 });

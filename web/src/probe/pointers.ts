@@ -14,12 +14,21 @@ export interface PointingTarget {
   full(): void;
 }
 
+/** CSS pixels: a mouse that moved by less has not taken the probe from the keys. A table that is bumped moves it by a few. */
+const bump = 8;
+
 /** What pointers do with the probes, whatever they are: each has a number. */
 export class Pointing {
   constructor(
     private readonly probes: PageProbes,
     private readonly target: PointingTarget,
   ) {}
+
+  /** Whether keys moved the probe of this pointer last. */
+  isByKeys(pointer: number): boolean {
+    const probe = this.probes.movedBy(pointer);
+    return probe !== null && (this.probes.at(probe)?.isByKeys ?? false);
+  }
 
   /** `pressure`: of a pen, 0 to 1. */
   aim(pointer: number, place: Place | null, pressure = 0): void {
@@ -60,14 +69,14 @@ export function bindPointers(stage: HTMLElement, pointing: Pointing, { placeAt, 
     return placeAt(event.clientX - box.left - stage.clientLeft, event.clientY - box.top - stage.clientTop);
   };
   const pressureOf = (event: PointerEvent): number => (event.pointerType === 'pen' ? event.pressure : 0);
-  /** Where the mouse is on the screen. */
+  /** Where the mouse is on the screen; while keys move the probe: where it was left. */
   let mouse = { x: NaN, y: NaN };
   /** Browsers report a mouse that rests also where the page has moved below it: then the hand has done nothing. */
   const rests = (event: PointerEvent): boolean => {
     if (event.pointerType !== 'mouse') return false;
-    const before = mouse;
+    if (Math.hypot(event.screenX - mouse.x, event.screenY - mouse.y) <= (pointing.isByKeys(event.pointerId) ? bump : 0)) return true;
     mouse = { x: event.screenX, y: event.screenY };
-    return before.x === mouse.x && before.y === mouse.y;
+    return false;
   };
   const release = (event: PointerEvent): void => pointing.release(event.pointerId);
   stage.addEventListener('pointermove', (event) => {
