@@ -64,6 +64,7 @@ export class HeadsetPanel {
 
   private words(): string {
     if (!isMode(this.found)) return obstacleWords[this.found];
+    if (this.state === 'starting') return words.waiting;
     const surface = this.target.surface();
     if (this.stage.headset === null) return words.flat;
     return surface === null ? '' : sizeWords(surface, this.target.page().headsetSize);
@@ -80,7 +81,8 @@ export class HeadsetPanel {
     const { frames, pointing } = this.target;
     this.state = 'starting';
     this.target.wake();
-    this.target.say(words.waiting);
+    // Shown only: said, it would delay what follows, until that is out of date on a slow machine.
+    this.follow();
     const fault = await headset.show(this.found, {
       drives: (now) => frames.drive(now),
       frame: () => frames.tick(),
