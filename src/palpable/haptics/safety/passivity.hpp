@@ -32,10 +32,6 @@ namespace palpable::haptics {
 /// that is reported as generated is the lesser of W and of what the hand really received since any earlier
 /// tick, beyond what the springs stored in the ticks from which the forces then on their way came.
 ///
-/// What was made and is not paid back is also kept as a sum that forgets (unpaid_J): where a force that is
-/// decided on the way in acts on the way out, a balance that is repaired only while the hand receives energy
-/// is never paid.
-///
 /// The work of a guide's force is not counted in any balance: its reserve bounds it.
 ///
 /// 2. For all laws. The work sum f·dx of a contact that began in free air. On a passive surface it never
@@ -47,9 +43,6 @@ class PassivityObserver {
  public:
   /// Time constant over which the virtual damper's dissipation counts as reserve.
   static constexpr double kReserve_s = 0.1;
-
-  /// Time constant over which energy that was made and not paid back is forgotten: that of the ramp.
-  static constexpr double kForgets_s = 0.25;
 
   static constexpr std::size_t kMostDelay = 15;
 
@@ -96,7 +89,6 @@ class PassivityObserver {
     held_J_.fill(0.0);
     held_J_[newest_] = least_J_ = stored_J_;
     received_J_ = 0.0;
-    lately_J_ = std::min(lately_J_, 0.0);
     work_J_ = 0.0;
     began_in_air_ = beginning == Beginning::from_no_force;
   }
@@ -125,9 +117,6 @@ class PassivityObserver {
   /// The greatest energy since construction that is reported as generated, J: made_J(), but no more than the
   /// hand received.
   double made_max_J() const noexcept { return made_max_J_; }
-  /// The most that the hand lately received since any tick beyond what the springs stored then, and did not
-  /// give back, J; >= 0, forgotten within kForgets_s. 0 for a law without springs.
-  double unpaid_J() const noexcept { return unpaid_J_; }
 
  private:
   void count_work(const Step& step, double received_J) noexcept {
@@ -173,19 +162,8 @@ class PassivityObserver {
     for (std::size_t age = 1; age <= std::min(step.delay, kMostDelay); ++age)
       most_J = std::max(most_J, held_J_[(newest_ + held_J_.size() - age) % held_J_.size()]);
     least_J_ = std::min(least_J_, received_J_ + most_J);
-    count_unpaid(step, received_J, most_J);
   }
 
-  void count_unpaid(const Step& step, double received_J, double most_J) noexcept {
-    const double kept = 1.0 - std::min(1.0, step.dt_s / kForgets_s);
-    const double before_J = lately_J_ > 0.0 ? kept * lately_J_ : lately_J_;
-    lately_J_ = std::max(before_J + received_J, -most_J);
-    unpaid_J_ = step.is_spring ? std::max(lately_J_, unpaid_J_ * kept) : 0.0;
-  }
-
-  /// As received_J_ - least_J_, which it would be if nothing were forgotten; and unpaid_J().
-  double lately_J_ = 0.0;
-  double unpaid_J_ = 0.0;
   double balance_J_ = 0.0;
   double reserve_J_ = 0.0;
   double stored_J_ = 0.0;

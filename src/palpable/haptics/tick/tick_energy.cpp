@@ -313,11 +313,7 @@ void TickPipeline::control_energy(double dt_s) noexcept {
   // steps show as much, and a force that is reduced for it comes back a tick later.
   constexpr double kUnfelt_J = 1e-7;
   const double made_J = observer_.made_J();
-  const double paid = made_J > kUnfelt_J ? passivity_factor(gives_W, made_J, dt_s) : 1.0;
-  // What is not paid back weakens a force whatever its direction, down to nothing for twice what is free.
-  constexpr double kFree_J = 5e-6;
-  const double free_J = std::max(kFree_J, unsure_J(written_N_));
-  const double wanted = std::min(paid, std::clamp(2.0 - observer_.unpaid_J() / free_J, 0.0, 1.0));
+  const double wanted = made_J > kUnfelt_J ? passivity_factor(gives_W, made_J, dt_s) : 1.0;
   if (wanted >= 1.0) return;
   const Sent& before = sent_[newest_];
   const double factor = without_step(wanted, {written_N_, written_Nm_}, {before.written_N, before.written_Nm},

@@ -141,8 +141,8 @@ void add_touch(Program& program) {
   options.number("--seconds", arguments->seconds, {0.01, 86400.0}, "How long a headless touch lasts");
   options.number("--rate", arguments->rate_hz, {100.0, 4000.0},
                  "Servo rate in Hz (1000 unless a paper states another)");
-  options.text("--record-frames", arguments->frames_recording,
-               "Record the pairs of a live stereo camera into this folder, for frames:FOLDER");
+  options.output_folder("--record-frames", arguments->frames_recording,
+                        "Record the pairs of a live stereo camera into this folder, for frames:FOLDER");
   options.output("--record", arguments->recording, {},
                  "Record every tick into this file; the second hand's into FILE-2, and so on");
   options.last_output_writes([arguments](const std::string& file) {
