@@ -78,6 +78,10 @@ export function bindPointers(stage: HTMLElement, pointing: Pointing, { placeAt, 
     mouse = { x: event.screenX, y: event.screenY };
     return false;
   };
+  // Elsewhere on the page it may have gone anywhere, also back to where it was.
+  stage.ownerDocument.addEventListener('pointermove', (event) => {
+    if (event.pointerType === 'mouse' && !stage.contains(event.target as Node | null)) mouse = { x: event.screenX, y: event.screenY };
+  });
   const release = (event: PointerEvent): void => pointing.release(event.pointerId);
   stage.addEventListener('pointermove', (event) => {
     if (!rests(event)) pointing.aim(event.pointerId, placeOf(event), pressureOf(event));
