@@ -38,8 +38,10 @@ import { TouchSettings, type KeptPreferences } from './touch_settings';
 import { ViewActions } from './view_actions';
 
 const importanceOf = (level: string): Importance => ({ motion: Importance.motion, answer: Importance.answer, named: Importance.answer })[level] ?? Importance.news;
-/** What is said of the touch during a replay. */
-const unseen = (paused: boolean) => (paused ? 'The touch itself is paused now: no force.' : 'The touch itself goes on now.');
+const pauseWords = {
+  shown: { paused: 'Paused: no force.', resumed: 'Resumed.' },
+  duringReplay: { paused: 'The touch itself is paused now: no force.', resumed: 'The touch itself goes on now.' },
+};
 
 export class TouchPage {
   private readonly connection: Program;
@@ -274,7 +276,8 @@ export class TouchPage {
   }
 
   private receiveSettings(settings: ProgramSettings): void {
-    if (settings.paused !== this.paused) this.voice.say(this.replay.isOpen ? unseen(settings.paused) : settings.paused ? 'Paused: no force.' : 'Resumed.', Importance.news);
+    const words = pauseWords[this.replay.isOpen ? 'duringReplay' : 'shown'];
+    if (settings.paused !== this.paused) this.voice.say(settings.paused ? words.paused : words.resumed, Importance.news);
     this.paused = settings.paused;
     element('pause').textContent = this.paused ? 'Resume' : 'Pause';
     this.stage.element.toggleAttribute('data-paused', this.paused);

@@ -39,23 +39,24 @@ Result<std::vector<std::byte>> zstd_frame(std::size_t bytes,
   // In pieces too: a buffer that grows would need up to three times its size.
   std::deque<std::vector<std::byte>> packed;
   std::size_t size = 0;
-  for (std::size_t left = bytes, rest = 1; rest > 0;) {
+  std::size_t left = bytes;
+  do {
     const std::size_t now = std::min(left, piece.size());
     next(std::span(piece).first(now));
     left -= now;
     ZSTD_inBuffer in{piece.data(), now, 0};
     const ZSTD_EndDirective directive = left == 0 ? ZSTD_e_end : ZSTD_e_continue;
-    do {
+    for (bool is_taken = false; !is_taken;) {
       std::vector<std::byte> room(kPiece);
       ZSTD_outBuffer out{room.data(), room.size(), 0};
-      rest = ZSTD_compressStream2(context.get(), &out, &in, directive);
+      const std::size_t rest = ZSTD_compressStream2(context.get(), &out, &in, directive);
       if (ZSTD_isError(rest) != 0U)
         return Error{ErrorCode::failed, std::string("cannot be packed: ") + ZSTD_getErrorName(rest), {}};
       if (out.pos > 0) packed.emplace_back(room.begin(), room.begin() + static_cast<std::ptrdiff_t>(out.pos));
       size += out.pos;
-    } while (left == 0 ? rest > 0 : in.pos < in.size);
-    rest = left == 0 ? 0 : 1;
-  }
+      is_taken = left == 0 ? rest == 0 : in.pos == in.size;
+    }
+  } while (left > 0);
   std::vector<std::byte> frame;
   frame.reserve(size);
   for (; !packed.empty(); packed.pop_front())

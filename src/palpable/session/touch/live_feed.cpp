@@ -163,7 +163,7 @@ void LiveFeed::run(TouchSession& session) {
       continue;
     }
     if (!*frame) {
-      if (const auto loss = source_->loss()) call_old(*loss);
+      if (const auto loss = source_->loss()) call_old(*loss, Old::lost);
       if (!source_->has_ended()) continue;
       ended_ = true;
       say("The live pictures have ended; the surface of the last one stays.");
@@ -201,19 +201,21 @@ void LiveFeed::feel(TouchSession& session, const LiveFrame& frame) {
 }
 
 /// Says why the surface is old, until a picture that came later is felt.
-void LiveFeed::call_old(const std::string& sentence) {
+void LiveFeed::call_old(const std::string& sentence, Old why) {
   {
     const std::lock_guard lock(mutex_);
     old_since_ = Clock::now();
+    old_ = why;
   }
   say(sentence);
 }
 
-/// Ends that the surface is called old if it is so, and a picture that came since then is felt and new.
+/// Ends that the surface is called old if it is so, and a picture that came since then is felt: after a loss
+/// any, else one that is new.
 bool LiveFeed::end_old(double current_s) {
   const std::lock_guard lock(mutex_);
-  if (!old_since_ || newest_felt_ < *old_since_ || seconds_between(newest_felt_, Clock::now()) > current_s)
-    return false;
+  if (!old_since_ || newest_felt_ < *old_since_) return false;
+  if (old_ == Old::late && seconds_between(newest_felt_, Clock::now()) > current_s) return false;
   old_since_.reset();
   return true;
 }
@@ -252,7 +254,8 @@ void LiveFeed::watch() {
                                  age)
                    : fmt::format("No readable picture has come for {:.1f} s; the surface of the last one "
                                  "stays.",
-                                 options_.lost_s));
+                                 options_.lost_s),
+               Old::late);
     }
   }
 }

@@ -82,7 +82,9 @@ class LiveFeed {
   void refresh_picture(models::Scene& scene);
   void run(TouchSession& session);
   void feel(TouchSession& session, const LiveFrame& frame);
-  void call_old(const std::string& sentence);
+  /// Why a surface is old: its camera was lost, or its pictures come or are felt too late.
+  enum class Old : std::uint8_t { lost, late };
+  void call_old(const std::string& sentence, Old why);
   bool end_old(double current_s);
   bool is_called_old() const;
   void watch();
@@ -112,6 +114,7 @@ class LiveFeed {
   Clock::time_point newest_felt_;
   /// When a sentence said that the surface is old, if no newer picture is felt yet.
   std::optional<Clock::time_point> old_since_;
+  Old old_ = Old::late;
   std::uint64_t arrived_ = 0;
   /// From the arrival of the newest felt frame to the first force that knows it.
   double newest_latency_s_ = 0.0;
