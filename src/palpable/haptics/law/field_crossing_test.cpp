@@ -49,7 +49,7 @@ std::vector<NamedScene> solids() {
 }
 
 /// A law on a solid, and the field that it touches.
-struct Touched {
+struct TouchedField {
   std::shared_ptr<const Touchable> law;
   std::function<models::FieldSample(Vec3)> sample;
   double radius_m = 0.0;
@@ -86,11 +86,11 @@ struct Touched {
   }
 };
 
-Touched touched(const models::Scene& scene, double radius_m, double friction) {
+TouchedField touched(const models::Scene& scene, double radius_m, double friction) {
   LawParameters p = frictionless(radius_m);
   p.stiffness_N_per_m = kStrokeStiffness_N_per_m;
   p.static_friction = friction;
-  Touched all;
+  TouchedField all;
   all.law = made(scene, p);
   all.radius_m = radius_m;
   const auto describe = [&](const auto& field) {
@@ -107,7 +107,7 @@ Touched touched(const models::Scene& scene, double radius_m, double friction) {
 }
 
 /// Mostly through an edge or a tip: there the normals of near places differ most.
-Stroke random_stroke(const Touched& solid, Draw& draw) {
+Stroke random_stroke(const TouchedField& solid, Draw& draw) {
   constexpr double kLength_m = 0.004;
   constexpr double kNear_m = 3e-4;
   Stroke stroke;
@@ -138,7 +138,7 @@ Stroke random_stroke(const Touched& solid, Draw& draw) {
 }
 
 /// The proxy follows the hand in hundreds of steps, from the air, and ends at the hand or in its sight.
-bool Touched::is_reached(Vec3 from, Vec3 to) const {
+bool TouchedField::is_reached(Vec3 from, Vec3 to) const {
   constexpr int kHands = 200;
   constexpr int kSlides = 3000;
   const double step_m = 0.004 * cell_m;
@@ -175,7 +175,7 @@ TEST(FieldCrossing, OfAnEdgeIsAContactInItsTickAndThroughNoPlate) {
   for (const NamedScene& solid : solids())
     for (const double radius_m : {0.0, 0.001})
       for (const double friction : {0.0, 0.5}) {
-        const Touched made = touched(solid.scene, radius_m, friction);
+        const TouchedField made = touched(solid.scene, radius_m, friction);
         CrossingFindings findings;
         for (int k = strokes_of_a_solid(); k > 0; --k) follow(made, random_stroke(made, draw), findings);
         const std::string which =
@@ -207,13 +207,13 @@ TEST(FieldCrossing, AThinPlateHoldsAFastHandOnItsSideAlsoWhileSceneAndRadiusChan
   for (const double half_m : {5e-4, 1e-4, 2e-5}) {
     const models::Scene plate = box_of_leaves("plate", {0.020, 0.020, half_m}).scene;
     const models::Scene thicker = box_of_leaves("plate", {0.020, 0.020, 1.2 * half_m}).scene;
-    const std::array<Touched, 4> touches{touched(plate, 0.0, 0.0), touched(plate, 5e-4, 0.5),
-                                         touched(thicker, 5.1e-4, 0.0), touched(thicker, 0.0, 0.3)};
+    const std::array<TouchedField, 4> touches{touched(plate, 0.0, 0.0), touched(plate, 5e-4, 0.5),
+                                              touched(thicker, 5.1e-4, 0.0), touched(thicker, 0.0, 0.3)};
     for (int k = 4 * strokes_of_a_solid(); k > 0; --k) {
       const double side = k % 2 == 0 ? 1.0 : -1.0;
       const double speed_m_per_s = draw.scaled(0.05, 2.0);
       const Vec3 way = unit(Vec3{draw.between(-0.7, 0.7), draw.between(-0.7, 0.7), -side});
-      const Touched* now = &touches[static_cast<std::size_t>(k) % touches.size()];
+      const TouchedField* now = &touches[static_cast<std::size_t>(k) % touches.size()];
       TouchState state;
       Hand hand;
       Vec3 p =
@@ -221,7 +221,7 @@ TEST(FieldCrossing, AThinPlateHoldsAFastHandOnItsSideAlsoWhileSceneAndRadiusChan
       output_at(*now->law, state, p);
       for (int n = 0; n < 40 && std::abs(p.z) < 0.006; ++n) {
         if (draw.between(0.0, 1.0) < 0.3) {
-          const Touched* next = &touches[static_cast<std::size_t>(draw.between(0.0, 3.999))];
+          const TouchedField* next = &touches[static_cast<std::size_t>(draw.between(0.0, 3.999))];
           TouchState taken;
           next->law->take_over(now->law->hand_over(state), taken);
           if (next != now) state = taken;

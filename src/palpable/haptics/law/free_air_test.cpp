@@ -4,6 +4,7 @@
 // force in free air, and the first contact must be reported in the tick in which it happens. The ground truth
 // is sampled densely from the surface itself.
 #include "palpable/haptics/law/stroke_scenes.hpp"
+#include "palpable/haptics/law/test_period.hpp"
 #include "palpable/models/scene/test_grid.hpp"
 
 #include <algorithm>
@@ -15,8 +16,6 @@
 
 namespace palpable::haptics {
 namespace {
-
-constexpr double kT_s = 0.001;
 
 struct Stroke {
   Vec3 from;

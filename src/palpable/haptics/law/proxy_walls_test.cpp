@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/law/laws.hpp"
+#include "palpable/haptics/law/test_period.hpp"
 #include "palpable/models/relief/relief_distance.hpp"
 #include "palpable/models/relief/relief_shaping.hpp"
 
@@ -15,7 +16,6 @@ namespace palpable::haptics {
 namespace {
 
 constexpr double kPixel_m = 0.00015625;
-constexpr double kTick_s = 0.001;
 constexpr double kStiffness_N_per_m = 500.0;
 
 /// Walls of 1 mm, grooves and spikes, with and without their slopes limited.
@@ -52,7 +52,7 @@ TEST(ProxyLaw, ClimbsOverAWallInsteadOfJumpingThroughIt) {
       proxy = law->evaluate(hand, state).proxy.v;
     }
     while (x < 0.003) {
-      x += speed * kTick_s;
+      x += speed * kT_s;
       hand.position = {{x, 0.0, 0.002}};
       const Vec3 next = law->evaluate(hand, state).proxy.v;
       for (double f = 0.0; f < 1.0; f += 0.1) {

@@ -4,6 +4,7 @@
 // field's box. No law pushes a hand whose way was clear, and a hand that is inside at the end of the tick of
 // its first contact is pushed in that tick. The ground truth is the field itself, at many places of each
 // tick.
+#include "palpable/haptics/law/test_period.hpp"
 #include "palpable/haptics/law/test_scenes.hpp"
 #include "palpable/models/field/field.hpp"
 
@@ -119,7 +120,6 @@ void fly_about(const Touchable& law, const Solid& solid, double reach_m, std::mt
   constexpr int kBetween = 50;
   // What sampling changes outside the box, and more.
   constexpr double kMargin_m = 3e-5;
-  constexpr double kT_s = 0.001;
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   const auto clearance_m = [&](Vec3 p) { return solid.touched_distance_m(p) - reach_m; };
   // Hands also come from far outside of the field's box.

@@ -3,6 +3,7 @@
 // Hands that move at random above, in and below surfaces, at up to 2 m/s. No hand may pass through a surface,
 // no force may pull, and the force changes by no more than stiffness times the movement of hand and proxy.
 #include "palpable/haptics/law/stroke_scenes.hpp"
+#include "palpable/haptics/law/test_period.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,13 +19,12 @@
 namespace palpable::haptics {
 namespace {
 
-constexpr double kT_s = 0.001;
 /// Closer to the surface than this, the ground truth is undecided.
-constexpr double kMargin_m = 1e-6;
+constexpr double kStrokeMargin_m = 1e-6;
 constexpr double kFastest_m_per_s = 2.0;
 constexpr int kTicks = 100;
 /// Points between two ticks at which the ground truth is sampled.
-constexpr int kBetween = 250;
+constexpr int kSamplesBetween = 250;
 
 /// 150 touches of each kind by default; PALPABLE_TOUCHES=25000 for a measurement.
 int touches() {
@@ -38,7 +38,7 @@ struct Room {
   Vec3 high;
 };
 
-struct Findings {
+struct StrokeFindings {
   int inside = 0;
   int let_through = 0;
   int pulled = 0;
@@ -54,7 +54,7 @@ double bounced(double place, double low, double high, double& speed) {
 }
 
 /// A touched model and its ground truth.
-struct Ground {
+struct StrokedGround {
   std::shared_ptr<const Touchable> touchable;
   /// Height above the surface; positive outside.
   std::function<double(Vec3)> height_over;
@@ -67,13 +67,13 @@ struct Ground {
 /// The least height of a path over the surface, sampled three times, each time around the lowest sample: a
 /// fast hand's samples are 8 um apart, and a crest that is cut between two of them may be 3 um higher than
 /// both.
-double lowest_over(const Ground& ground, Vec3 from, Vec3 to) {
+double lowest_over(const StrokedGround& ground, Vec3 from, Vec3 to) {
   constexpr int kRounds = 3;
   double begin = 0.0, end = 1.0, lowest_m = ground.height_over(to);
   for (int round = 0; round < kRounds; ++round) {
     double lowest_at = end;
-    const double step = (end - begin) / kBetween;
-    for (int k = 1; k <= kBetween; ++k) {
+    const double step = (end - begin) / kSamplesBetween;
+    for (int k = 1; k <= kSamplesBetween; ++k) {
       const double at = begin + k * step;
       const double over_m = ground.height_over(from + at * (to - from));
       if (over_m < lowest_m) {
@@ -88,7 +88,8 @@ double lowest_over(const Ground& ground, Vec3 from, Vec3 to) {
 }
 
 /// One touch. If several models are given, the touch changes between them about every 20 ticks.
-void wander(std::span<const Ground> grounds, const Room& room, std::mt19937_64& random, Findings& findings) {
+void wander(std::span<const StrokedGround> grounds, const Room& room, std::mt19937_64& random,
+            StrokeFindings& findings) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   std::normal_distribution<double> direction;
   const Vec3 size = room.high - room.low;
@@ -101,12 +102,12 @@ void wander(std::span<const Ground> grounds, const Room& room, std::mt19937_64& 
   int left = 0;
   // Whether the hand has been in free air since the start, or since the last tick without force.
   bool is_free = true;
-  const Ground* ground = &grounds.front();
+  const StrokedGround* ground = &grounds.front();
   double cut_before_m = 0.0;
   for (int n = 0; n < kTicks; ++n) {
     const bool changes = grounds.size() > 1 && n > 0 && unit(random) < 0.05;
     if (changes) {
-      const Ground& next =
+      const StrokedGround& next =
           grounds[static_cast<std::size_t>(unit(random) * static_cast<double>(grounds.size()))];
       TouchState taken;
       next.touchable->take_over(ground->touchable->hand_over(state), taken);
@@ -125,13 +126,13 @@ void wander(std::span<const Ground> grounds, const Room& room, std::mt19937_64& 
     hand.velocity_m_per_s = {velocity};
     const LawOutput output = ground->touchable->evaluate(hand, state);
     const double force_N = norm(output.force_N);
-    const bool inside = ground->height_over(p) < -kMargin_m;
+    const bool inside = ground->height_over(p) < -kStrokeMargin_m;
     findings.inside += inside ? 1 : 0;
     findings.let_through += inside && !(output.contact && force_N > 0.0) ? 1 : 0;
     findings.pulled += dot(output.proxy.v - p, output.force_N.v) < -1e-9 ? 1 : 0;
     findings.sunk += ground->height_over(output.proxy.v) < -ground->sunk_m ? 1 : 0;
     findings.crossed += n > 0 && ground->divides(before.proxy.v, output.proxy.v) ? 1 : 0;
-    is_free = is_free && lowest_over(*ground, last, p) > kMargin_m;
+    is_free = is_free && lowest_over(*ground, last, p) > kStrokeMargin_m;
     findings.pushed_in_air += is_free && force_N > 0.0 ? 1 : 0;
     is_free = is_free || (!inside && !output.contact);
     // A hand in the air of which the surface lets go has no force at once, whatever it was. If it cut a crest
@@ -143,7 +144,7 @@ void wander(std::span<const Ground> grounds, const Room& room, std::mt19937_64& 
     const double cut_m = is_held ? 0.0 : 0.5 * way_m;
     const double step_N = is_held ? norm(output.force_N - before.force_N) : force_N;
     const double moved_m = is_held ? way_m + norm(output.proxy - before.proxy) + cut_before_m : cut_m;
-    const bool is_in_air = ground->height_over(p) > -kMargin_m;
+    const bool is_in_air = ground->height_over(p) > -kStrokeMargin_m;
     if (n > 0 && !changes &&
         (step_N > 1.05 * kStrokeStiffness_N_per_m * moved_m + 1e-6 || (!is_held && !is_in_air)))
       ++findings.kicked;
@@ -153,7 +154,7 @@ void wander(std::span<const Ground> grounds, const Room& room, std::mt19937_64& 
   }
 }
 
-void expect_held(const Findings& findings) {
+void expect_held(const StrokeFindings& findings) {
   EXPECT_EQ(findings.let_through, 0) << "of " << findings.inside;
   EXPECT_EQ(findings.pulled, 0);
   EXPECT_EQ(findings.sunk, 0);
@@ -166,7 +167,7 @@ void expect_held(const Findings& findings) {
 TEST(Strokes, LetNoHandThroughReliefsOfAnyResolution) {
   std::mt19937 scenes(11);
   std::mt19937_64 random(12);
-  Findings findings;
+  StrokeFindings findings;
   for (const double pixel_m : {0.0001, 0.0003, 0.001, 0.002})
     for (const double friction : {0.0, 0.6}) {
       const models::Scene scene = rough_scene(pixel_m, scenes);
@@ -176,8 +177,8 @@ TEST(Strokes, LetNoHandThroughReliefsOfAnyResolution) {
       p.static_friction = friction;
       const auto law = made(scene, p);
       // Which steps a proxy may climb in a tick is tested by the trajectory study.
-      const Ground ground{law, [&](Vec3 at) { return at.z - relief.sample(at.x, at.y).z_m; },
-                          [](Vec3, Vec3) { return false; }};
+      const StrokedGround ground{law, [&](Vec3 at) { return at.z - relief.sample(at.x, at.y).z_m; },
+                                 [](Vec3, Vec3) { return false; }};
       for (int k = touches(); k > 0; --k)
         wander({&ground, 1}, {{-0.028, -0.018, -0.001}, {0.028, 0.018, 0.014}}, random, findings);
     }
@@ -194,7 +195,7 @@ models::Scene thin_walls(double pixel_m) {
   return scene_of(std::move(z), pixel_m);
 }
 
-Ground walled_ground(const models::Scene& scene, double friction, double radius_m = 0.0) {
+StrokedGround walled_ground(const models::Scene& scene, double friction, double radius_m = 0.0) {
   LawParameters p = frictionless(radius_m);
   p.stiffness_N_per_m = kStrokeStiffness_N_per_m;
   p.static_friction = friction;
@@ -213,10 +214,10 @@ constexpr Room kAmongWalls{{-0.015, -0.015, -0.004}, {0.015, 0.015, 0.009}};
 
 TEST(Strokes, LetNoHandThroughWallsOfTwoPixelsOfARelief) {
   std::mt19937_64 random(14);
-  Findings findings;
+  StrokeFindings findings;
   for (const double pixel_m : {0.0001, 0.00025})
     for (const double friction : {0.0, 0.6}) {
-      const Ground ground = walled_ground(thin_walls(pixel_m), friction);
+      const StrokedGround ground = walled_ground(thin_walls(pixel_m), friction);
       for (int k = touches(); k > 0; --k) wander({&ground, 1}, kAmongWalls, random, findings);
     }
   expect_held(findings);
@@ -224,8 +225,8 @@ TEST(Strokes, LetNoHandThroughWallsOfTwoPixelsOfARelief) {
 
 TEST(Strokes, LetNoHandThroughWallsOfAReliefWhileSceneRadiusAndFrictionChange) {
   std::mt19937_64 random(15);
-  Findings findings;
-  const std::vector<Ground> grounds{
+  StrokeFindings findings;
+  const std::vector<StrokedGround> grounds{
       walled_ground(thin_walls(0.0001), 0.0), walled_ground(thin_walls(0.0001), 0.6, 0.0005),
       walled_ground(thin_walls(0.0001), 0.0, 0.00051), walled_ground(thin_walls(0.0002), 0.3, 0.0015)};
   for (int k = 4 * touches(); k > 0; --k) wander(grounds, kAmongWalls, random, findings);
@@ -233,8 +234,8 @@ TEST(Strokes, LetNoHandThroughWallsOfAReliefWhileSceneRadiusAndFrictionChange) {
 }
 
 TEST(Strokes, KeepAProxyAtTheFootOfAWallOnItsSideWhenTheBallGrows) {
-  const Ground small = walled_ground(thin_walls(0.0001), 0.0);
-  const Ground large = walled_ground(thin_walls(0.0002), 0.0, 0.0015);
+  const StrokedGround small = walled_ground(thin_walls(0.0001), 0.0);
+  const StrokedGround large = walled_ground(thin_walls(0.0002), 0.0, 0.0015);
   constexpr double kWall_m = 0.004;
   constexpr double kDeep_m = -0.002;
   for (const double side : {-1.0, 1.0})
@@ -258,7 +259,7 @@ TEST(Strokes, KeepAProxyAtTheFootOfAWallOnItsSideWhenTheBallGrows) {
 }
 
 template <class Solid>
-Ground solid_ground(double friction, double radius_m = 0.0) {
+StrokedGround solid_ground(double friction, double radius_m = 0.0) {
   const Solid solid;
   return {std::make_shared<const SolidTouchable<Solid>>(friction, radius_m),
           [=](Vec3 at) { return solid.sample({at}).distance_m - radius_m; }, &Solid::divides,
@@ -268,11 +269,11 @@ Ground solid_ground(double friction, double radius_m = 0.0) {
 constexpr Room kAmongSolids{{-0.02, -0.02, -0.004}, {0.02, 0.02, 0.012}};
 
 template <class Solid>
-Findings over_solid() {
+StrokeFindings over_solid() {
   std::mt19937_64 random(13);
-  Findings findings;
+  StrokeFindings findings;
   for (const double friction : {0.0, 0.6}) {
-    const Ground ground = solid_ground<Solid>(friction);
+    const StrokedGround ground = solid_ground<Solid>(friction);
     for (int k = 4 * touches(); k > 0; --k) wander({&ground, 1}, kAmongSolids, random, findings);
   }
   return findings;
@@ -284,9 +285,10 @@ TEST(Strokes, LetNoHandThroughThinWallsOfASolid) { expect_held(over_solid<Walls>
 
 TEST(Strokes, LetNoHandThroughThinWallsOfASolidWhileRadiusAndFrictionChange) {
   std::mt19937_64 random(16);
-  Findings findings;
-  const std::vector<Ground> grounds{solid_ground<Walls>(0.0), solid_ground<Walls>(0.6, 0.0005),
-                                    solid_ground<Walls>(0.0, 0.00051), solid_ground<Walls>(0.3, 0.0015)};
+  StrokeFindings findings;
+  const std::vector<StrokedGround> grounds{solid_ground<Walls>(0.0), solid_ground<Walls>(0.6, 0.0005),
+                                           solid_ground<Walls>(0.0, 0.00051),
+                                           solid_ground<Walls>(0.3, 0.0015)};
   for (int k = 8 * touches(); k > 0; --k) wander(grounds, kAmongSolids, random, findings);
   expect_held(findings);
 }

@@ -4,6 +4,7 @@
 
 #include "palpable/core/system/allocations.hpp"
 #include "palpable/haptics/law/laws.hpp"
+#include "palpable/haptics/law/test_period.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,6 @@
 
 namespace palpable::haptics {
 namespace {
-
-constexpr double kTick_s = 0.001;
 
 /// A boundary along x through the whole map, strongest at y = 0.
 std::shared_ptr<const models::BoundaryMap> straight_boundary(double angle = 0.0, double pixel_m = 0.0005) {
@@ -33,7 +32,7 @@ std::vector<LawOutput> traced(const TracingLaw& law, TracingLaw::State& state,
   std::vector<LawOutput> felt;
   Vec3 before = path.front();
   for (const Vec3 p : path) {
-    felt.push_back(law.evaluate({{p}, {(p - before) / kTick_s}, kTick_s}, state));
+    felt.push_back(law.evaluate({{p}, {(p - before) / kT_s}, kT_s}, state));
     before = p;
   }
   return felt;
@@ -41,7 +40,7 @@ std::vector<LawOutput> traced(const TracingLaw& law, TracingLaw::State& state,
 
 std::vector<Vec3> straight_path(Vec3 from, Vec3 velocity_m_per_s, int ticks) {
   std::vector<Vec3> path;
-  for (int k = 0; k < ticks; ++k) path.push_back(from + k * kTick_s * velocity_m_per_s);
+  for (int k = 0; k < ticks; ++k) path.push_back(from + k * kT_s * velocity_m_per_s);
   return path;
 }
 
@@ -105,7 +104,7 @@ TEST(Tracing, LetsAHandRest) {
   // A hand at rest on a sensor with a resolution of 20 um: the last digit changes now and then, and the hand
   // drifts at 0.4 mm/s.
   for (int k = 0; k < 2000; ++k) {
-    const double x = stop.x + 0.0004 * k * kTick_s;
+    const double x = stop.x + 0.0004 * k * kT_s;
     path.push_back({std::round(x / 2e-5) * 2e-5, stop.y, 0});
   }
   const auto felt = traced(law, state, path);
@@ -135,13 +134,13 @@ TEST(Tracing, NeverDeliversMoreThanItsTank) {
   double given_J = 0.0;
   for (int k = 1; k <= 20000; ++k) {
     if (k % 97 == 0) v = std::copysign(speed(random), v);
-    if (std::abs(p.x + v * kTick_s) > 0.45) v = -v;
-    p.x += v * kTick_s;
+    if (std::abs(p.x + v * kT_s) > 0.45) v = -v;
+    p.x += v * kT_s;
     given_J += dot(force, p - before);
-    force = law.evaluate({{p}, {(p - before) / kTick_s}, kTick_s}, state).force_N.v;
+    force = law.evaluate({{p}, {(p - before) / kT_s}, kT_s}, state).force_N.v;
     before = p;
     ASSERT_GE(TracingLaw::kTank_J - state.spent_J, 0.0);
-    ASSERT_LE(given_J, TracingLaw::kTank_J + TracingLaw::kRefill_W * k * kTick_s + 1e-9);
+    ASSERT_LE(given_J, TracingLaw::kTank_J + TracingLaw::kRefill_W * k * kT_s + 1e-9);
   }
   EXPECT_GT(given_J, 0.1);
 }
@@ -153,9 +152,9 @@ double speed_left(const TracingLaw& law, double mass_kg, double hertz, double da
   TracingLaw::State state{};
   double x = at_m, v = 0.0;
   for (int k = 0; k < 15000; ++k) {
-    const double push_N = law.evaluate({{{x, 0, 0}}, {{v, 0, 0}}, kTick_s}, state).force_N.v.x;
-    v += kTick_s * (push_N / mass_kg - 2.0 * damping_ratio * omega * v - omega * omega * x);
-    x += kTick_s * v;
+    const double push_N = law.evaluate({{{x, 0, 0}}, {{v, 0, 0}}, kT_s}, state).force_N.v.x;
+    v += kT_s * (push_N / mass_kg - 2.0 * damping_ratio * omega * v - omega * omega * x);
+    x += kT_s * v;
   }
   return std::abs(v);
 }
@@ -185,8 +184,8 @@ TEST(Tracing, PushesAgainSoonAfterAReversal) {
 TEST(Tracing, HoldsAHandOfThreeAxesInFrontOfThePicture) {
   const TracingLaw law(straight_boundary(), undamped());
   TracingLaw::State state{};
-  EXPECT_NEAR(law.evaluate({{{0, 0, -0.002}}, {}, kTick_s}, state).force_N.v.z, 0.3, 1e-12);
-  EXPECT_EQ(law.evaluate({{{0, 0, 0.002}}, {}, kTick_s}, state).force_N.v.z, 0.0);
+  EXPECT_NEAR(law.evaluate({{{0, 0, -0.002}}, {}, kT_s}, state).force_N.v.z, 0.3, 1e-12);
+  EXPECT_EQ(law.evaluate({{{0, 0, 0.002}}, {}, kT_s}, state).force_N.v.z, 0.0);
 }
 
 models::Scene contours_scene() {
@@ -220,7 +219,7 @@ TEST(Tracing, TakesItsForceAndNeighbourhoodLive) {
     TouchState state;
     LawOutput output;
     for (int k = 0; k < 200; ++k)
-      output = (*touchable)->evaluate({{{0.05 * k * kTick_s, 0, 0}}, {{0.05, 0, 0}}, kTick_s}, state);
+      output = (*touchable)->evaluate({{{0.05 * k * kT_s, 0, 0}}, {{0.05, 0, 0}}, kT_s}, state);
     return output.force_N.v.x;
   };
   EXPECT_NEAR(pushed(2.0), 2.0 * pushed(1.0), 1e-9);
@@ -235,7 +234,7 @@ TEST(Tracing, AllocatesNothingInATick) {
   TracingLaw::State state{};
   ASSERT_TRUE(allocations_are_counted());
   const AllocationScope scope;
-  for (int k = 0; k < 1000; ++k) law.evaluate({{{0.00001 * k, 0.0001, 0}}, {{0.01, 0, 0}}, kTick_s}, state);
+  for (int k = 0; k < 1000; ++k) law.evaluate({{{0.00001 * k, 0.0001, 0}}, {{0.01, 0, 0}}, kT_s}, state);
   EXPECT_EQ(scope.count(), 0U);
 }
 

@@ -21,8 +21,9 @@ Result<MeasuredHand> measured(device::HandOptions options) {
   Ring<TouchEvent> events(64);
   TickPipeline tick(hand, scene, TickOptions{}, events);
   std::vector<TouchSample> samples;
-  constexpr double kT_s = 0.001;
-  for (int n = 0; n * kT_s < pulses.duration_s(); ++n) samples.push_back(tick.step(n * kT_s, kT_s));
+  constexpr double kPeriod_s = 0.001;
+  for (int n = 0; n * kPeriod_s < pulses.duration_s(); ++n)
+    samples.push_back(tick.step(n * kPeriod_s, kPeriod_s));
   return hand_of(samples, hand.traits(), pulses);
 }
 

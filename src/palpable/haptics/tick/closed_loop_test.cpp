@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests the tick together with the simulated hand, on surfaces with known solutions.
 #include "palpable/device/simulated/simulated_hand.hpp"
+#include "palpable/haptics/law/test_period.hpp"
 #include "palpable/haptics/servo/test_touch.hpp"
 #include "palpable/haptics/tick/tick.hpp"
 
@@ -12,8 +13,6 @@
 
 namespace palpable::haptics {
 namespace {
-
-constexpr double kT_s = 0.001;
 
 struct ClosedLoop {
   ClosedLoop(SpringSurface::Shape shape, double stiffness, double damping, const device::HandOptions& options,

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // What an account of energy takes from a force is a step of the force that neither surface nor hand caused.
+#include "palpable/haptics/law/test_period.hpp"
 #include "palpable/haptics/servo/test_touch.hpp"
 #include "palpable/haptics/tick/tick.hpp"
 
@@ -11,8 +12,6 @@
 
 namespace palpable::haptics {
 namespace {
-
-constexpr double kTick_s = 0.001;
 
 /// Pushes along x wherever x < 0: weakly on the way in and strongly on the way out, so it generates energy.
 class Generator final : public Touchable {
@@ -39,7 +38,7 @@ TEST(PassivityController, TakesAForceAwayNoFasterThanItMayGrow) {
   options.passivity = Passivity::control;
   Ring<TouchEvent> events(1024);
   TickPipeline tick(device, scene, options, events);
-  const double most_step_N = options.max_force_rate_N_per_s * kTick_s;
+  const double most_step_N = options.max_force_rate_N_per_s * kT_s;
   double x_m = 0.001;
   double before_N = 0.0;
   double largest_fall_N = 0.0;
@@ -48,7 +47,7 @@ TEST(PassivityController, TakesAForceAwayNoFasterThanItMayGrow) {
   for (int n = 0; n < 200; ++n) {
     x_m += n < 100 ? -5e-5 : 4e-5;
     device.reading.position.v.x = x_m;
-    const TouchSample& sample = tick.step(kTick_s * n, kTick_s);
+    const TouchSample& sample = tick.step(kT_s * n, kT_s);
     while (events.take()) {
     }
     const double written_N = norm(sample.written_force_N);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hands whose way is prescribed, whatever pushes them: one that swings faster than its force can follow, and
 // one at rest whose reading flickers.
+#include "palpable/haptics/law/test_period.hpp"
 #include "palpable/haptics/law/test_scenes.hpp"
 #include "palpable/haptics/tick/tick.hpp"
 
@@ -16,8 +17,6 @@
 
 namespace palpable::haptics {
 namespace {
-
-constexpr double kT_s = 0.001;
 
 struct Sensor {
   double step_m = 1e-6;

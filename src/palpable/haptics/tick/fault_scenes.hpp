@@ -10,6 +10,7 @@
 
 #include <cstdlib>
 #include <memory>
+#include <random>
 #include <vector>
 
 namespace palpable::haptics {
@@ -18,6 +19,10 @@ namespace palpable::haptics {
 inline int instants(int everyday = 60) {
   const char* wanted = std::getenv("PALPABLE_FAULTS");
   return wanted != nullptr ? std::atoi(wanted) : everyday;
+}
+
+inline double from(std::mt19937& random, double low, double high) {
+  return std::uniform_real_distribution<double>(low, high)(random);
 }
 
 inline HapticScene on_relief(Law law, const models::Scene& scene, double radius_m, double stiffness_N_per_m) {

@@ -7,6 +7,7 @@
 #include "palpable/haptics/law/field_proxy.hpp"
 #include "palpable/haptics/law/law_making.hpp"
 #include "palpable/haptics/law/penalty.hpp"
+#include "palpable/haptics/law/test_period.hpp"
 #include "palpable/haptics/law/tool.hpp"
 #include "palpable/haptics/servo/test_touch.hpp"
 #include "palpable/haptics/tick/fault_scenes.hpp"
@@ -43,8 +44,6 @@ class LevelSolid {
 inline void read_pages(const LevelSolid&) noexcept {}
 
 namespace {
-
-constexpr double kT_s = 0.001;
 
 std::vector<HapticScene> relief_scenes(Law law) {
   std::vector<HapticScene> scenes;
@@ -228,9 +227,6 @@ testing::AssertionResult is_harmless(const TouchedLaw& law, const Findings& foun
                                      << " ticks pressed";
 }
 
-double from(std::mt19937& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
 int sign(std::mt19937& random) { return (random() & 1U) != 0 ? 1 : -1; }
 
 class Faults : public testing::TestWithParam<TouchedLaw> {};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A hand that turns by itself within a few ticks of contact: the forces of its way in act on its way out. Its
 // path is prescribed, so that what it receives is known.
+#include "palpable/haptics/law/test_period.hpp"
 #include "palpable/haptics/law/test_scenes.hpp"
 #include "palpable/haptics/safety/stability.hpp"
 #include "palpable/haptics/tick/tick.hpp"
@@ -16,7 +17,6 @@
 namespace palpable::haptics {
 namespace {
 
-constexpr double kTick_s = 0.001;
 constexpr double kGround_m = 0.005;
 
 /// A device that is moved along a path, whatever its motors do.
@@ -76,7 +76,7 @@ struct Graze {
 /// leaves as it came.
 double received_J(Law law, const Graze& graze) {
   GuidedDevice device(graze.delay, graze.step_m);
-  const SafeContact safe = safe_contact(device.traits(), 1.0 / kTick_s, 1.0, 1e6, 0.0);
+  const SafeContact safe = safe_contact(device.traits(), 1.0 / kT_s, 1.0, 1e6, 0.0);
   LawParameters p = frictionless();
   p.law = law;
   p.stiffness_N_per_m = safe.stiffness_N_per_m;
@@ -92,9 +92,9 @@ double received_J(Law law, const Graze& graze) {
   const double a = graze.acceleration_m_per_s2;
   constexpr double kBefore_s = 0.030;
   for (int n = 0; n < 60; ++n) {
-    const double t_s = kTick_s * n - kBefore_s + graze.phase_s - half_s;
+    const double t_s = kT_s * n - kBefore_s + graze.phase_s - half_s;
     device.move_to(kGround_m + 0.5 * a * (t_s * t_s - half_s * half_s));
-    tick.step(kTick_s * n, kTick_s);
+    tick.step(kT_s * n, kT_s);
     while (events.take()) {
     }
   }
@@ -113,7 +113,7 @@ TEST_P(GrazingEnergy, IsNotMadeByForcesOfTheWayIn) {
       for (const double contact_ticks : {2.0, 3.0, 5.0, 7.0, 10.0, 14.0, 20.0})
         for (const double step_m : {1e-6, 5e-6, 1e-5})
           for (const double phase : {0.0, 0.3, 0.7}) {
-            const Graze graze{delay, step_m, acceleration, contact_ticks * kTick_s, phase * kTick_s};
+            const Graze graze{delay, step_m, acceleration, contact_ticks * kT_s, phase * kT_s};
             EXPECT_LE(received_J(GetParam(), graze), 1e-6)
                 << "delay " << delay << ", " << acceleration << " m/s^2, " << contact_ticks << " ticks, step "
                 << step_m << ", phase " << phase;

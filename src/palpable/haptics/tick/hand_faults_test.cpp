@@ -7,6 +7,7 @@
 #include "palpable/haptics/law/law_making.hpp"
 #include "palpable/haptics/law/penalty.hpp"
 #include "palpable/haptics/law/random_solid.hpp"
+#include "palpable/haptics/law/test_period.hpp"
 #include "palpable/haptics/law/tool.hpp"
 #include "palpable/haptics/tick/energy_touch.hpp"
 #include "palpable/haptics/tick/fault_scenes.hpp"
@@ -36,7 +37,6 @@ inline void read_pages(const FaultySolid&) noexcept {}
 
 namespace {
 
-constexpr double kT_s = 0.001;
 constexpr int kInstantsOfAHand = 20;
 
 /// The hand of a device that fails in the ways that a test sets.
@@ -152,20 +152,20 @@ std::vector<HapticScene> tool_on_solids(unsigned seed) {
   });
 }
 
-const TouchedScenes kTouched[]{{"proxy", on_rough_reliefs<Law::proxy>},
-                               {"penalty", on_rough_reliefs<Law::penalty>},
-                               {"averaged", on_rough_reliefs<Law::averaged>},
-                               {"rolling", on_rough_reliefs<Law::rolling>},
-                               {"sobel", on_rough_reliefs<Law::sobel>},
-                               {"all_laws", of_all_laws},
-                               {"groove", [](unsigned) { return groove_scenes(); }},
-                               {"grid", [](unsigned) { return grid_scenes(); }},
-                               {"proxy_on_solids", proxy_on_solids},
-                               {"penalty_on_solids", penalty_on_solids},
-                               {"tool_on_solids", tool_on_solids, true}};
+const TouchedScenes kTouchedByHands[]{{"proxy", on_rough_reliefs<Law::proxy>},
+                                      {"penalty", on_rough_reliefs<Law::penalty>},
+                                      {"averaged", on_rough_reliefs<Law::averaged>},
+                                      {"rolling", on_rough_reliefs<Law::rolling>},
+                                      {"sobel", on_rough_reliefs<Law::sobel>},
+                                      {"all_laws", of_all_laws},
+                                      {"groove", [](unsigned) { return groove_scenes(); }},
+                                      {"grid", [](unsigned) { return grid_scenes(); }},
+                                      {"proxy_on_solids", proxy_on_solids},
+                                      {"penalty_on_solids", penalty_on_solids},
+                                      {"tool_on_solids", tool_on_solids, true}};
 
 /// What was found in all ticks.
-struct Findings {
+struct HandFindings {
   int not_finite = 0;
   /// Ticks whose force points against what the law wants, or is a force where it wants none; the most of it.
   int pulls = 0;
@@ -219,7 +219,7 @@ class FaultyTouch {
   const TickOptions& options() const { return options_; }
 
   FaultyHand hand;
-  Findings found;
+  HandFindings found;
 
  private:
   /// With touchables that keep what their laws return.
@@ -257,7 +257,7 @@ class FaultyTouch {
 /// What a fault does to a touch: it steps through it.
 using Fault = std::function<void(FaultyTouch&, std::mt19937&)>;
 
-Findings& add(Findings& sum, const Findings& more) {
+HandFindings& add(HandFindings& sum, const HandFindings& more) {
   sum.not_finite += more.not_finite;
   sum.pulls += more.pulls;
   sum.most_pull_N = std::max(sum.most_pull_N, more.most_pull_N);
@@ -278,10 +278,10 @@ device::HandOptions stroking(Hands& hands, bool has_torque, unsigned seed) {
 }
 
 /// The fault at random instants, mostly in contact, of touches by different hands.
-Findings attack(const TouchedScenes& touched, const Fault& fault) {
+HandFindings attack(const TouchedScenes& touched, const Fault& fault) {
   std::mt19937 random(33);
   Hands hands(33);
-  Findings found;
+  HandFindings found;
   const std::vector<HapticScene> scenes = touched.make(3);
   for (int done = 0; done < instants(kInstantsOfAHand); done += kInstantsOfAHand) {
     FaultyTouch touch(scenes, stroking(hands, touched.has_torque, static_cast<unsigned>(done) + 1));
@@ -296,7 +296,7 @@ Findings attack(const TouchedScenes& touched, const Fault& fault) {
   return found;
 }
 
-testing::AssertionResult is_harmless(const Findings& found) {
+testing::AssertionResult is_harmless(const HandFindings& found) {
   if (found.not_finite == 0 && found.pulls == 0 && found.unexpected == 0 && found.most_above_rise_N < 1e-9 &&
       found.most_above_rise_Nm < 1e-9 && found.pressed > instants(kInstantsOfAHand))
     return testing::AssertionSuccess();
@@ -306,10 +306,6 @@ testing::AssertionResult is_harmless(const Findings& found) {
                                      << found.most_above_rise_Nm << " N m above the rise limit, "
                                      << found.pressed << " ticks pressed, " << found.in_contact
                                      << " in contact";
-}
-
-double from(std::mt19937& random, double low, double high) {
-  return std::uniform_real_distribution<double>(low, high)(random);
 }
 
 /// A shift of this length in a random direction.
@@ -412,7 +408,7 @@ TEST_P(HandFaults, UpdatesOfAnUnchangedSurfaceChangeNothing) {
   EXPECT_GT(in_contact, 50U * static_cast<unsigned>(count));
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, HandFaults, testing::ValuesIn(kTouched),
+INSTANTIATE_TEST_SUITE_P(Laws, HandFaults, testing::ValuesIn(kTouchedByHands),
                          [](const auto& touched) { return std::string(touched.param.name); });
 
 }  // namespace

@@ -3,6 +3,7 @@
 // Touches as a busy machine makes them: many ticks come late, the next one then early, some after a stall,
 // and the scene changes meanwhile. A simulated hand moves by one tick's way in each of them, however long it
 // was, so that in a short one its damper may cancel the whole spring.
+#include "palpable/haptics/law/test_period.hpp"
 #include "palpable/haptics/law/test_scenes.hpp"
 #include "palpable/haptics/safety/stability.hpp"
 #include "palpable/haptics/servo/start_touch.hpp"
@@ -18,8 +19,6 @@
 
 namespace palpable::haptics {
 namespace {
-
-constexpr double kT_s = 0.001;
 
 /// When the ticks of a loop come whose deadlines are `late_share` of the time late by about a tick, and a
 /// tenth as often by up to 60 ms.

@@ -3,6 +3,7 @@
 // A hand that rests on a surface with a load and sinks while a stall leaves it without force. To lift it
 // again takes the load times the way: the spring has that only from what the hand puts in.
 #include "palpable/haptics/law/laws.hpp"
+#include "palpable/haptics/law/test_period.hpp"
 #include "palpable/haptics/tick/counted_hand.hpp"
 #include "palpable/haptics/tick/tick.hpp"
 #include "palpable/models/relief/relief.hpp"
@@ -16,7 +17,6 @@
 namespace palpable::haptics {
 namespace {
 
-constexpr double kT_s = 0.001;
 constexpr double kWall_N_per_m = 500.0;
 
 struct Load {

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/tick/reading_filter.hpp"
 
+#include "palpable/haptics/law/test_period.hpp"
+
 #include <limits>
 
 #include <gtest/gtest.h>
 
 namespace palpable::haptics {
 namespace {
-
-constexpr double kT_s = 0.001;
 
 device::Reading at(double x_m) {
   device::Reading reading;

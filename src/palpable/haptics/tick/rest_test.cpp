@@ -3,6 +3,7 @@
 #include "palpable/haptics/tick/rest.hpp"
 
 #include "palpable/device/pointer/pointer.hpp"
+#include "palpable/haptics/law/test_period.hpp"
 #include "palpable/haptics/servo/servo_loop.hpp"
 #include "palpable/haptics/servo/test_touch.hpp"
 
@@ -18,13 +19,11 @@
 namespace palpable::haptics {
 namespace {
 
-constexpr double kTick_s = 0.001;
-
 TEST(RestDetector, CountsTicksInWhichNothingChanges) {
   RestDetector rest;
   TouchSample sample;
   sample.position.v = {0.01, 0.0, 0.002};
-  for (int k = 0; k <= 100; ++k) rest.update(sample, kTick_s);
+  for (int k = 0; k <= 100; ++k) rest.update(sample, kT_s);
   EXPECT_NEAR(rest.rested_s(), 0.1, 1e-9);
 }
 
@@ -32,9 +31,9 @@ TEST(RestDetector, BeginsAnewWithEachChange) {
   const auto after = [](void (*change)(TouchSample&)) {
     RestDetector rest;
     TouchSample sample;
-    for (int k = 0; k <= 100; ++k) rest.update(sample, kTick_s);
+    for (int k = 0; k <= 100; ++k) rest.update(sample, kT_s);
     change(sample);
-    rest.update(sample, kTick_s);
+    rest.update(sample, kT_s);
     return rest.rested_s();
   };
   EXPECT_EQ(after([](TouchSample& s) { s.position.v.x += 2e-7; }), 0.0);
@@ -52,7 +51,7 @@ TEST(RestDetector, NoticesASlowDrift) {
   // 10 nm per tick: each step is below the limit, the sum is not.
   for (int k = 0; k < 1000; ++k) {
     sample.position.v.x = 1e-8 * k;
-    rest.update(sample, kTick_s);
+    rest.update(sample, kT_s);
     longest_s = std::max(longest_s, rest.rested_s());
   }
   EXPECT_LT(longest_s, 0.02);

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The effect of limits on growing forces on the energy of hard impacts.
+#include "palpable/haptics/law/test_period.hpp"
 #include "palpable/haptics/servo/test_touch.hpp"
 #include "palpable/haptics/tick/tick.hpp"
 
@@ -13,8 +14,6 @@
 
 namespace palpable::haptics {
 namespace {
-
-constexpr double kT_s = 0.001;
 
 /// A free mass that hits a wall. Its motion is integrated in steps of 10 us under the held force.
 struct Impact {
@@ -85,13 +84,13 @@ struct Guided {
   /// Time at which one tick comes 20 ms late; never if below 0.
   double stall_s = -1.0;
 };
-struct Work {
+struct HandWork {
   /// Total energy that the hand received, and the reported energy.
   double received_J = 0.0;
   double said_J = 0.0;
   double deepest_force_N = 0.0;
 };
-Work guided(const Guided& hand) {
+HandWork guided(const Guided& hand) {
   ScriptedDevice device;
   device.mutable_traits().max_force_N = 3.3;
   const HapticScene scene{std::make_shared<SpringSurface>(flat, 500.0, 0.5), {}, 1};
@@ -103,7 +102,7 @@ Work guided(const Guided& hand) {
     const double out = std::clamp((t_s - hand.out_s) / 0.02, 0.0, 1.0);
     return 0.002 - (0.002 + hand.deep_m) * (in - out);
   };
-  Work work;
+  HandWork work;
   double t_s = 0.0, z = z_at(0.0), held_N = 0.0;
   while (t_s < hand.out_s + 0.1) {
     const bool stalls = hand.stall_s >= 0.0 && t_s <= hand.stall_s && t_s + kT_s > hand.stall_s;
@@ -127,7 +126,7 @@ TEST(Ramp, ReturnsNoMoreEnergyThanTheHandDeliveredWhereverItBegan) {
   for (const double deep_m : {0.001, 0.003, 0.007})
     for (const double in_s : {-0.1, 0.0, 0.05, 0.15, 0.24})
       for (const double out_s : {0.1, 0.3, 0.5}) {
-        const Work work = guided({in_s, out_s + std::max(in_s, 0.0), deep_m});
+        const HandWork work = guided({in_s, out_s + std::max(in_s, 0.0), deep_m});
         EXPECT_LE(work.received_J, 1e-6)
             << deep_m << " m deep from " << in_s << " s to " << out_s << " s later";
         EXPECT_GE(work.said_J, std::min(work.received_J, 1e-6));

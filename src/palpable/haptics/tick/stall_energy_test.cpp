@@ -5,6 +5,7 @@
 #include "palpable/haptics/law/law_making.hpp"
 #include "palpable/haptics/law/penalty.hpp"
 #include "palpable/haptics/law/stroke_scenes.hpp"
+#include "palpable/haptics/law/test_period.hpp"
 #include "palpable/haptics/law/tool.hpp"
 #include "palpable/haptics/safety/limits.hpp"
 #include "palpable/haptics/safety/stability.hpp"
@@ -30,8 +31,6 @@ class StalledPebbles : public Pebbles {};
 inline void read_pages(const StalledPebbles&) noexcept {}
 
 namespace {
-
-constexpr double kT_s = 0.001;
 
 /// Makes one of two scenes with a law.
 using MakeScene = std::shared_ptr<const Touchable> (*)(const SafeContact&, unsigned seed);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/haptics/law/test_period.hpp"
 #include "palpable/haptics/servo/test_touch.hpp"
 #include "palpable/haptics/tick/tick.hpp"
 
@@ -9,8 +10,6 @@
 #include <utility>
 
 namespace palpable::haptics {
-
-inline constexpr double kT_s = 0.001;
 
 /// For tests: the tick pipeline of a law with a scripted device.
 struct Loop {

@@ -51,7 +51,7 @@ inline SafeContact stiffest_wall(const device::HandOptions& hand) {
 /// goals 2 to 10 mm deep, presses it for a while, leaves, and does that again, for so many seconds.
 inline double most_received_J(const device::HandOptions& options, double stiffness_N_per_m,
                               double damping_Ns_per_m, double seconds, std::uint64_t seed) {
-  constexpr double kT_s = 0.001;
+  constexpr double kPeriod_s = 0.001;
   constexpr double kTapping_s = 2.0;
   constexpr double kPressing_s = 1.0;
   constexpr double kRound_s = kTapping_s + kPressing_s;
@@ -78,9 +78,9 @@ inline double most_received_J(const device::HandOptions& options, double stiffne
   // Goals without jumps: a hand does not accelerate like that.
   const double above_m = between(0.0, 0.005);
   double taps = 0.0, reach_m = 0.0, pressed_m = 0.0;
-  for (int n = 0; n * kT_s < seconds; ++n) {
-    const double t = std::fmod(n * kT_s, kRound_s);
-    if (t < kT_s) {
+  for (int n = 0; n * kPeriod_s < seconds; ++n) {
+    const double t = std::fmod(n * kPeriod_s, kRound_s);
+    if (t < kPeriod_s) {
       taps = std::round(kTapping_s * between(1.0, 7.0));
       reach_m = between(0.002, 0.010);
       pressed_m = between(0.0, 0.010);
@@ -90,7 +90,7 @@ inline double most_received_J(const device::HandOptions& options, double stiffne
     const double depth_m =
         0.5 * (1.0 - std::cos(2.0 * std::numbers::pi * way)) * (above_m + (taps_now ? reach_m : pressed_m));
     hand.set_goal({0.0, 0.0, above_m - depth_m});
-    tick.step(n * kT_s, kT_s);
+    tick.step(n * kPeriod_s, kPeriod_s);
     while (events.take()) {
     }
     if (hand.true_position_m().z > 0.0) hand.in_free_air();

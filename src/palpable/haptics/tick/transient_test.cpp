@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/core/system/allocations.hpp"
 #include "palpable/device/simulated/simulated_hand.hpp"
+#include "palpable/haptics/law/test_period.hpp"
 #include "palpable/haptics/servo/test_touch.hpp"
 #include "palpable/haptics/tick/tick.hpp"
 #include "palpable/haptics/tick/transient_player.hpp"
@@ -16,7 +17,6 @@
 namespace palpable::haptics {
 namespace {
 
-constexpr double kT_s = 0.001;
 constexpr TransientPlayer::Limits kWide{100.0, 1e9, 0.02};
 
 TEST(TransientPlayer, IsADecayingSinusoidOfTheMaterialAndTheImpact) {

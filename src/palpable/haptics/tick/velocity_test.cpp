@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/tick/velocity.hpp"
 
+#include "palpable/haptics/law/test_period.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -11,8 +13,6 @@
 
 namespace palpable::haptics {
 namespace {
-
-constexpr double kT_s = 0.001;
 
 TEST(VelocityEstimator, IsTheBackwardDifferenceWithoutQuantisation) {
   VelocityEstimator velocity(0.0);

@@ -12,15 +12,15 @@
 namespace palpable::models {
 namespace {
 
-constexpr Lattice kLattice{{-0.004, 0.002, -0.001}, 0.001, {9, 8, 7}};
+constexpr Lattice kLineLattice{{-0.004, 0.002, -0.001}, 0.001, {9, 8, 7}};
 
 /// Noise: a kink at every face between cells.
 DenseField noise(DenseContent content, unsigned seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<float> value(-0.0002F, 0.001F);
-  std::vector<float> values(floats_of(content) * kLattice.places());
+  std::vector<float> values(floats_of(content) * kLineLattice.places());
   for (float& v : values) v = value(random);
-  return *DenseField::from(kLattice, content, std::move(values), {});
+  return *DenseField::from(kLineLattice, content, std::move(values), {});
 }
 
 /// Lines between random places, and along the faces and edges of cells.
@@ -30,11 +30,11 @@ struct Lines {
     return std::uniform_real_distribution<double>(low, high)(random);
   }
   Vec3 place(bool on_faces) {
-    const Vec3 size = kLattice.size_m();
+    const Vec3 size = kLineLattice.size_m();
     Vec3 p{between(0.0, size.x), between(0.0, size.y), between(0.0, size.z)};
-    if (on_faces) p.x = kLattice.spacing_m * static_cast<int>(p.x / kLattice.spacing_m);
+    if (on_faces) p.x = kLineLattice.spacing_m * static_cast<int>(p.x / kLineLattice.spacing_m);
     if (on_faces && between(0.0, 1.0) < 0.5) p.z = size.z;
-    return kLattice.origin_m + p;
+    return kLineLattice.origin_m + p;
   }
 };
 
@@ -78,7 +78,7 @@ TEST(DenseLine, FindsTheFirstDipHoweverShort) {
 
 TEST(DenseLine, KnowsAPlaceForALine) {
   const DenseField field = noise(DenseContent::distance, 3);
-  const Vec3 place = kLattice.origin_m + Vec3{0.0031, 0.0042, 0.0017};
+  const Vec3 place = kLineLattice.origin_m + Vec3{0.0031, 0.0042, 0.0017};
   const double distance_m = field.sample({place}).distance_m;
   EXPECT_FALSE(first_dip(field, {place}, {place}, distance_m - 1e-9));
   const auto dip = first_dip(field, {place}, {place}, distance_m + 1e-9);

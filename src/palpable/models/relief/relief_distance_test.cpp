@@ -11,21 +11,22 @@
 namespace palpable::models {
 namespace {
 
-constexpr double kPixel_m = 0.0005;
+constexpr double kDistancePixel_m = 0.0005;
 
 Relief rough(unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> height_m(0.0F, 0.0025F);
   Raster<float> samples(60, 50);
   for (float& z : samples.values()) z = height_m(random);
-  return *Relief::from_samples(std::move(samples), kPixel_m);
+  return *Relief::from_samples(std::move(samples), kDistancePixel_m);
 }
 
 TEST(ClosestPoint, IsExactOnAPlane) {
   Raster<float> samples(80, 60);
   for (int j = 0; j < 60; ++j)
-    for (int i = 0; i < 80; ++i) samples(i, j) = static_cast<float>(0.01 + 0.75 * (i - 39.5) * kPixel_m);
-  const Relief plane = *Relief::from_samples(std::move(samples), kPixel_m);
+    for (int i = 0; i < 80; ++i)
+      samples(i, j) = static_cast<float>(0.01 + 0.75 * (i - 39.5) * kDistancePixel_m);
+  const Relief plane = *Relief::from_samples(std::move(samples), kDistancePixel_m);
   const Vec3 normal{-0.6, 0.0, 0.8};
   for (const double away : {0.002, -0.002}) {
     const auto found = closest_point(plane, {Vec3{0, 0.001, 0.01} + away * normal});

@@ -16,15 +16,15 @@ namespace {
 
 constexpr double kRadius = 0.02;
 
-Mesh sphere(double radius_m, double spacing_m) {
+Mesh sphere_mesh(double radius_m, double spacing_m) {
   models::Superquadric s;
   s.size_m = {radius_m, radius_m, radius_m};
   return models::mesh_of(s, spacing_m);
 }
 
-/// The part of a sphere above z = cut: what a camera measured.
+/// The part of a sphere_mesh above z = cut: what a camera measured.
 Mesh cap(double radius_m, double cut_m) {
-  Mesh mesh = sphere(radius_m, 0.0015);
+  Mesh mesh = sphere_mesh(radius_m, 0.0015);
   std::erase_if(mesh.triangles, [&](const auto& t) {
     return std::any_of(t.begin(), t.end(), [&](std::uint32_t i) { return mesh.vertices_m[i].z < cut_m; });
   });
@@ -32,7 +32,7 @@ Mesh cap(double radius_m, double cut_m) {
 }
 
 CorrectedSurface corrected(double by, double cut_m = 0.0) {
-  auto predicted = predicted_surface(sphere(kRadius, 0.0013));
+  auto predicted = predicted_surface(sphere_mesh(kRadius, 0.0013));
   EXPECT_TRUE(predicted.has_value());
   auto made =
       correct_surface(*std::move(predicted), cap((1.0 + by) * kRadius, cut_m), {0.004, 0.006}, Work{});
@@ -191,10 +191,10 @@ TEST(SurfaceCorrection, AveragesRepeatedMeasurementsUpToTheirNumber) {
 }
 
 TEST(SurfaceCorrection, RefusesInvalidMeshesAndOptions) {
-  Mesh open = sphere(kRadius, 0.002);
+  Mesh open = sphere_mesh(kRadius, 0.002);
   open.triangles.pop_back();
   EXPECT_FALSE(predicted_surface(open));
-  auto predicted = predicted_surface(sphere(kRadius, 0.002));
+  auto predicted = predicted_surface(sphere_mesh(kRadius, 0.002));
   ASSERT_TRUE(predicted.has_value());
   Mesh bad = cap(kRadius, 0.0);
   EXPECT_FALSE(correct_surface(*predicted, bad, {0.0, 0.006}, Work{}));

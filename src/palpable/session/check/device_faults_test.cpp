@@ -28,7 +28,7 @@
 namespace palpable::session {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using SteadyClock = std::chrono::steady_clock;
 
 /// What holds while a fault lasts.
 enum class During : std::uint8_t {
@@ -65,18 +65,19 @@ class Wire {
  public:
   void set_cap(double cap_N) { cap_N_ = cap_N; }
   void receive(Vec3 force_N) {
-    if (const bool pushes = force_N != Vec3{}; pushes_.exchange(pushes) && !pushes) freed_at_ = Clock::now();
+    if (const bool pushes = force_N != Vec3{}; pushes_.exchange(pushes) && !pushes)
+      freed_at_ = SteadyClock::now();
     if (!is_finite(force_N)) ++not_finite_;
     if (norm(force_N) > cap_N_) ++above_cap_;
   }
   /// When a force was last followed by none.
-  Clock::time_point freed_at() const { return freed_at_; }
+  SteadyClock::time_point freed_at() const { return freed_at_; }
   int not_finite() const { return not_finite_; }
   int above_cap() const { return above_cap_; }
 
  private:
   std::atomic<bool> pushes_{false};
-  std::atomic<Clock::time_point> freed_at_{};
+  std::atomic<SteadyClock::time_point> freed_at_{};
   std::atomic<double> cap_N_{0.0};
   std::atomic<int> not_finite_{0};
   std::atomic<int> above_cap_{0};
@@ -186,7 +187,7 @@ class DriverWithAFault : public testing::TestWithParam<FaultCase> {
   }
   /// Waits for what is on the way to a device with a thread of its own.
   bool becomes_free() {
-    for (const auto until = Clock::now() + std::chrono::seconds(5); Clock::now() < until;
+    for (const auto until = SteadyClock::now() + std::chrono::seconds(5); SteadyClock::now() < until;
          std::this_thread::sleep_for(std::chrono::microseconds(50)))
       if (bench_.motors_N() == Vec3{}) return true;
     return false;
@@ -196,7 +197,7 @@ class DriverWithAFault : public testing::TestWithParam<FaultCase> {
     late_ += after_s > kFreeWithin * kTick_s ? 1 : 0;
   }
   void is_free_within_ten_ticks() {
-    const auto begun = Clock::now();
+    const auto begun = SteadyClock::now();
     int took = 0;
     for (int k = 1; k <= kFreeWithin; ++k) {
       touch_->ticks(1);

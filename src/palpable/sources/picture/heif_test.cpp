@@ -19,20 +19,20 @@
 namespace palpable::sources {
 namespace {
 
-constexpr int kWidth = 64;
-constexpr int kHeight = 48;
+constexpr int kHeifWidth = 64;
+constexpr int kHeifHeight = 48;
 
 int ramp(int x) { return 20 + 3 * x; }
 
 /// A reddish HEIC picture whose alpha plane is a ramp: 20, 23, 26 …
 std::string with_alpha() {
   heif::Image image;
-  image.create(kWidth, kHeight, heif_colorspace_RGB, heif_chroma_interleaved_RGBA);
-  image.add_plane(heif_channel_interleaved, kWidth, kHeight, 8);
+  image.create(kHeifWidth, kHeifHeight, heif_colorspace_RGB, heif_chroma_interleaved_RGBA);
+  image.add_plane(heif_channel_interleaved, kHeifWidth, kHeifHeight, 8);
   int stride = 0;
   std::uint8_t* plane = image.get_plane(heif_channel_interleaved, &stride);
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kHeifHeight; ++y)
+    for (int x = 0; x < kHeifWidth; ++x) {
       const std::array<int, 4> rgba{180, 60, 60, ramp(x)};
       for (int c = 0; c < 4; ++c)
         plane[y * stride + 4 * x + c] = static_cast<std::uint8_t>(rgba[static_cast<std::size_t>(c)]);
@@ -78,7 +78,7 @@ TEST_F(Heif, PictureIsReadWithItsAlpha) {
   const auto image = decode_picture(as_bytes(file));
   ASSERT_TRUE(image) << image.error().message;
   EXPECT_EQ(image->channels, 4);
-  EXPECT_EQ(image->width, kWidth);
+  EXPECT_EQ(image->width, kHeifWidth);
   EXPECT_NEAR(255 * image->pixel(20, 20)[0], 180, 4);
   EXPECT_NEAR(255 * image->pixel(20, 20)[3], ramp(20), 4);
   EXPECT_FALSE(*isolated::depth_in_heif(as_bytes(file)));

@@ -41,16 +41,16 @@ TEST(Polygon, CutsAQuadrilateralAtItsReflexCorner) {
 
 TEST(Polygon, KeepsTheAreaOfAStarAndOfACircle) {
   std::vector<Vec3> star, circle;
-  constexpr int kCorners = 40;
-  for (int k = 0; k < kCorners; ++k) {
-    const double angle = 2.0 * std::numbers::pi * k / kCorners, radius = k % 2 == 0 ? 1.0 : 0.4;
+  constexpr int kStarCorners = 40;
+  for (int k = 0; k < kStarCorners; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / kStarCorners, radius = k % 2 == 0 ? 1.0 : 0.4;
     star.push_back({radius * std::cos(angle), radius * std::sin(angle), 0.0});
     circle.push_back({std::cos(angle), std::sin(angle), 0.0});
   }
-  const double sector = std::sin(2.0 * std::numbers::pi / kCorners) / 2.0;
+  const double sector = std::sin(2.0 * std::numbers::pi / kStarCorners) / 2.0;
   EXPECT_EQ(cut(star).size(), star.size() - 2);
-  EXPECT_NEAR(area(star, cut(star)), kCorners * 0.4 * sector, 1e-12);
-  EXPECT_NEAR(area(circle, cut(circle)), kCorners * sector, 1e-12);
+  EXPECT_NEAR(area(star, cut(star)), kStarCorners * 0.4 * sector, 1e-12);
+  EXPECT_NEAR(area(circle, cut(circle)), kStarCorners * sector, 1e-12);
 }
 
 TEST(Polygon, EndsOnAFaceThatCrossesItself) {

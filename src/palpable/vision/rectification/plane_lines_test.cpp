@@ -11,8 +11,8 @@
 namespace palpable::vision {
 namespace {
 
-constexpr int kWidth = 400, kHeight = 300;
-const cv::Point2d kCentre(0.5 * (kWidth - 1), 0.5 * (kHeight - 1));
+constexpr int kLinesWidth = 400, kLinesHeight = 300;
+const cv::Point2d kCentre(0.5 * (kLinesWidth - 1), 0.5 * (kLinesHeight - 1));
 
 /// Nine lines of a plane, two pixels wide, that lead to a point.
 void draw_lines_to(cv::Mat& canvas, cv::Point2d point) {
@@ -32,9 +32,9 @@ void draw_lines_to(cv::Mat& canvas, cv::Point2d point) {
 }
 
 Image picture_of(const cv::Mat& canvas) {
-  Image out{kWidth, kHeight, 1, 8, {}};
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x)
+  Image out{kLinesWidth, kLinesHeight, 1, 8, {}};
+  for (int y = 0; y < kLinesHeight; ++y)
+    for (int x = 0; x < kLinesWidth; ++x)
       out.samples.push_back(static_cast<float>(canvas.at<std::uint8_t>(y, x)) / 255.0F);
   return out;
 }
@@ -54,7 +54,7 @@ double direction_deg(cv::Point2d p) {
 
 TEST(PlaneLines, MeetInTheVanishingPointsOfAPlane) {
   const cv::Point2d right = kCentre + cv::Point2d(700.0, 80.0), up = kCentre + cv::Point2d(-60.0, -620.0);
-  cv::Mat canvas(kHeight, kWidth, CV_8U, cv::Scalar(230));
+  cv::Mat canvas(kLinesHeight, kLinesWidth, CV_8U, cv::Scalar(230));
   draw_lines_to(canvas, right);
   draw_lines_to(canvas, up);
   const auto lines = find_plane_lines(picture_of(canvas), Work{});
@@ -67,7 +67,7 @@ TEST(PlaneLines, MeetInTheVanishingPointsOfAPlane) {
 }
 
 TEST(PlaneLines, NeedTwoDirections) {
-  cv::Mat canvas(kHeight, kWidth, CV_8U, cv::Scalar(230));
+  cv::Mat canvas(kLinesHeight, kLinesWidth, CV_8U, cv::Scalar(230));
   draw_lines_to(canvas, kCentre + cv::Point2d(700.0, 80.0));
   const auto lines = find_plane_lines(picture_of(canvas), Work{});
   ASSERT_FALSE(lines);

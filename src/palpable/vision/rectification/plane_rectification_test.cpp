@@ -10,7 +10,7 @@
 namespace palpable::vision {
 namespace {
 
-constexpr int kWidth = 640, kHeight = 480;
+constexpr int kMapWidth = 640, kMapHeight = 480;
 constexpr double kFocal = 560.0;
 
 /// The projection of a point on a table (metres) by a camera that looks down on it at an angle.
@@ -18,7 +18,7 @@ PicturePoint seen(double x, double y) {
   const double pitch = 0.6, yaw = 0.25;
   const double u = std::cos(yaw) * x - std::sin(yaw) * y, v = std::sin(yaw) * x + std::cos(yaw) * y;
   const double depth = 2.0 + std::sin(pitch) * v, down = -std::cos(pitch) * v;
-  return {0.5 * (kWidth - 1) + kFocal * u / depth, 0.5 * (kHeight - 1) + kFocal * down / depth};
+  return {0.5 * (kMapWidth - 1) + kFocal * u / depth, 0.5 * (kMapHeight - 1) + kFocal * down / depth};
 }
 
 PictureLine line(double x1, double y1, double x2, double y2) { return {seen(x1, y1), seen(x2, y2)}; }
@@ -41,7 +41,9 @@ void expect_metric(const RectifiedPlane& plane, double tolerance) {
   EXPECT_NEAR(distance(-0.3, 0.4, 0.3, -0.2) / across, 1.0, tolerance);
 }
 
-Image grey_picture() { return {kWidth, kHeight, 1, 8, std::vector<float>(kWidth * kHeight, 0.5F)}; }
+Image grey_picture() {
+  return {kMapWidth, kMapHeight, 1, 8, std::vector<float>(kMapWidth * kMapHeight, 0.5F)};
+}
 
 PlaneLines table_lines() {
   PlaneLines lines;
@@ -100,19 +102,19 @@ TEST(RectifyRectangle, CropsARectangleInItsProportions) {
 /// The camera's picture of a table with a grid of streets.
 Image photographed_map() {
   Image picture = grey_picture();
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kMapHeight; ++y)
+    for (int x = 0; x < kMapWidth; ++x) {
       // The point of the table at a pixel: the inverse of seen().
-      const double pitch = 0.6, yaw = 0.25, i = (x - 0.5 * (kWidth - 1)) / kFocal,
-                   j = (y - 0.5 * (kHeight - 1)) / kFocal;
+      const double pitch = 0.6, yaw = 0.25, i = (x - 0.5 * (kMapWidth - 1)) / kFocal,
+                   j = (y - 0.5 * (kMapHeight - 1)) / kFocal;
       const double v = -2.0 * j / (std::cos(pitch) + j * std::sin(pitch)),
                    u = i * (2.0 + std::sin(pitch) * v);
       const double tx = std::cos(yaw) * u + std::sin(yaw) * v, ty = -std::sin(yaw) * u + std::cos(yaw) * v;
       const bool inside = std::abs(tx) < 0.6 && std::abs(ty) < 0.45;
       const auto on_street = [](double t) { return std::abs(t - 0.15 * std::round(t / 0.15)) < 0.02; };
-      picture.samples[static_cast<std::size_t>(y * kWidth + x)] = !inside                          ? 0.25F
-                                                                  : on_street(tx) || on_street(ty) ? 0.95F
-                                                                                                   : 0.6F;
+      picture.samples[static_cast<std::size_t>(y * kMapWidth + x)] = !inside                          ? 0.25F
+                                                                     : on_street(tx) || on_street(ty) ? 0.95F
+                                                                                                      : 0.6F;
     }
   return picture;
 }

@@ -10,7 +10,7 @@
 namespace palpable::vision {
 namespace {
 
-constexpr int kWidth = 640, kHeight = 480;
+constexpr int kPairWidth = 640, kPairHeight = 480;
 
 /// A wave over the rows, as from a rolling shutter in a moving hand.
 double offset_of(double y) { return 2.0 + 3.0 * std::sin(y / 60.0); }
@@ -18,7 +18,7 @@ double offset_of(double y) { return 2.0 + 3.0 * std::sin(y / 60.0); }
 /// Matches with that offset and noise; one in `wrong_each` is an outlier.
 std::vector<FeatureMatch> rolling_matches(int wrong_each) {
   std::mt19937 random(7);
-  std::uniform_real_distribution<double> x(0, kWidth), y(0, kHeight), anywhere(-40.0, 40.0);
+  std::uniform_real_distribution<double> x(0, kPairWidth), y(0, kPairHeight), anywhere(-40.0, 40.0);
   std::normal_distribution<double> noise(0.0, 0.1);
   std::vector<FeatureMatch> matches;
   for (int i = 0; i < 800; ++i) {
@@ -30,12 +30,12 @@ std::vector<FeatureMatch> rolling_matches(int wrong_each) {
 }
 
 TEST(VerticalOffsets, FollowAWaveOverTheRowsDespiteOutliers) {
-  const auto offsets = VerticalOffsets::through(rolling_matches(6), kWidth, kHeight);
+  const auto offsets = VerticalOffsets::through(rolling_matches(6), kPairWidth, kPairHeight);
   ASSERT_TRUE(offsets);
   double squares = 0.0;
   int places = 0;
-  for (int y = 20; y < kHeight - 20; y += 10)
-    for (int x = 40; x < kWidth - 40; x += 40) {
+  for (int y = 20; y < kPairHeight - 20; y += 10)
+    for (int x = 40; x < kPairWidth - 40; x += 40) {
       const double off = offsets->offset_px(x, y) - offset_of(y);
       squares += off * off;
       ++places;
@@ -48,11 +48,11 @@ TEST(VerticalOffsets, FollowAWaveOverTheRowsDespiteOutliers) {
 TEST(VerticalOffsets, NeedEnoughMatches) {
   auto matches = rolling_matches(100);
   matches.resize(99);
-  EXPECT_FALSE(VerticalOffsets::through(matches, kWidth, kHeight));
+  EXPECT_FALSE(VerticalOffsets::through(matches, kPairWidth, kPairHeight));
 }
 
 TEST(VerticalOffsets, AreCrossValidatedAgainstAnotherModel) {
-  const VerticalOffsetScore score = cross_validate_offsets(rolling_matches(6), kWidth, kHeight, 1.5);
+  const VerticalOffsetScore score = cross_validate_offsets(rolling_matches(6), kPairWidth, kPairHeight, 1.5);
   EXPECT_GT(score.inliers, 600U);
   EXPECT_LT(score.residual_px, 0.3);
   EXPECT_GT(score.greatest_px, 2.0);

@@ -14,7 +14,7 @@
 namespace palpable::vision {
 namespace {
 
-struct Scene {
+struct Room {
   Raster<Rgb8> picture;
   Raster<float> disparity_px;
   Raster<Seen> seen;
@@ -23,22 +23,22 @@ struct Scene {
 constexpr DisparityPlane kFloor{0.01, 0.09, -4.0};
 
 /// A textured floor that rises to 20 px, a wall behind it and three boxes on it, with noise of `noise_px`.
-Scene room(double noise_px, double unknown_share) {
-  Scene scene{Raster<Rgb8>(320, 240), Raster<float>(320, 240), Raster<Seen>(320, 240)};
+Room room(double noise_px, double unknown_share) {
+  Room scene{Raster<Rgb8>(320, 240), Raster<float>(320, 240), Raster<Seen>(320, 240)};
   std::mt19937 random(5);
   std::normal_distribution<double> noise(0.0, noise_px);
   std::uniform_int_distribution<int> grain(-12, 12);
   std::uniform_real_distribution<double> chance(0.0, 1.0);
-  struct Box {
+  struct BoxInRoom {
     int left, right, top, foot;
   };
-  const Box boxes[] = {{40, 90, 90, 170}, {140, 200, 60, 130}, {230, 300, 150, 225}};
+  const BoxInRoom boxes[] = {{40, 90, 90, 170}, {140, 200, 60, 130}, {230, 300, 150, 225}};
   for (int y = 0; y < 240; ++y) {
     for (int x = 0; x < 320; ++x) {
       double d = std::max(kFloor.at(x, y), 3.0);
       Seen seen = kFloor.at(x, y) > 3.0 ? Seen::ground : Seen::nothing;
       Rgb8 colour = seen == Seen::ground ? Rgb8{120, 90, 60} : Rgb8{170, 180, 200};
-      for (const Box& box : boxes) {
+      for (const BoxInRoom& box : boxes) {
         if (x < box.left || x >= box.right || y < box.top || y >= box.foot) continue;
         d = kFloor.at(x, box.foot);
         seen = Seen::object;
@@ -56,7 +56,7 @@ Scene room(double noise_px, double unknown_share) {
 }
 
 /// At least 98 % of the floor is found, and at most a share of the objects is marked by mistake.
-void expect_found(const Scene& scene, double most_lost) {
+void expect_found(const Room& scene, double most_lost) {
   const auto ground = find_ground(scene.picture, scene.disparity_px, Work{});
   ASSERT_TRUE(ground);
   const Shares shares = shares_of(ground->mask, scene.seen);
@@ -66,7 +66,7 @@ void expect_found(const Scene& scene, double most_lost) {
 
 TEST(FindGround, FindsTheFloorOfARoomWithoutTheObjectsOnIt) {
   for (const double noise_px : {0.02, 0.15, 0.3}) {
-    const Scene scene = room(noise_px, 0.05);
+    const Room scene = room(noise_px, 0.05);
     const auto ground = find_ground(scene.picture, scene.disparity_px, Work{});
     ASSERT_TRUE(ground) << noise_px;
     const StereoRig rig{{300.0, 300.0, 159.5, 119.5, 320, 240}, 0.1, 0.0};
@@ -78,7 +78,7 @@ TEST(FindGround, FindsTheFloorOfARoomWithoutTheObjectsOnIt) {
 }
 
 TEST(FindGround, FindsNoneBeforeAWall) {
-  Scene scene = room(0.1, 0.0);
+  Room scene = room(0.1, 0.0);
   for (float& d : scene.disparity_px.values()) d = 7.0F;
   EXPECT_FALSE(find_ground(scene.picture, scene.disparity_px, Work{}));
   for (float& d : scene.disparity_px.values()) d = std::numeric_limits<float>::quiet_NaN();
@@ -87,7 +87,7 @@ TEST(FindGround, FindsNoneBeforeAWall) {
 
 TEST(FindGround, DoesNotMistakeASteppedWallForGround) {
   // The wall recedes a little downwards, as for a camera that looks down.
-  Scene scene = room(0.0, 0.0);
+  Room scene = room(0.0, 0.0);
   for (int y = 0; y < 240; ++y)
     for (int x = 0; x < 320; ++x)
       scene.disparity_px(x, y) = std::round(static_cast<float>(55.0 - 0.0075 * x - 0.0035 * y));
@@ -95,7 +95,7 @@ TEST(FindGround, DoesNotMistakeASteppedWallForGround) {
 }
 
 TEST(FindGround, ExcludesObjectsOfTheGroundsColour) {
-  Scene scene = room(0.05, 0.0);
+  Room scene = room(0.05, 0.0);
   std::mt19937 random(7);
   std::uniform_int_distribution<int> grain(-12, 12);
   for (std::size_t i = 0; i < scene.seen.count(); ++i) {
@@ -108,8 +108,8 @@ TEST(FindGround, ExcludesObjectsOfTheGroundsColour) {
 
 TEST(FindGround, FollowsThePicturesEdgesWhereDisparityIsFattened) {
   constexpr int kSpread_px = 6;
-  const Scene exact = room(0.05, 0.0);
-  Scene scene = exact;
+  const Room exact = room(0.05, 0.0);
+  Room scene = exact;
   for (int y = 0; y < 240; ++y)
     for (int x = 0; x < 320; ++x)
       for (int u = std::max(0, x - kSpread_px); u <= std::min(319, x + kSpread_px); ++u)
@@ -128,7 +128,7 @@ TEST(NormalOf, PointsUpFromALevelFloor) {
 }
 
 TEST(TreatGround, FlattensTheGroundAndKeepsTheObjects) {
-  const Scene scene = room(0.05, 0.0);
+  const Room scene = room(0.05, 0.0);
   const auto ground = find_ground(scene.picture, scene.disparity_px, Work{});
   ASSERT_TRUE(ground);
   const DisparityMap flat = treat_ground({scene.disparity_px, {}}, *ground, GroundTreatment::flatten);
@@ -142,7 +142,7 @@ TEST(TreatGround, FlattensTheGroundAndKeepsTheObjects) {
 }
 
 TEST(MergeRegions, SeparatesDifferentColoursAndJoinsNoisyOnes) {
-  const Scene scene = room(0.1, 0.0);
+  const Room scene = room(0.1, 0.0);
   const Regions regions = merge_regions(scene.picture);
   EXPECT_LT(regions.count(), 40);
   EXPECT_NE(regions.of_pixel(60, 120), regions.of_pixel(10, 230));

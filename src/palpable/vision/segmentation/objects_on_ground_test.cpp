@@ -8,10 +8,10 @@ namespace palpable::vision {
 namespace {
 
 /// A table whose far edge is row 40, a wall behind it, a tall box that hides both, and a low one.
-struct Scene {
+struct BoxOnGround {
   Ground ground{{0.0, 0.1, 10.0}, Raster<std::uint8_t>(160, 120), 0.0, 0.1};
   Raster<float> disparity_px{160, 120};
-  Scene() {
+  BoxOnGround() {
     for (int y = 0; y < 120; ++y)
       for (int x = 0; x < 160; ++x) {
         const bool tall = x >= 30 && x < 60 && y >= 10 && y < 90,
@@ -26,7 +26,7 @@ struct Scene {
 };
 
 TEST(ObjectsOnGround, IncludePartsBeyondTheGroundsEdge) {
-  const Scene scene;
+  const BoxOnGround scene;
   const auto objects = objects_on_ground(scene.ground, scene.disparity_px);
   EXPECT_EQ(objects(45, 60), 255);
   EXPECT_EQ(objects(45, 15), 255) << "above the table's edge";

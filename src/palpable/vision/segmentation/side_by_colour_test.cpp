@@ -7,7 +7,7 @@
 namespace palpable::vision {
 namespace {
 
-constexpr Rgb8 kRed{200, 40, 30};
+constexpr Rgb8 kRedSide{200, 40, 30};
 constexpr Rgb8 kGreen{40, 180, 60};
 
 /// Red up to column 60, green from there on; the known pixels end before that.
@@ -17,7 +17,7 @@ struct TwoSides {
   TwoSides(int sure_until, int sure_from, Side between) {
     for (int y = 0; y < 60; ++y)
       for (int x = 0; x < 120; ++x) {
-        picture(x, y) = x < 60 ? kRed : kGreen;
+        picture(x, y) = x < 60 ? kRedSide : kGreen;
         side(x, y) = x < sure_until ? Side::inside : x >= sure_from ? Side::outside : between;
       }
   }
@@ -48,7 +48,7 @@ TEST(DecideByColour, ReachesPixelsFarFromDecidedOnes) {
 TEST(DecideByColour, KeepsThePriorIfColourDoesNotDecide) {
   for (const Side between : {Side::perhaps_inside, Side::perhaps_outside}) {
     TwoSides scene(50, 75, between);
-    for (Rgb8& pixel : scene.picture.values()) pixel = kRed;
+    for (Rgb8& pixel : scene.picture.values()) pixel = kRedSide;
     decide_by_colour(scene.picture, scene.side, Work{});
     EXPECT_EQ(scene.side(65, 30), between == Side::perhaps_inside ? Side::inside : Side::outside);
   }

@@ -12,14 +12,14 @@
 namespace palpable::vision {
 namespace {
 
-constexpr Rgb8 kLand{242, 239, 233}, kStreet{255, 255, 255}, kBuilding{217, 208, 201}, kRiver{170, 211, 223},
+constexpr Rgb8 kGround{242, 239, 233}, kRoad{255, 255, 255}, kBuilding{217, 208, 201}, kWater{170, 211, 223},
     kPark{200, 230, 180};
 
 /// Two crossing streets between buildings, a river and a park.
-Raster<Rgb8> small_map() {
+Raster<Rgb8> map_with_buildings() {
   Raster<Rgb8> picture = rgb8(drawn_map({{{{0, 190}, {399, 190}}, 12}, {{{190, 0}, {190, 399}}, 12}}));
   for (int y = 210; y < 300; ++y)
-    for (int x = 210; x < 400; ++x) picture(x, y) = kRiver;
+    for (int x = 210; x < 400; ++x) picture(x, y) = kWater;
   for (int y = 310; y < 400; ++y)
     for (int x = 0; x < 180; ++x) picture(x, y) = kPark;
   return picture;
@@ -32,8 +32,8 @@ MapLayer layer_at(const Raster<Rgb8>& picture, int x, int y) {
 }
 
 TEST(StreetColours, TellStreetsBuildingsWaterAndParksApart) {
-  const Raster<Rgb8> picture = small_map();
-  ASSERT_TRUE((picture(22, 20) == kBuilding && picture(100, 190) == kStreet && picture(5, 5) == kLand));
+  const Raster<Rgb8> picture = map_with_buildings();
+  ASSERT_TRUE((picture(22, 20) == kBuilding && picture(100, 190) == kRoad && picture(5, 5) == kGround));
   EXPECT_EQ(layer_at(picture, 100, 190), MapLayer::street);
   EXPECT_EQ(layer_at(picture, 22, 20), MapLayer::building);
   EXPECT_EQ(layer_at(picture, 300, 250), MapLayer::water);
@@ -42,7 +42,7 @@ TEST(StreetColours, TellStreetsBuildingsWaterAndParksApart) {
 }
 
 TEST(StreetColours, LinesOfStreetsRunInTheirMiddleWithTheirWidth) {
-  const MapColours colours = find_map_colours(small_map());
+  const MapColours colours = find_map_colours(map_with_buildings());
   const auto layers = layers_of(colours);
   const CentreLines& lines = layers[colours.of_pixel(100, 190)].lines;
   double length = 0.0;
@@ -60,10 +60,10 @@ TEST(StreetColours, LinesOfStreetsRunInTheirMiddleWithTheirWidth) {
 }
 
 TEST(StreetColours, SquaresOfOneColourAreNoStreets) {
-  Raster<Rgb8> picture(400, 400, kLand);
+  Raster<Rgb8> picture(400, 400, kGround);
   for (int k = 0; k < 9; ++k)
     for (int y = 0; y < 60; ++y)
-      for (int x = 0; x < 60; ++x) picture(40 + 120 * (k % 3) + x, 40 + 120 * (k / 3) + y) = kStreet;
+      for (int x = 0; x < 60; ++x) picture(40 + 120 * (k % 3) + x, 40 + 120 * (k / 3) + y) = kRoad;
   EXPECT_EQ(layer_at(picture, 60, 60), MapLayer::building);
 }
 

@@ -11,13 +11,13 @@
 namespace palpable::vision {
 namespace {
 
-constexpr Pinhole kCamera{100, 100, 15.5, 11.5, 32, 24};
+constexpr Pinhole kWallCamera{100, 100, 15.5, 11.5, 32, 24};
 
 // The wall z = `depth` seen by cameras side by side; each step moves the wall z = 2 by one pixel.
-std::vector<PosedDepthMap> wall_from(int cameras, float depth = 2.0F) {
+std::vector<PosedDepthMap> wall_of_depth(int cameras, float depth = 2.0F) {
   std::vector<PosedDepthMap> maps;
   for (int k = 0; k < cameras; ++k) {
-    PosedDepthMap map{{Raster<float>(32, 24, depth), kCamera}, {}};
+    PosedDepthMap map{{Raster<float>(32, 24, depth), kWallCamera}, {}};
     map.pose.translation_m = {0.02 * k, 0.0, 0.0};
     maps.push_back(map);
   }
@@ -25,7 +25,7 @@ std::vector<PosedDepthMap> wall_from(int cameras, float depth = 2.0F) {
 }
 
 TEST(DepthFilling, TakesTheSurfaceThatOtherMapsMeasured) {
-  auto maps = wall_from(3);
+  auto maps = wall_of_depth(3);
   maps[1].depth.depth_m(10, 12) = kUnknownDepth;
   const auto out = filled_depth(maps, {}, {});
   ASSERT_TRUE(out);
@@ -34,7 +34,7 @@ TEST(DepthFilling, TakesTheSurfaceThatOtherMapsMeasured) {
 }
 
 TEST(DepthFilling, LeavesUnknownWhatNoMapShows) {
-  auto maps = wall_from(2);
+  auto maps = wall_of_depth(2);
   // Camera 1 does not see the left border of camera 0.
   maps[0].depth.depth_m(0, 12) = kUnknownDepth;
   const auto out = filled_depth(maps, {}, {});
@@ -43,7 +43,7 @@ TEST(DepthFilling, LeavesUnknownWhatNoMapShows) {
 }
 
 TEST(DepthFilling, TakesTheSurfaceThatMostMapsAgreeOnOfSeveralTheNearest) {
-  auto maps = wall_from(1);
+  auto maps = wall_of_depth(1);
   maps[0].depth.depth_m(10, 12) = kUnknownDepth;
   const auto filled_with = [&](std::initializer_list<float> depths) {
     std::vector<PosedDepthMap> all{maps[0]};
@@ -59,7 +59,7 @@ TEST(DepthFilling, TakesTheSurfaceThatMostMapsAgreeOnOfSeveralTheNearest) {
 }
 
 TEST(DepthFilling, RefusesOptionsOutOfRange) {
-  EXPECT_FALSE(filled_depth(wall_from(2), {.tolerance = 0.0}, {}));
+  EXPECT_FALSE(filled_depth(wall_of_depth(2), {.tolerance = 0.0}, {}));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 using testing::HasSubstr;
 
 constexpr Pinhole kCamera{500, 500, 319.5, 239.5, 640, 480};
-constexpr int kFrames = 30;
+constexpr int kMotionFrames = 30;
 
 // A camera at distance 1 from the origin, at this angle, facing it; or one that stays in place and rotates by
 // the angle.
@@ -38,7 +38,8 @@ SeenScene seen_from_arc(double arc, bool turns_only, double noise_px) {
   std::uniform_real_distribution<double> place(-0.25, 0.25);
   std::normal_distribution<double> noise(0.0, noise_px > 0 ? noise_px : 1.0);
   SeenScene out;
-  for (int i = 0; i < kFrames; ++i) out.poses.push_back(pose_at(arc * i / (kFrames - 1), turns_only));
+  for (int i = 0; i < kMotionFrames; ++i)
+    out.poses.push_back(pose_at(arc * i / (kMotionFrames - 1), turns_only));
   for (int p = 0; p < 200; ++p) {
     const Point<WorldFrame> point{{place(random), place(random), place(random)}};
     PointTrack track;
@@ -76,7 +77,8 @@ void expect_same_path(const CameraMotion& motion, const SeenScene& truth, double
 
 TEST(CameraMotion, IsExactForExactTracks) {
   const SeenScene truth = seen_from_arc(0.6, false, 0.0);
-  const auto motion = motion_from_tracks(truth.tracks, consecutive_numbers(kFrames), {kCamera, true}, {}, {});
+  const auto motion =
+      motion_from_tracks(truth.tracks, consecutive_numbers(kMotionFrames), {kCamera, true}, {}, {});
   ASSERT_TRUE(motion);
   EXPECT_LT(motion->reprojection_rms_px, 1e-3);
   EXPECT_EQ(motion->points.size(), 200U);
@@ -88,7 +90,8 @@ TEST(CameraMotion, ToleratesNoiseAndWrongTracks) {
   for (std::size_t i = 0; i < truth.tracks.size(); i += 10)
     for (std::size_t k = 0; k < truth.tracks[i].places.size(); ++k)
       truth.tracks[i].places[k] = {3.0 * static_cast<double>(k) + static_cast<double>(i), 200};
-  const auto motion = motion_from_tracks(truth.tracks, consecutive_numbers(kFrames), {kCamera, true}, {}, {});
+  const auto motion =
+      motion_from_tracks(truth.tracks, consecutive_numbers(kMotionFrames), {kCamera, true}, {}, {});
   ASSERT_TRUE(motion);
   EXPECT_LT(motion->reprojection_rms_px, 0.5);
   expect_same_path(*motion, truth, 0.005);
@@ -98,7 +101,8 @@ TEST(CameraMotion, FindsAnUnknownFocalLength) {
   const SeenScene truth = seen_from_arc(0.8, false, 0.1);
   Pinhole wrong = kCamera;
   wrong.fx = wrong.fy = 620;
-  const auto motion = motion_from_tracks(truth.tracks, consecutive_numbers(kFrames), {wrong, false}, {}, {});
+  const auto motion =
+      motion_from_tracks(truth.tracks, consecutive_numbers(kMotionFrames), {wrong, false}, {}, {});
   ASSERT_TRUE(motion);
   EXPECT_NEAR(motion->camera.fx, 500, 5);
   expect_same_path(*motion, truth, 0.01);
@@ -106,7 +110,7 @@ TEST(CameraMotion, FindsAnUnknownFocalLength) {
 
 // A camera on an arc whose direction shakes by a few thousandths of a radian.
 CameraPose shaking_pose(double time) {
-  const double angle = 0.6 * time / (kFrames - 1);
+  const double angle = 0.6 * time / (kMotionFrames - 1);
   CameraPose pose = pose_at(angle + 0.003 * std::sin(0.7 * time) + 0.003 * std::cos(0.31 * time), false);
   pose.translation_m = pose_at(angle, false).translation_m;
   pose.translation_m.y += 0.002 * std::sin(0.5 * time);
@@ -119,11 +123,11 @@ SeenScene seen_by_rolling_shutter(const Readout& readout, double noise_px) {
   std::uniform_real_distribution<double> place(-0.25, 0.25);
   std::normal_distribution<double> noise(0.0, noise_px);
   SeenScene out;
-  for (int k = 0; k < kFrames; ++k) out.poses.push_back(shaking_pose(k));
+  for (int k = 0; k < kMotionFrames; ++k) out.poses.push_back(shaking_pose(k));
   for (int p = 0; p < 200; ++p) {
     const Vec3 point{place(random), place(random), place(random)};
     PointTrack track;
-    for (int k = 0; k < kFrames; ++k) {
+    for (int k = 0; k < kMotionFrames; ++k) {
       ImagePoint seen = seen_from(shaking_pose(k), point);
       for (int i = 0; i < 10; ++i) {
         const ImagePoint at = reading_place(seen, kCamera.width, kCamera.height);
@@ -140,7 +144,7 @@ TEST(CameraMotion, FindsARollingShutter) {
   for (const Readout readout : {Readout{0.6, 0}, Readout{-0.4, 0}, Readout{0, 0.5}}) {
     const SeenScene truth = seen_by_rolling_shutter(readout, 0.05);
     const auto motion =
-        motion_from_tracks(truth.tracks, consecutive_numbers(kFrames), {kCamera, true}, {}, {});
+        motion_from_tracks(truth.tracks, consecutive_numbers(kMotionFrames), {kCamera, true}, {}, {});
     ASSERT_TRUE(motion);
     EXPECT_NEAR(motion->readout.rows, readout.rows, 0.03);
     EXPECT_NEAR(motion->readout.columns, readout.columns, 0.03);
@@ -150,23 +154,25 @@ TEST(CameraMotion, FindsARollingShutter) {
 
 TEST(CameraMotion, FindsNoRollingShutterWhereThereIsNone) {
   const SeenScene truth = seen_by_rolling_shutter({}, 0.2);
-  const auto motion = motion_from_tracks(truth.tracks, consecutive_numbers(kFrames), {kCamera, true}, {}, {});
+  const auto motion =
+      motion_from_tracks(truth.tracks, consecutive_numbers(kMotionFrames), {kCamera, true}, {}, {});
   ASSERT_TRUE(motion);
   EXPECT_EQ(motion->readout, Readout{});
 }
 
 TEST(CameraMotion, ReportsACameraThatOnlyRotates) {
   const SeenScene truth = seen_from_arc(0.3, true, 0.1);
-  const auto motion = motion_from_tracks(truth.tracks, consecutive_numbers(kFrames), {kCamera, true}, {}, {});
+  const auto motion =
+      motion_from_tracks(truth.tracks, consecutive_numbers(kMotionFrames), {kCamera, true}, {}, {});
   ASSERT_FALSE(motion);
   EXPECT_EQ(motion.error().code, ErrorCode::invalid_input);
   EXPECT_THAT(motion.error().message, HasSubstr("the camera only turned"));
 }
 
 TEST(CameraMotion, FailsWithoutTracksAndWithoutMovement) {
-  EXPECT_FALSE(motion_from_tracks({}, consecutive_numbers(kFrames), {kCamera, true}, {}, {}));
+  EXPECT_FALSE(motion_from_tracks({}, consecutive_numbers(kMotionFrames), {kCamera, true}, {}, {}));
   const SeenScene still = seen_from_arc(0.0, false, 0.1);
-  EXPECT_FALSE(motion_from_tracks(still.tracks, consecutive_numbers(kFrames), {kCamera, true}, {}, {}));
+  EXPECT_FALSE(motion_from_tracks(still.tracks, consecutive_numbers(kMotionFrames), {kCamera, true}, {}, {}));
 }
 
 }  // namespace

@@ -13,10 +13,6 @@
 namespace palpable::vision {
 namespace {
 
-constexpr int kWidth = kTextureWidth;
-constexpr int kHeight = kTextureHeight;
-constexpr int kShift = kTextureShift;
-
 TEST(PixelCosts, FollowTheEquation) {
   // One pixel with all census bits and 26 levels of colour different: 1 - e^(-26/13) + 1 - e^(-63/30).
   const auto view = [](std::uint8_t level, std::uint64_t census) {
@@ -36,19 +32,20 @@ TEST(PixelCosts, FollowTheEquation) {
 TEST(PixelCosts, AreLeastAtTheTrueDisparityAndMostlyForDifferentExposures) {
   const MatchView left = moved_texture(0, 1.0);
   for (const auto& [gain, percent] : {std::pair{1.0, 95}, std::pair{0.6, 60}}) {
-    CostVolume costs(kWidth, kHeight, 20);
-    pixel_costs(left, moved_texture(kShift, gain), {}, costs, {});
+    CostVolume costs(kTextureWidth, kTextureHeight, 20);
+    pixel_costs(left, moved_texture(kTextureShift, gain), {}, costs, {});
     int right = 0;
     const Raster<float> found = least_cost_disparity(costs, {});
-    for (int y = 4; y < kHeight - 4; ++y)
-      for (int x = 25; x < kWidth - 12; ++x) right += std::abs(found(x, y) - kShift) < 0.75F ? 1 : 0;
-    EXPECT_GE(right, (kHeight - 8) * (kWidth - 37) * percent / 100) << gain;
+    for (int y = 4; y < kTextureHeight - 4; ++y)
+      for (int x = 25; x < kTextureWidth - 12; ++x)
+        right += std::abs(found(x, y) - kTextureShift) < 0.75F ? 1 : 0;
+    EXPECT_GE(right, (kTextureHeight - 8) * (kTextureWidth - 37) * percent / 100) << gain;
   }
 }
 
 TEST(PixelCosts, AreNeutralForAMatchOutsideThePicture) {
-  CostVolume costs(kWidth, kHeight, 20);
-  pixel_costs(moved_texture(0, 1.0), moved_texture(kShift, 1.0), {}, costs, {});
+  CostVolume costs(kTextureWidth, kTextureHeight, 20);
+  pixel_costs(moved_texture(0, 1.0), moved_texture(kTextureShift, 1.0), {}, costs, {});
   const std::uint16_t* cost = costs.at(9, 20);
   const std::uint16_t least = *std::min_element(cost, cost + 10);
   const std::uint16_t greatest = *std::max_element(cost, cost + 10);
@@ -59,23 +56,23 @@ TEST(PixelCosts, AreNeutralForAMatchOutsideThePicture) {
 }
 
 TEST(PixelCosts, OfAPlainSurfaceDoNotFavourAnAdjacentEdge) {
-  // A bright bar that moves by kShift before a plain wall: at the wall's pixels beside the bar the census
-  // window contains the moving bar, but the bits that count do not.
+  // A bright bar that moves by kTextureShift before a plain wall: at the wall's pixels beside the bar the
+  // census window contains the moving bar, but the bits that count do not.
   const auto bar = [](int shift) {
-    Raster<Rgb8> colour(kWidth, kHeight, Rgb8{90, 90, 90});
-    Raster<std::uint8_t> luma(kWidth, kHeight, 90);
-    for (int y = 0; y < kHeight; ++y)
+    Raster<Rgb8> colour(kTextureWidth, kTextureHeight, Rgb8{90, 90, 90});
+    Raster<std::uint8_t> luma(kTextureWidth, kTextureHeight, 90);
+    for (int y = 0; y < kTextureHeight; ++y)
       for (int x = 40; x < 60; ++x) {
         colour(x - shift, y) = {200, 200, 200};
         luma(x - shift, y) = 200;
       }
     return match_view(colour, luma, {}, {});
   };
-  CostVolume costs(kWidth, kHeight, 20);
-  pixel_costs(bar(0), bar(kShift), {}, costs, {});
+  CostVolume costs(kTextureWidth, kTextureHeight, 20);
+  pixel_costs(bar(0), bar(kTextureShift), {}, costs, {});
   for (const int beside : {1, 2, 3}) {
-    const std::uint16_t* cost = costs.at(59 + beside, kHeight / 2);
-    EXPECT_EQ(cost[0], cost[kShift]) << beside;
+    const std::uint16_t* cost = costs.at(59 + beside, kTextureHeight / 2);
+    EXPECT_EQ(cost[0], cost[kTextureShift]) << beside;
   }
 }
 

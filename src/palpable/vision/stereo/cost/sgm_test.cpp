@@ -12,20 +12,17 @@
 namespace palpable::vision {
 namespace {
 
-constexpr int kWidth = kTextureWidth;
-constexpr int kHeight = kTextureHeight;
-constexpr int kShift = kTextureShift;
-
 TEST(AggregatedPaths, FindTheShiftOfATexture) {
   const MatchView left = moved_texture(0, 1.0);
-  const MatchView right = moved_texture(kShift, 1.0);
-  CostVolume costs(kWidth, kHeight, 20);
+  const MatchView right = moved_texture(kTextureShift, 1.0);
+  CostVolume costs(kTextureWidth, kTextureHeight, 20);
   CostVolume sums = costs;
   pixel_costs(left, right, {}, costs, {});
   aggregate_paths(costs, left.colour, right.colour, {}, sums, {});
   const Raster<float> here = least_cost_disparity(sums, {});
-  for (int y = 2; y < kHeight - 2; ++y)
-    for (int x = 12; x < kWidth - 12; ++x) EXPECT_NEAR(here(x, y), kShift, 0.75) << x << ' ' << y;
+  for (int y = 2; y < kTextureHeight - 2; ++y)
+    for (int x = 12; x < kTextureWidth - 12; ++x)
+      EXPECT_NEAR(here(x, y), kTextureShift, 0.75) << x << ' ' << y;
 }
 
 /// One row of two pixels of one colour; the costs of the first and of the second at three disparities.

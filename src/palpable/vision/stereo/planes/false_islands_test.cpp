@@ -7,8 +7,8 @@
 namespace palpable::vision {
 namespace {
 
-constexpr int kWidth = 120;
-constexpr int kHeight = 60;
+constexpr int kIslandsWidth = 120;
+constexpr int kIslandsHeight = 60;
 constexpr float kGround_px = 4.0F;
 constexpr float kIsland_px = 12.0F;
 
@@ -17,9 +17,9 @@ bool on_island(int x, int y) { return x >= 60 && x < 70 && y >= 20 && y < 25; }
 /// All pixels match at the ground's disparity except those with `hidden`; the island also matches at its own.
 template <class Hidden>
 CostVolume costs(const Hidden& hidden, bool island_on_ground) {
-  CostVolume out(kWidth, kHeight, 20);
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x)
+  CostVolume out(kIslandsWidth, kIslandsHeight, 20);
+  for (int y = 0; y < kIslandsHeight; ++y)
+    for (int x = 0; x < kIslandsWidth; ++x)
       for (int d = 0; d < 20; ++d) {
         const bool ground = d == 4 && !hidden(x, y) && (island_on_ground || !on_island(x, y));
         const bool island = d == 12 && on_island(x, y);
@@ -29,9 +29,9 @@ CostVolume costs(const Hidden& hidden, bool island_on_ground) {
 }
 
 PlaneMap map_with_island() {
-  PlaneMap map(kWidth, kHeight);
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) map.disparity(x, y) = on_island(x, y) ? kIsland_px : kGround_px;
+  PlaneMap map(kIslandsWidth, kIslandsHeight);
+  for (int y = 0; y < kIslandsHeight; ++y)
+    for (int x = 0; x < kIslandsWidth; ++x) map.disparity(x, y) = on_island(x, y) ? kIsland_px : kGround_px;
   return map;
 }
 

@@ -12,18 +12,19 @@
 namespace palpable::vision {
 namespace {
 
-constexpr int kWidth = 90;
-constexpr int kHeight = 40;
+constexpr int kCandidatesWidth = 90;
+constexpr int kCandidatesHeight = 40;
 
 /// One exact plane over a picture of one colour: all candidates lie on it.
 struct OnePlane {
-  PlaneMap map{kWidth, kHeight};
-  Raster<float> trust{kWidth, kHeight, 1.0F};
-  Regions regions{Raster<std::int32_t>(kWidth, kHeight, 0), {kWidth * kHeight}};
+  PlaneMap map{kCandidatesWidth, kCandidatesHeight};
+  Raster<float> trust{kCandidatesWidth, kCandidatesHeight, 1.0F};
+  Regions regions{Raster<std::int32_t>(kCandidatesWidth, kCandidatesHeight, 0),
+                  {kCandidatesWidth * kCandidatesHeight}};
 
   OnePlane() {
-    for (int y = 0; y < kHeight; ++y)
-      for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kCandidatesHeight; ++y)
+      for (int x = 0; x < kCandidatesWidth; ++x) {
         map.disparity(x, y) = truth(x, y);
         map.slope_x(x, y) = 0.1F;
         map.slope_y(x, y) = -0.05F;
@@ -38,11 +39,11 @@ TEST(PlaneCandidates, OfOnePlaneEqualItExceptForRandomChanges) {
   const OnePlane scene;
   PlaneProposalOptions options;
   options.fit.ridge_px2 = 0.0F;
-  PlaneCandidates candidates(kWidth, kHeight);
-  propose_planes(plain_picture(kWidth, kHeight), {scene.map, scene.map, scene.trust, scene.regions}, options,
-                 0, candidates, {});
-  for (int y = 15; y < kHeight - 15; ++y)
-    for (int x = 15; x < kWidth - 15; ++x) {
+  PlaneCandidates candidates(kCandidatesWidth, kCandidatesHeight);
+  propose_planes(plain_picture(kCandidatesWidth, kCandidatesHeight),
+                 {scene.map, scene.map, scene.trust, scene.regions}, options, 0, candidates, {});
+  for (int y = 15; y < kCandidatesHeight - 15; ++y)
+    for (int x = 15; x < kCandidatesWidth - 15; ++x) {
       const std::size_t at = candidates.at(x, y);
       int changed = 0;
       for (std::size_t k = at; k < at + PlaneCandidates::kCount; ++k) {
@@ -56,12 +57,12 @@ TEST(PlaneCandidates, OfOnePlaneEqualItExceptForRandomChanges) {
 
 TEST(PlaneCandidates, IncludeTheOtherViewsPlane) {
   const OnePlane scene;
-  PlaneMap theirs(kWidth, kHeight);
-  theirs.disparity = Raster<float>(kWidth, kHeight, NAN);
+  PlaneMap theirs(kCandidatesWidth, kCandidatesHeight);
+  theirs.disparity = Raster<float>(kCandidatesWidth, kCandidatesHeight, NAN);
   theirs.disparity(40, 20) = 33.0F;
-  PlaneCandidates candidates(kWidth, kHeight);
-  propose_planes(plain_picture(kWidth, kHeight), {scene.map, scene.map, scene.trust, scene.regions, &theirs},
-                 {}, 3, candidates, {});
+  PlaneCandidates candidates(kCandidatesWidth, kCandidatesHeight);
+  propose_planes(plain_picture(kCandidatesWidth, kCandidatesHeight),
+                 {scene.map, scene.map, scene.trust, scene.regions, &theirs}, {}, 3, candidates, {});
   const auto holds_33 = [&](int x) {
     const auto first = candidates.disparity.begin() + static_cast<std::ptrdiff_t>(candidates.at(x, 20));
     return std::find(first, first + PlaneCandidates::kCount, 33.0F) != first + PlaneCandidates::kCount;
@@ -73,11 +74,11 @@ TEST(PlaneCandidates, IncludeTheOtherViewsPlane) {
 TEST(PlaneCandidates, HaveSmallerRandomChangesInLaterRounds) {
   const OnePlane scene;
   const auto largest_change = [&](int round) {
-    PlaneCandidates candidates(kWidth, kHeight);
-    propose_planes(plain_picture(kWidth, kHeight), {scene.map, scene.map, scene.trust, scene.regions}, {},
-                   round, candidates, {});
+    PlaneCandidates candidates(kCandidatesWidth, kCandidatesHeight);
+    propose_planes(plain_picture(kCandidatesWidth, kCandidatesHeight),
+                   {scene.map, scene.map, scene.trust, scene.regions}, {}, round, candidates, {});
     float most = 0.0F;
-    for (int x = 20; x < kWidth - 20; ++x)
+    for (int x = 20; x < kCandidatesWidth - 20; ++x)
       for (std::size_t k = 0; k < PlaneCandidates::kCount; ++k)
         most = std::max(most,
                         std::fabs(candidates.disparity[candidates.at(x, 20) + k] - OnePlane::truth(x, 20)));

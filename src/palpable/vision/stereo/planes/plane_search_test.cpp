@@ -12,28 +12,28 @@
 namespace palpable::vision {
 namespace {
 
-constexpr int kWidth = 90;
-constexpr int kHeight = 40;
+constexpr int kSearchWidth = 90;
+constexpr int kSearchHeight = 40;
 
 TEST(PlaneSearch, FindsASlantFromAFlatStart) {
   // A cost with its minimum on a plane, starting from integer steps.
-  CostVolume costs(kWidth, kHeight, 20);
+  CostVolume costs(kSearchWidth, kSearchHeight, 20);
   const auto truth = [](int x, int y) {
     return 3.0F + 0.12F * static_cast<float>(x) + 0.05F * static_cast<float>(y);
   };
-  PlaneMap start(kWidth, kHeight);
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
+  PlaneMap start(kSearchWidth, kSearchHeight);
+  for (int y = 0; y < kSearchHeight; ++y)
+    for (int x = 0; x < kSearchWidth; ++x) {
       start.disparity(x, y) = std::round(truth(x, y));
       for (int d = 0; d < 20; ++d) {
         const float off = static_cast<float>(d) - truth(x, y);
         costs.at(x, y)[d] = static_cast<std::uint16_t>(std::min(4000.0F, 200.0F * off * off));
       }
     }
-  const ColourPlanes colour = plain_picture(kWidth, kHeight);
-  const Raster<float> all(kWidth, kHeight, 1.0F);
-  const Regions whole{Raster<std::int32_t>(kWidth, kHeight, 0), {kWidth * kHeight}};
-  PlaneCandidates candidates(kWidth, kHeight);
+  const ColourPlanes colour = plain_picture(kSearchWidth, kSearchHeight);
+  const Raster<float> all(kSearchWidth, kSearchHeight, 1.0F);
+  const Regions whole{Raster<std::int32_t>(kSearchWidth, kSearchHeight, 0), {kSearchWidth * kSearchHeight}};
+  PlaneCandidates candidates(kSearchWidth, kSearchHeight);
   PlaneMap map = start;
   for (int round = 0; round < 4; ++round) {
     propose_planes(colour, {map, start, all, whole}, {}, round, candidates, {});
@@ -43,8 +43,8 @@ TEST(PlaneSearch, FindsASlantFromAFlatStart) {
   double error = 0.0;
   double slope_error = 0.0;
   int pixels = 0;
-  for (int y = 5; y < kHeight - 5; ++y)
-    for (int x = 20; x < kWidth - 5; ++x) {
+  for (int y = 5; y < kSearchHeight - 5; ++y)
+    for (int x = 20; x < kSearchWidth - 5; ++x) {
       error += std::abs(map.disparity(x, y) - truth(x, y));
       slope_error += std::abs(map.slope_x(x, y) - 0.12F) + std::abs(map.slope_y(x, y) - 0.05F);
       ++pixels;

@@ -9,8 +9,8 @@
 namespace palpable::vision {
 namespace {
 
-constexpr int kWidth = 90;
-constexpr int kHeight = 40;
+constexpr int kVotesWidth = 90;
+constexpr int kVotesHeight = 40;
 /// A wall that gets nearer to the right, and in front of it a board from this column on in the left view.
 constexpr int kBoard = 60;
 constexpr float kBoard_px = 30.0F;
@@ -18,9 +18,9 @@ float wall_px(int x) { return 5.0F + 0.1F * static_cast<float>(x); }
 
 /// The right view: the board, else the wall.
 Raster<float> seen_from_right() {
-  Raster<float> out(kWidth, kHeight);
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
+  Raster<float> out(kVotesWidth, kVotesHeight);
+  for (int y = 0; y < kVotesHeight; ++y)
+    for (int x = 0; x < kVotesWidth; ++x) {
       const bool board = static_cast<float>(x) >= static_cast<float>(kBoard) - kBoard_px;
       // x_left = x + d and d = 5 + x_left / 10 give d = (5 + x / 10) / 0.9.
       out(x, y) = board ? kBoard_px : (5.0F + 0.1F * static_cast<float>(x)) / 0.9F;
@@ -33,16 +33,16 @@ bool is_hidden(int x) {
 }
 
 ColourPlanes grey() {
-  const Raster<std::uint8_t> even(kWidth, kHeight, std::uint8_t{90});
+  const Raster<std::uint8_t> even(kVotesWidth, kVotesHeight, std::uint8_t{90});
   return {even, even, even};
 }
 
 /// The truth, but with `hidden_px(x)` where the board hides the wall.
 template <class Hidden>
 PlaneMap map_with(const Hidden& hidden_px) {
-  PlaneMap map(kWidth, kHeight);
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
+  PlaneMap map(kVotesWidth, kVotesHeight);
+  for (int y = 0; y < kVotesHeight; ++y)
+    for (int x = 0; x < kVotesWidth; ++x) {
       const bool wall = x < kBoard && !is_hidden(x);
       map.disparity(x, y) = x >= kBoard ? kBoard_px : wall ? wall_px(x) : hidden_px(x);
       map.slope_x(x, y) = wall ? 0.1F : 0.0F;
@@ -92,12 +92,12 @@ TEST(PlaneVotes, ContinueTheWallBehindTheBoard) {
   PlaneMap map = map_with([](int x) { return 11.0F + 0.5F * static_cast<float>(x - kBoard + 18); });
   continue_background(grey(), seen_from_right(), {}, map, {});
   int hidden = 0;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kVotesHeight; ++y)
+    for (int x = 0; x < kVotesWidth; ++x) {
       hidden += is_hidden(x);
       EXPECT_NEAR(map.disparity(x, y), x < kBoard ? wall_px(x) : kBoard_px, 0.01F) << x << ", " << y;
     }
-  EXPECT_EQ(hidden, 21 * kHeight);
+  EXPECT_EQ(hidden, 21 * kVotesHeight);
 }
 
 TEST(PlaneVotes, ReplaceAContradictedDisparity) {
@@ -110,8 +110,8 @@ TEST(PlaneVotes, ReplaceAContradictedDisparity) {
 TEST(PlaneVotes, KeepOccludedAndConfirmedPixels) {
   const PlaneMap map = map_with([](int x) { return wall_px(x) - 3.0F; });
   const Raster<float> after = replace_contradicted(grey(), seen_from_right(), kContradictedWindow, map, {});
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 20; x < kWidth; ++x) EXPECT_EQ(after(x, y), map.disparity(x, y)) << x << ", " << y;
+  for (int y = 0; y < kVotesHeight; ++y)
+    for (int x = 20; x < kVotesWidth; ++x) EXPECT_EQ(after(x, y), map.disparity(x, y)) << x << ", " << y;
 }
 
 }  // namespace
