@@ -24,8 +24,9 @@ set(PALPABLE_MAY_USE_cli core models formats sources vision sculpt recipes measu
 
 # Rooms, bottom-up. Files directly in a module's folder are its interface: every room may use them, and they use no room.
 # Tests in a room may use every room of their module.
-set(PALPABLE_ROOMS_core picture geometry numbers text system files)
+set(PALPABLE_ROOMS_core picture geometry numbers text system files net)
 set(PALPABLE_MAY_USE_core/files system)
+set(PALPABLE_MAY_USE_core/net system)
 
 set(PALPABLE_ROOMS_models relief material field grid contours streets scene)
 set(PALPABLE_MAY_USE_models/material relief)
