@@ -106,7 +106,7 @@ set(PALPABLE_ROOMS_page shelf)
 
 set(PALPABLE_ROOMS_onefile wasm)
 
-set(PALPABLE_ROOMS_study simulated)
+set(PALPABLE_ROOMS_study simulated world)
 
 set(PALPABLE_ROOMS_cli arguments keys video commands/score commands/touch commands/export commands)
 set(PALPABLE_MAY_USE_cli/commands/score arguments)
