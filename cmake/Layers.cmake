@@ -19,7 +19,7 @@ set(PALPABLE_MAY_USE_describe core models)
 set(PALPABLE_MAY_USE_session core models formats sources vision sculpt recipes measure device haptics describe)
 set(PALPABLE_MAY_USE_page core models formats device haptics describe session)
 set(PALPABLE_MAY_USE_onefile core models formats device haptics describe session page)
-set(PALPABLE_MAY_USE_study core models vision sculpt device haptics)
+set(PALPABLE_MAY_USE_study core models vision sculpt device haptics session)
 set(PALPABLE_MAY_USE_cli core models formats sources vision sculpt recipes measure draw device haptics voice describe session page onefile study)
 
 # Rooms, bottom-up. Files directly in a module's folder are its interface: every room may use them, and they use no room.
@@ -96,9 +96,9 @@ set(PALPABLE_MAY_USE_haptics/law effect proxy)
 set(PALPABLE_MAY_USE_haptics/tick safety effect law)
 set(PALPABLE_MAY_USE_haptics/servo safety effect law tick)
 
-set(PALPABLE_ROOMS_session make touch share check)
+set(PALPABLE_ROOMS_session robot make touch share check)
 set(PALPABLE_MAY_USE_describe core models)
-set(PALPABLE_MAY_USE_session/touch make)
+set(PALPABLE_MAY_USE_session/touch robot make)
 set(PALPABLE_MAY_USE_session/share touch)
 set(PALPABLE_MAY_USE_session/check touch)
 

@@ -75,10 +75,19 @@ Result<std::shared_ptr<WebSocket>> RosbridgeClient::connect() const {
   auto socket =
       WebSocket::connect(options_.host, options_.port, kLongest, {kLongestRosMessage, std::size_t{1} << 16U});
   if (!socket) return invalid_input("cannot be reached: " + socket.error().message, name_);
-  for (const std::string& topic : options_.topics)
-    (*socket)->send(rosbridge_text(
-        {{"op", "subscribe"}, {"id", "palpable:" + topic}, {"topic", topic}, {"queue_length", 1}}));
+  subscribe(**socket);
   return std::shared_ptr<WebSocket>(*std::move(socket));
+}
+
+/// To the topics of which nothing has come.
+void RosbridgeClient::subscribe(WebSocket& socket) const {
+  const std::lock_guard lock(mutex_);
+  for (std::size_t k = 0; k < options_.topics.size(); ++k) {
+    if (socket_ != nullptr && count_[k] > 0) continue;
+    const std::string& topic = options_.topics[k];
+    socket.send(rosbridge_text(
+        {{"op", "subscribe"}, {"id", "palpable:" + topic}, {"topic", topic}, {"queue_length", 1}}));
+  }
 }
 
 void RosbridgeClient::run(std::shared_ptr<WebSocket> socket) {
@@ -106,11 +115,18 @@ void RosbridgeClient::run(std::shared_ptr<WebSocket> socket) {
 Error RosbridgeClient::follow(WebSocket& socket) {
   constexpr milliseconds kPatience{20};
   SecondCounter counter(options_.most_per_s);
+  // A server refuses a topic that nobody has announced yet.
+  constexpr std::chrono::seconds kAgain{2};
   auto last = Clock::now();
+  auto subscribed = last;
   while (!ending_) {
     auto text = socket.receive(Clock::now() + kPatience);
     if (!text) return std::move(text).error();
     const auto now = Clock::now();
+    if (now - subscribed > kAgain) {
+      subscribe(socket);
+      subscribed = now;
+    }
     if (*text) {
       last = now;
       if (counter.is_too_many(now))
@@ -130,7 +146,10 @@ void RosbridgeClient::take_in(const std::string& text) {
   if (!heard) return refuse(heard.error());
   if (auto* message = std::get_if<RosMessage>(&*heard)) return keep(std::move(*message), arrival);
   const auto& status = std::get<RosStatus>(*heard);
-  if (status.is_error && !status.words.empty()) refuse(invalid_input("says: " + status.words));
+  if (!status.is_error || status.words.empty()) return;
+  const std::lock_guard lock(mutex_);
+  if (!std::exchange(has_stated_, true))
+    unsaid_notice_ = fmt::format("The server {} says: {}", name_, status.words);
 }
 
 void RosbridgeClient::keep(RosMessage message, Clock::time_point arrival) {

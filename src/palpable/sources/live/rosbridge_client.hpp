@@ -80,6 +80,7 @@ class RosbridgeClient {
  private:
   explicit RosbridgeClient(RosbridgeOptions options);
   Result<std::shared_ptr<WebSocket>> connect() const;
+  void subscribe(WebSocket& socket) const;
   void run(std::shared_ptr<WebSocket> socket);
   Error follow(WebSocket& socket);
   void take_in(const std::string& text);
@@ -103,6 +104,7 @@ class RosbridgeClient {
   /// A message came since the last loss.
   bool is_here_ = false;
   bool has_refused_ = false;
+  bool has_stated_ = false;
   std::optional<Error> lost_;
   std::optional<std::string> unsaid_loss_;
   std::optional<std::string> unsaid_notice_;

@@ -196,7 +196,21 @@ Result<RosBody> body_in(const RosJson& message) {
   if (message.contains("pose") && message.contains("twist")) return odometry_in(message);
   if (const auto charge = ros_number(ros_member(message, "percentage")); charge)
     return RosBody(RosBattery{std::clamp(*charge, 0.0, 1.0)});
+  if (const auto& data = ros_member(message, "data"); data.is_boolean())
+    return RosBody(RosFlag{data.get<bool>()});
   return invalid_input("sends a message of another type than was asked for");
+}
+
+std::optional<double> stamp_in(const RosJson& message) {
+  const auto& stamp = ros_member(ros_member(message, "header"), "stamp");
+  constexpr std::size_t kMost_s = std::size_t{1} << 34U, kNano = 1'000'000'000;
+  for (const auto& [whole, part] : {std::pair("secs", "nsecs"), {"sec", "nanosec"}}) {
+    const auto seconds = ros_count(ros_member(stamp, whole), kMost_s);
+    const auto nano = ros_count(ros_member(stamp, part), kNano);
+    if (!seconds || !nano || (*seconds == 0 && *nano == 0)) continue;
+    return static_cast<double>(*seconds) + 1e-9 * static_cast<double>(*nano);
+  }
+  return std::nullopt;
 }
 
 RosVersion version_of(const RosJson& message) {
@@ -234,7 +248,8 @@ Result<RosHeard> parse_rosbridge(std::string_view text) {
     return invalid_input("sends an operation that was not asked for");
   auto body = body_in(message);
   if (!body) return std::move(body).error();
-  return RosHeard(RosMessage{topic.get<std::string>(), *std::move(body), version_of(message)});
+  return RosHeard(
+      RosMessage{topic.get<std::string>(), *std::move(body), version_of(message), stamp_in(message)});
 }
 
 }  // namespace palpable::sources

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -58,9 +59,14 @@ struct RosBattery {
   double charge = 0.0;
 };
 
+/// std_msgs/Bool, as of a bumper.
+struct RosFlag {
+  bool value = false;
+};
+
 /// What a topic's message is, recognised by its members. sensor_msgs/CameraInfo is a Pinhole; its distortion
 /// is not used. All numbers are finite.
-using RosBody = std::variant<RosPicture, RosCompressed, Pinhole, RosCloud, RosOdometry, RosBattery>;
+using RosBody = std::variant<RosPicture, RosCompressed, Pinhole, RosCloud, RosOdometry, RosBattery, RosFlag>;
 
 enum class RosVersion : std::uint8_t { unknown, ros1, ros2 };
 
@@ -69,6 +75,8 @@ struct RosMessage {
   RosBody body;
   /// As its header shows.
   RosVersion version = RosVersion::unknown;
+  /// When it was measured, by the robot's clock, s; nullopt without a header, and for 0.
+  std::optional<double> stamp_s = {};
 };
 
 /// A status message of the server itself.

@@ -124,6 +124,10 @@ TEST(RosbridgeMessage, HasOdometryAndABattery) {
   EXPECT_DOUBLE_EQ(odometry.y_m, -2.0);
   EXPECT_NEAR(odometry.yaw_rad, M_PI, 1e-12);
   EXPECT_DOUBLE_EQ(odometry.turn_rad_per_s, -0.5);
+  EXPECT_TRUE(std::get<RosFlag>(message_of(R"({"data":true})").body).value);
+  EXPECT_FALSE(message.stamp_s);
+  EXPECT_DOUBLE_EQ(*message_of(R"({"header":{"stamp":{"sec":5,"nanosec":500000000}},"data":true})").stamp_s,
+                   5.5);
   EXPECT_DOUBLE_EQ(std::get<RosBattery>(message_of(R"({"voltage":11,"percentage":0.5})").body).charge, 0.5);
 }
 
