@@ -159,6 +159,9 @@ Result<LiveAddress> parse_ros(device::DeviceUrl url) {
 }
 
 Result<LiveAddress> parse_robot(device::DeviceUrl url) {
+  if (url.path() == "sample")
+    return Error{ErrorCode::usage, "the simulated robot is no server; the command touch starts one for it",
+                 "robot:sample"};
   auto pictures = take_ros(url, url.path());
   if (!pictures) return std::move(pictures).error();
   RobotAddress address;

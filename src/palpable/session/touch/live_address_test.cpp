@@ -64,6 +64,22 @@ TEST(LiveAddress, ReadsTheTopicsOfARosbridgeServer) {
     EXPECT_EQ(parse_live_address(wrong).error().code, ErrorCode::usage) << wrong;
 }
 
+TEST(LiveAddress, ReadsARobotAndItsCamera) {
+  const auto parsed =
+      parse_live_address("robot:turtle:9091?cmd=/base/cmd&depth=/d&radius=0.2&camera-down=30&mode=look");
+  ASSERT_TRUE(parsed) << parsed.error().sentence();
+  const auto& robot = std::get<RobotAddress>(*parsed);
+  EXPECT_EQ(robot.pictures.host, "turtle");
+  EXPECT_EQ(robot.pictures.depth, "/d");
+  EXPECT_EQ(robot.command, "/base/cmd");
+  EXPECT_EQ(robot.odometry, "/odom");
+  EXPECT_EQ(robot.drive.shape.radius_m, 0.2);
+  EXPECT_NEAR(robot.drive.shape.camera_down_rad, 0.5236, 1e-4);
+  EXPECT_EQ(robot.mode, RobotMode::look);
+  for (const char* wrong : {"robot:", "robot:a?radius=9", "robot:a?mode=fly", "robot:a?cmd=cmd", "robot:a:x"})
+    EXPECT_EQ(parse_live_address(wrong).error().code, ErrorCode::usage) << wrong;
+}
+
 TEST(LiveAddress, RefusesWhatIsNone) {
   for (const char* wrong : {"http://",
                             "http:host",
