@@ -78,7 +78,10 @@ RobotPose RobotDrive::pose_at(std::optional<double> stamp_s) const {
 }
 
 void RobotDrive::take_picture(double t_s, const DepthMap& depth, std::optional<double> stamp_s) {
+  // Of an older one the robot may have left the place.
+  constexpr double kOldest_s = 0.5;
   if (!depth.camera || !odometry_at_s_) return;
+  if (stamp_s && !past_.empty() && past_.back().first - *stamp_s > kOldest_s) return;
   vouched_m_ = std::max(vouched_m_, map_.nearest_floor_m(*depth.camera));
   map_.add(depth, pose_at(stamp_s));
   picture_at_s_ = t_s;

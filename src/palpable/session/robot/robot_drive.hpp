@@ -87,7 +87,7 @@ class RobotDrive {
 
   // `stamp_s`: when it was measured, by the robot's clock; nullopt: about when it arrived.
   void take_odometry(double t_s, const RobotPose& pose, std::optional<double> stamp_s);
-  /// Without a camera, and before any odometry, it is not used.
+  /// Without a camera, before any odometry, and half a second after the newest odometry it is not used.
   void take_picture(double t_s, const DepthMap& depth, std::optional<double> stamp_s);
   /// The hand holds the device. Without a call for DriveOptions::lost_s it counts as released.
   void take_hand(double t_s, const DriveHand& hand);

@@ -7,10 +7,13 @@
 #include "palpable/sources/live/rosbridge_client.hpp"
 #include "palpable/sources/live/rosbridge_picture.hpp"
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 #include <variant>
@@ -103,9 +106,12 @@ class RobotSource final : public LiveSource, public RobotControl {
   }
   std::string_view kind() const override { return "robot"; }
   std::shared_ptr<const models::Relief> surface(const models::Relief& seen) override {
-    const std::lock_guard lock(mutex_);
-    if (mode_ == RobotMode::touch) return nullptr;
-    auto made = drive_surface(drive_, seen);
+    if (mode() == RobotMode::touch) return nullptr;
+    const RobotDrive now = [&] {
+      const std::lock_guard lock(mutex_);
+      return drive_;
+    }();
+    auto made = drive_surface(now, seen);
     return made ? *std::move(made) : nullptr;
   }
   RobotControl* robot() override { return this; }
@@ -182,13 +188,18 @@ class RobotSource final : public LiveSource, public RobotControl {
     take_state();
     const bool is_connected = client_->is_connected();
     follow_law();
+    const auto [hand, is_released] = hand_now();
     const std::lock_guard lock(mutex_);
-    if (!is_connected && drive_.is_started()) {
+    if (!is_connected) {
+      // A start that was asked for before is no start of what comes back.
+      asked_ = Asked::nothing;
+      if (drive_.is_started())
+        notices_.emplace_back("The robot is not started any more: its connection was lost.");
       drive_.lose_link();
-      notices_.emplace_back("The robot is not started any more: its connection was lost.");
     }
     follow_wishes(seconds_of(now));
-    take_hand(now);
+    if (is_released) drive_.release_hand();
+    if (hand) drive_.take_hand(seconds_of(now), *hand);
     const auto command = drive_.command(seconds_of(now));
     tell(command.limit, now);
     send(command.velocity, now);
@@ -230,12 +241,13 @@ class RobotSource final : public LiveSource, public RobotControl {
 
   /// The law of the mode, once after each change of mode.
   void follow_law() {
+    const RobotMode now = mode();
     const std::lock_guard use(using_session_);
     TouchSession* session = session_;
     if (session == nullptr || law_is_set_.exchange(true)) return;
     TouchSettings settings = session->settings();
     settings.law = touch_law_;
-    if (mode() != RobotMode::touch) (settings.law = {}).law = haptics::Law::rolling;
+    if (now != RobotMode::touch) (settings.law = {}).law = haptics::Law::rolling;
     static_cast<void>(session->change_settings(settings));
   }
   RobotMode mode() const {
@@ -258,17 +270,19 @@ class RobotSource final : public LiveSource, public RobotControl {
     }
   }
 
-  void take_hand(RobotClock::time_point now) {
+  /// Where the hand is now, if a tick of the servo says so that was not seen before; the second: nobody holds
+  /// it.
+  std::pair<std::optional<DriveHand>, bool> hand_now() {
     const std::lock_guard use(using_session_);
     TouchSession* session = session_;
-    if (session == nullptr || session->paused()) return drive_.release_hand();
+    if (session == nullptr || session->paused()) return {std::nullopt, true};
     const auto sample = session->latest();
-    if (sample.status != device::Status::ok) return drive_.release_hand();
+    if (sample.status != device::Status::ok) return {std::nullopt, true};
     // A servo that stands still says nothing of the hand.
-    if (std::exchange(last_tick_, sample.tick) == sample.tick) return;
+    if (std::exchange(last_tick_, sample.tick) == sample.tick) return {std::nullopt, false};
     const auto scene = session->scene();
     const Vec3 at = sample.position.v;
-    drive_.take_hand(seconds_of(now), drive_hand_at(at.x, at.y, *models::relief_of(*scene)));
+    return {drive_hand_at(at.x, at.y, *models::relief_of(*scene)), false};
   }
 
   void tell(DriveLimit limit, RobotClock::time_point now) {
