@@ -19,13 +19,14 @@ set(PALPABLE_MAY_USE_describe core models)
 set(PALPABLE_MAY_USE_session core models formats sources vision sculpt recipes measure device haptics describe)
 set(PALPABLE_MAY_USE_page core models formats device haptics describe session)
 set(PALPABLE_MAY_USE_onefile core models formats device haptics describe session page)
-set(PALPABLE_MAY_USE_study core models vision sculpt device haptics)
+set(PALPABLE_MAY_USE_study core models vision sculpt device haptics session)
 set(PALPABLE_MAY_USE_cli core models formats sources vision sculpt recipes measure draw device haptics voice describe session page onefile study)
 
 # Rooms, bottom-up. Files directly in a module's folder are its interface: every room may use them, and they use no room.
 # Tests in a room may use every room of their module.
-set(PALPABLE_ROOMS_core picture geometry numbers text system files)
+set(PALPABLE_ROOMS_core picture geometry numbers text system files net)
 set(PALPABLE_MAY_USE_core/files system)
+set(PALPABLE_MAY_USE_core/net system)
 
 set(PALPABLE_ROOMS_models relief material field grid contours streets scene)
 set(PALPABLE_MAY_USE_models/material relief)
@@ -95,9 +96,9 @@ set(PALPABLE_MAY_USE_haptics/law effect proxy)
 set(PALPABLE_MAY_USE_haptics/tick safety effect law)
 set(PALPABLE_MAY_USE_haptics/servo safety effect law tick)
 
-set(PALPABLE_ROOMS_session make touch share check)
+set(PALPABLE_ROOMS_session robot make touch share check)
 set(PALPABLE_MAY_USE_describe core models)
-set(PALPABLE_MAY_USE_session/touch make)
+set(PALPABLE_MAY_USE_session/touch robot make)
 set(PALPABLE_MAY_USE_session/share touch)
 set(PALPABLE_MAY_USE_session/check touch)
 
@@ -105,7 +106,7 @@ set(PALPABLE_ROOMS_page shelf)
 
 set(PALPABLE_ROOMS_onefile wasm)
 
-set(PALPABLE_ROOMS_study simulated)
+set(PALPABLE_ROOMS_study simulated world)
 
 set(PALPABLE_ROOMS_cli arguments keys video commands/score commands/touch commands/export commands)
 set(PALPABLE_MAY_USE_cli/commands/score arguments)

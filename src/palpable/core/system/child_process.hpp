@@ -27,6 +27,8 @@ class Descriptor {
   }
   ~Descriptor() { close(); }
   int number() const { return number_; }
+  /// The descriptor, which the caller closes from now on.
+  int release() { return std::exchange(number_, -1); }
   void close();
 
  private:

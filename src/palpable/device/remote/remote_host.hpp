@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/net/tcp_stream.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/system/secret.hpp"
 #include "palpable/device/remote/remote_wire.hpp"
 #include "palpable/device/remote/shared_device.hpp"
-#include "palpable/device/transport/tcp_stream.hpp"
 
 #include <atomic>
 #include <chrono>

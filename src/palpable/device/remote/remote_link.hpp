@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/net/tcp_stream.hpp"
 #include "palpable/device/remote/remote_device.hpp"
-#include "palpable/device/transport/tcp_stream.hpp"
 
 #include <atomic>
 #include <chrono>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/touch/http_camera.hpp"
 
-#include "palpable/device/transport/tcp_stream.hpp"
+#include "palpable/core/net/tcp_stream.hpp"
 #include "palpable/sources/live/multipart_reader.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ using std::chrono::milliseconds;
 
 class HttpCamera final : public sources::CameraLink {
  public:
-  HttpCamera(device::TcpStream stream, const HttpAddress& address, milliseconds silence)
+  HttpCamera(TcpStream stream, const HttpAddress& address, milliseconds silence)
       : stream_(std::move(stream)), silence_(silence) {
     const std::string request = fmt::format(
         "GET {} HTTP/1.1\r\nHost: {}\r\nUser-Agent: palpable\r\nAccept: */*\r\nConnection: close\r\n\r\n",
@@ -37,7 +37,7 @@ class HttpCamera final : public sources::CameraLink {
     const auto deadline = Clock::now() + longest;
     do {
       const auto left = std::chrono::ceil<milliseconds>(deadline - Clock::now());
-      device::wait_for_any(std::array{stream_.descriptor()}, std::max(left, milliseconds{0}));
+      wait_for_any(std::array{stream_.descriptor()}, std::max(left, milliseconds{0}));
       if (auto read = receive(); !read) return std::move(read).error();
       if (auto part = reader_.take())
         return std::optional(CameraFrame{reader_.parts() - 1, last_picture_, sources::CameraCoding::jpeg, 0,
@@ -68,7 +68,7 @@ class HttpCamera final : public sources::CameraLink {
     return {};
   }
 
-  device::TcpStream stream_;
+  TcpStream stream_;
   milliseconds silence_;
   sources::MultipartReader reader_;
   std::vector<std::byte> received_;
@@ -81,7 +81,7 @@ class HttpCamera final : public sources::CameraLink {
 Result<std::unique_ptr<sources::CameraLink>> connect_http_camera(const HttpAddress& address,
                                                                  milliseconds silence) {
   constexpr milliseconds kLongest{2000};
-  auto stream = device::TcpStream::connect(address.host, address.port, kLongest);
+  auto stream = TcpStream::connect(address.host, address.port, kLongest);
   // Its message speaks of devices' addresses.
   if (!stream) return invalid_input("cannot be reached: " + stream.error().message);
   return std::unique_ptr<sources::CameraLink>(

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <initializer_list>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -23,7 +24,8 @@ constexpr std::array<std::string_view, 10> kSchemes{
 constexpr std::string_view kHttp = "http://";
 
 /// "host:port", "[::1]:port" or either without a port. nullopt for no host, or a port that is none.
-std::optional<std::pair<std::string, std::string>> host_and_port(std::string_view authority) {
+std::optional<std::pair<std::string, std::string>> host_and_port(std::string_view authority,
+                                                                 const char* usual_port) {
   std::string_view host = authority.substr(0, authority.find(':'));
   std::string_view rest = authority.substr(host.size());
   if (authority.starts_with('[')) {
@@ -33,7 +35,7 @@ std::optional<std::pair<std::string, std::string>> host_and_port(std::string_vie
     rest = authority.substr(end + 1);
   }
   if (host.empty() || (!rest.empty() && !rest.starts_with(':'))) return std::nullopt;
-  if (rest.empty()) return std::pair(std::string(host), std::string("80"));
+  if (rest.empty()) return std::pair(std::string(host), std::string(usual_port));
   const auto port = rest.substr(1);
   int number = 0;
   const auto [end, fault] = std::from_chars(port.data(), port.data() + port.size(), number);
@@ -57,7 +59,7 @@ Result<HttpAddress> parse_http(std::string_view address) {
   const auto authority = rest.substr(0, rest.find_first_of("/?"));
   if (authority.find('@') != std::string_view::npos)
     return usage("names and passwords are not sent to cameras; give an address that needs none");
-  auto place = host_and_port(authority);
+  auto place = host_and_port(authority, "80");
   if (!place) return usage("a camera's address is http://HOST:PORT/PATH");
   std::string target(rest.substr(authority.size()));
   if (!target.starts_with('/')) target.insert(0, 1, '/');
@@ -102,6 +104,92 @@ std::optional<std::pair<int, int>> size_in(std::string_view text) {
   return is_size ? std::optional(std::pair(width, height)) : std::nullopt;
 }
 
+/// The name of a topic: /word/word of letters, digits and _.
+bool is_topic(std::string_view name) {
+  constexpr std::size_t kLongest = 255;
+  const auto is_allowed = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '/';
+  };
+  return name.size() > 1 && name.size() <= kLongest && name.front() == '/' && name.back() != '/' &&
+         name.find("//") == std::string_view::npos && std::all_of(name.begin(), name.end(), is_allowed);
+}
+
+/// Takes the topics that options name.
+Result<void> take_topics(device::DeviceUrl& url,
+                         std::initializer_list<std::pair<const char*, std::string*>> topics) {
+  for (const auto& [option, topic] : topics) {
+    auto text = url.take_text(option);
+    if (text.empty()) continue;
+    if (!is_topic(text))
+      return Error{ErrorCode::usage, "a topic is /NAME/NAME of letters, digits and _, not \"" + text + "\"",
+                   option};
+    *topic = std::move(text);
+  }
+  return {};
+}
+
+/// The server of HOST:PORT and its depth camera; leaves the url's other options.
+Result<RosAddress> take_ros(device::DeviceUrl& url, std::string_view authority) {
+  auto place = host_and_port(authority, "9090");
+  if (!place || authority.find_first_of("/@ ") != std::string_view::npos)
+    return Error{
+        ErrorCode::usage,
+        "the address of a rosbridge server is ros://HOST:PORT or robot:HOST:PORT, with topics as options",
+        url.scheme() + ":" + url.path()};
+  RosAddress address;
+  address.host = std::move(place->first);
+  address.port = std::move(place->second);
+  if (auto taken =
+          take_topics(url, {{"depth", &address.depth}, {"color", &address.colour}, {"info", &address.info}});
+      !taken)
+    return std::move(taken).error();
+  // 0 stands for none.
+  constexpr double kLeast = 1e-6, kMost = 1000.0;
+  if (const double scale = url.take_number("scale", 0.0, kLeast, kMost); scale > 0.0)
+    address.metres_per_unit = scale;
+  return address;
+}
+
+Result<LiveAddress> parse_ros(device::DeviceUrl url) {
+  const std::string_view path = url.path();
+  auto address = take_ros(url, path.starts_with("//") ? path.substr(2) : std::string_view());
+  if (!address) return std::move(address).error();
+  if (auto finished = url.finish(); !finished) return std::move(finished).error();
+  return LiveAddress(*std::move(address));
+}
+
+Result<LiveAddress> parse_robot(device::DeviceUrl url) {
+  if (url.path() == "sample")
+    return Error{ErrorCode::usage, "the simulated robot is no server; the command touch starts one for it",
+                 "robot:sample"};
+  auto pictures = take_ros(url, url.path());
+  if (!pictures) return std::move(pictures).error();
+  RobotAddress address;
+  address.pictures = *std::move(pictures);
+  if (auto taken = take_topics(url, {{"odom", &address.odometry},
+                                     {"cmd", &address.command},
+                                     {"battery", &address.battery},
+                                     {"contact", &address.contact}});
+      !taken)
+    return std::move(taken).error();
+  DriveOptions& drive = address.drive;
+  RobotShape& shape = drive.shape;
+  constexpr double kDegree = 3.14159265358979323846 / 180.0;
+  shape.radius_m = url.take_number("radius", shape.radius_m, 0.05, 1.0);
+  shape.height_m = url.take_number("height", shape.height_m, 0.05, 2.5);
+  shape.camera_height_m = url.take_number("camera-height", shape.camera_height_m, 0.05, 2.5);
+  shape.camera_forward_m = url.take_number("camera-forward", shape.camera_forward_m, -1.0, 1.0);
+  shape.camera_down_rad =
+      kDegree * url.take_number("camera-down", shape.camera_down_rad / kDegree, -28.0, 68.0);
+  drive.speed_m_per_s = url.take_number("speed", drive.speed_m_per_s, 0.05, 1.0);
+  drive.turn_rad_per_s = url.take_number("turn", drive.turn_rad_per_s, 0.1, 2.0);
+  drive.reaction_s = url.take_number("reaction", drive.reaction_s, 0.0, 2.0);
+  const auto mode = url.take_word("mode", {"drive", "look", "touch"});
+  address.mode = mode == "look" ? RobotMode::look : mode == "touch" ? RobotMode::touch : RobotMode::drive;
+  if (auto finished = url.finish(); !finished) return std::move(finished).error();
+  return LiveAddress(std::move(address));
+}
+
 Result<LiveAddress> parse_video(device::DeviceUrl url) {
   const auto usage = [&](std::string message) {
     return Error{ErrorCode::usage, std::move(message), "camera:" + url.path()};
@@ -139,9 +227,11 @@ Result<LiveAddress> parse_live_address(const std::string& address) {
   if (!url) return std::move(url).error();
   if (url->scheme() == "frames") return parse_frames(*std::move(url));
   if (url->scheme() == "camera") return parse_video(*std::move(url));
+  if (url->scheme() == "ros") return parse_ros(*std::move(url));
+  if (url->scheme() == "robot") return parse_robot(*std::move(url));
   return Error{ErrorCode::usage,
-               fmt::format("live sources of the kind {}: are not supported yet; frames:FOLDER, camera:N and "
-                           "http://HOST:PORT/PATH are",
+               fmt::format("live sources of the kind {}: are not supported yet; frames:FOLDER, camera:N, "
+                           "ros://HOST:PORT, robot:HOST:PORT and http://HOST:PORT/PATH are",
                            url->scheme()),
                address};
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/result.hpp"
+#include "palpable/session/robot/robot_drive.hpp"
 #include "palpable/sources/live/video_device.hpp"
 
 #include <optional>
@@ -45,10 +46,36 @@ struct VideoCameras {
   std::optional<sources::VideoDevice> right;
 };
 
-using LiveAddress = std::variant<FramesAddress, HttpCameras, VideoCameras>;
+/// A depth camera of a rosbridge server.
+struct RosAddress {
+  std::string host;
+  std::string port = "9090";
+  /// Names of topics: depth (a picture or a cloud), colours, and the depth's camera.
+  std::string depth = "/camera/depth/image_rect_raw";
+  std::string colour = "/camera/color/image_raw/compressed";
+  std::string info = "/camera/depth/camera_info";
+  /// Not given: as the pictures' encoding has it.
+  std::optional<double> metres_per_unit;
+};
+
+/// A robot of a rosbridge server.
+struct RobotAddress {
+  /// Of the depth camera that looks ahead.
+  RosAddress pictures;
+  std::string odometry = "/odom";
+  std::string command = "/cmd_vel";
+  std::string battery = "/battery_state";
+  std::string contact = "/contact";
+  DriveOptions drive;
+  RobotMode mode = RobotMode::drive;
+};
+
+using LiveAddress = std::variant<FramesAddress, HttpCameras, VideoCameras, RosAddress, RobotAddress>;
 
 /// Parses frames:FOLDER?fps=30&loop=0, camera:N?right=N&size=1280x480&fps=30&format=mjpeg (all that both
-/// cameras have in common; format: mjpeg, yuyv), or
+/// cameras have in common; format: mjpeg, yuyv),
+/// ros://HOST:PORT?depth=/TOPIC&color=/TOPIC&info=/TOPIC&scale=METRES,
+/// robot:HOST:PORT with these options and those of docs/live.md, or
 /// http://HOST:PORT/PATH?QUERY#right=http://HOST:PORT/PATH?QUERY (what stands before # is the camera's own).
 /// Errors: usage for another scheme, an unknown or wrong option, an address with a user's name, a space or a
 /// character outside of ASCII.

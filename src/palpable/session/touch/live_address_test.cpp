@@ -46,6 +46,40 @@ TEST(LiveAddress, ReadsCamerasOfThisMachine) {
   EXPECT_FALSE(plain.right || plain.left.coding || plain.left.width != 0 || plain.left.rate_hz != 0);
 }
 
+TEST(LiveAddress, ReadsTheTopicsOfARosbridgeServer) {
+  const auto parsed =
+      parse_live_address("ros://robot.local:9091?depth=/cam_1/depth&info=/cam_1/info&scale=0.001");
+  ASSERT_TRUE(parsed) << parsed.error().sentence();
+  const auto& ros = std::get<RosAddress>(*parsed);
+  EXPECT_EQ(ros.host, "robot.local");
+  EXPECT_EQ(ros.port, "9091");
+  EXPECT_EQ(ros.depth, "/cam_1/depth");
+  EXPECT_EQ(ros.colour, "/camera/color/image_raw/compressed");
+  EXPECT_EQ(ros.info, "/cam_1/info");
+  EXPECT_EQ(ros.metres_per_unit, 0.001);
+  EXPECT_EQ(std::get<RosAddress>(*parse_live_address("ros://[::1]")).port, "9090");
+  for (const char* wrong :
+       {"ros:robot", "ros://", "ros://a:0", "ros://me@a", "ros://a/b", "ros://a?depth=depth",
+        "ros://a?depth=/a//b", "ros://a?color=/a b", "ros://a?scale=0", "ros://a?topic=/a"})
+    EXPECT_EQ(parse_live_address(wrong).error().code, ErrorCode::usage) << wrong;
+}
+
+TEST(LiveAddress, ReadsARobotAndItsCamera) {
+  const auto parsed =
+      parse_live_address("robot:turtle:9091?cmd=/base/cmd&depth=/d&radius=0.2&camera-down=30&mode=look");
+  ASSERT_TRUE(parsed) << parsed.error().sentence();
+  const auto& robot = std::get<RobotAddress>(*parsed);
+  EXPECT_EQ(robot.pictures.host, "turtle");
+  EXPECT_EQ(robot.pictures.depth, "/d");
+  EXPECT_EQ(robot.command, "/base/cmd");
+  EXPECT_EQ(robot.odometry, "/odom");
+  EXPECT_EQ(robot.drive.shape.radius_m, 0.2);
+  EXPECT_NEAR(robot.drive.shape.camera_down_rad, 0.5236, 1e-4);
+  EXPECT_EQ(robot.mode, RobotMode::look);
+  for (const char* wrong : {"robot:", "robot:a?radius=9", "robot:a?mode=fly", "robot:a?cmd=cmd", "robot:a:x"})
+    EXPECT_EQ(parse_live_address(wrong).error().code, ErrorCode::usage) << wrong;
+}
+
 TEST(LiveAddress, RefusesWhatIsNone) {
   for (const char* wrong : {"http://",
                             "http:host",

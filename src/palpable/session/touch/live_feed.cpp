@@ -106,6 +106,7 @@ Result<std::shared_ptr<const models::Relief>> LiveFeed::relief_of(const LiveFram
   if (!range) return std::shared_ptr<const models::Relief>();
   auto relief = sculpt::relief_in_window(depth_m, *range, options_.relief);
   if (!relief) return std::move(relief).error();
+  if (auto other = source_->surface(*relief)) return other;
   return std::make_shared<const models::Relief>(*std::move(relief));
 }
 
@@ -121,6 +122,7 @@ void LiveFeed::start(TouchSession& session, Say say) {
   PALPABLE_CHECK(!thread_.joinable());
   say_ = std::move(say);
   begin_ = newest_felt_ = Clock::now();
+  source_->begin(session);
   thread_ = std::thread([this, &session] { run(session); });
   watcher_ = std::thread([this] { watch(); });
 }
@@ -129,6 +131,7 @@ void LiveFeed::stop() {
   ending_ = true;
   if (thread_.joinable()) thread_.join();
   if (watcher_.joinable()) watcher_.join();
+  source_->end();
 }
 
 void LiveFeed::say(const std::string& sentence) {
@@ -146,6 +149,7 @@ LiveStatistics LiveFeed::statistics() const {
   if (const double lasted_s = seconds_between(begin_, now); lasted_s > 0.0)
     live.fps = static_cast<double>(live.latency.count) / lasted_s;
   if (live.latency.count > 0) live.stale_s = seconds_between(newest_felt_, now);
+  if (const auto* robot = source_->robot()) live.robot = robot->statistics();
   return live;
 }
 

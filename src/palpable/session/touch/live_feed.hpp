@@ -72,6 +72,8 @@ class LiveFeed {
   /// Before the session ends.
   void stop();
   LiveStatistics statistics() const;
+  /// LiveSource::robot().
+  RobotControl* robot() const { return source_->robot(); }
 
  private:
   using Clock = std::chrono::steady_clock;

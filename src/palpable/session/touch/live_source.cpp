@@ -7,6 +7,8 @@
 #include "palpable/session/touch/live_address.hpp"
 #include "palpable/session/touch/matched_source.hpp"
 #include "palpable/session/touch/recorded_pairs.hpp"
+#include "palpable/session/touch/robot_source.hpp"
+#include "palpable/session/touch/ros_source.hpp"
 #include "palpable/sources/live/frame_folder.hpp"
 #include "palpable/sources/live/video_device.hpp"
 
@@ -140,6 +142,12 @@ Result<std::unique_ptr<LiveSource>> open_live_source(const std::string& address,
     return matched(open_pairs(*network, options.layout));
   if (const auto* local = std::get_if<VideoCameras>(&*parsed))
     return matched(open_pairs(*local, options.layout));
+  const auto* ros = std::get_if<RosAddress>(&*parsed);
+  const auto* robot = std::get_if<RobotAddress>(&*parsed);
+  if ((ros != nullptr || robot != nullptr) && !options.record_to.empty())
+    return Error{ErrorCode::usage, "depth is not recorded; pairs of cameras are", address};
+  if (ros != nullptr) return open_ros_source(*ros);
+  if (robot != nullptr) return open_robot_source(*robot);
   const auto& frames = std::get<FramesAddress>(*parsed);
   auto folder = sources::FrameFolder::open(frames.folder);
   if (!folder) return std::move(folder).error();

@@ -6,6 +6,9 @@
 #include "palpable/core/picture/image.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
+#include "palpable/models/relief/relief.hpp"
+#include "palpable/session/robot/robot_drive.hpp"
+#include "palpable/session/touch/touch_statistics.hpp"
 #include "palpable/sources/stereo/stereo_file.hpp"
 #include "palpable/vision/depth_camera/depth_noise.hpp"
 
@@ -25,6 +28,23 @@ struct LiveFrame {
   std::uint64_t number = 0;
   std::chrono::steady_clock::time_point arrival;
   DepthMap depth;
+};
+
+class TouchSession;
+
+/// What a person decides about a robot; any thread.
+class RobotControl {
+ public:
+  RobotControl() = default;
+  virtual ~RobotControl() = default;
+  RobotControl(const RobotControl&) = delete;
+  RobotControl& operator=(const RobotControl&) = delete;
+
+  /// Starts it, once its odometry comes. Before this nothing is sent to it.
+  virtual void request_start() = 0;
+  virtual void request_stop() = 0;
+  virtual void request_mode(RobotMode mode) = 0;
+  virtual RobotStatistics statistics() const = 0;
 };
 
 /// A source of frames that arrive whether they are taken or not. One thread takes them.
@@ -51,6 +71,13 @@ class LiveSource {
   virtual std::string_view kind() const { return "depth camera"; }
   /// The noise of its depth, after the first frame.
   virtual vision::DepthNoise noise() const { return {}; }
+  /// What is touched now instead of the surface that was seen last, of its size; null: that surface.
+  virtual std::shared_ptr<const models::Relief> surface(const models::Relief& /*seen*/) { return nullptr; }
+  /// The robot whose camera this is; null: none.
+  virtual RobotControl* robot() { return nullptr; }
+  /// The touch that it feeds, until end().
+  virtual void begin(TouchSession& /*session*/) {}
+  virtual void end() {}
 };
 
 /// How the pairs of a live stereo camera are taken and matched.
@@ -63,10 +90,11 @@ struct LivePairOptions {
   std::filesystem::path record_to = {};
 };
 
-/// Opens a live source (live_address.hpp): the frames of a folder, paced as from a camera, or a stereo
-/// camera. Pairs are matched (matched_source()) with `options` and `work`. Errors: parse_live_address();
-/// invalid_input as sources::FrameFolder::open(), connect_http_camera() and
-/// sources::open_video_device(); as recorded_pairs(), and usage for frames of depth that shall be recorded.
+/// Opens a live source (live_address.hpp): the frames of a folder, paced as from a camera, a stereo
+/// camera, the depth camera of a rosbridge server, or a robot. Pairs are matched (matched_source()) with
+/// `options` and `work`. Errors: parse_live_address(); invalid_input as sources::FrameFolder::open(),
+/// connect_http_camera(), sources::open_video_device() and open_ros_source() and open_robot_source(); as
+/// recorded_pairs(), and usage for frames of depth that shall be recorded.
 Result<std::unique_ptr<LiveSource>> open_live_source(const std::string& address,
                                                      const LivePairOptions& options, const Work& work);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/device/transport/tcp_stream.hpp"
+#include "palpable/core/net/tcp_stream.hpp"
 #include "palpable/formats/picture/jpeg_encoder.hpp"
 #include "palpable/vision/stereo/problem/synthetic_pair.hpp"
 
@@ -44,7 +44,7 @@ inline std::vector<std::string> moving_pairs(int count) {
 class MjpegServer {
  public:
   explicit MjpegServer(std::vector<std::string> pictures, std::uint16_t port = 0)
-      : pictures_(std::move(pictures)), listener_(*device::TcpListener::open("127.0.0.1", port)) {
+      : pictures_(std::move(pictures)), listener_(*TcpListener::open("127.0.0.1", port)) {
     thread_ = std::thread([this] { run(); });
   }
   ~MjpegServer() {
@@ -62,11 +62,11 @@ class MjpegServer {
  private:
   void run() {
     while (!ending_) {
-      device::wait_for_any(std::array{listener_.descriptor()}, std::chrono::milliseconds(5));
+      wait_for_any(std::array{listener_.descriptor()}, std::chrono::milliseconds(5));
       if (auto client = listener_.accept()) serve(*client);
     }
   }
-  void serve(device::TcpStream& client) {
+  void serve(TcpStream& client) {
     const auto send = [&](const std::string& text) { client.send(std::as_bytes(std::span(text))); };
     send("HTTP/1.0 200 OK\r\nContent-Type: multipart/x-mixed-replace; boundary=--next\r\n\r\n");
     const std::size_t period = 2 * pictures_.size() - 1;
@@ -81,7 +81,7 @@ class MjpegServer {
   }
 
   std::vector<std::string> pictures_;
-  device::TcpListener listener_;
+  TcpListener listener_;
   std::atomic<bool> ending_{false};
   std::thread thread_;
 };

@@ -18,16 +18,23 @@ Json percentiles(const haptics::Percentiles& of) {
       {"p50", number(of.p50)}, {"p99", number(of.p99)}, {"p99_9", number(of.p99_9)}, {"max", number(of.max)}};
 }
 
+Json latency_json(const haptics::LatencySummary& latency) {
+  const auto ms = [&](double ns) { return latency.count > 0 ? Json(1e-6 * ns) : Json(nullptr); };
+  return {{"p50", ms(latency.p50_ns)}, {"p99", ms(latency.p99_ns)}, {"max", ms(latency.max_ns)}};
+}
+
 Json live_json(const LiveStatistics& live) {
-  const auto ms = [&](double ns) { return live.latency.count > 0 ? Json(1e-6 * ns) : Json(nullptr); };
-  return {{"frames", live.frames},
-          {"dropped", live.dropped},
-          {"fps", number(live.fps)},
-          {"latency_ms",
-           {{"p50", ms(live.latency.p50_ns)},
-            {"p99", ms(live.latency.p99_ns)},
-            {"max", ms(live.latency.max_ns)}}},
-          {"stale_s", number(live.stale_s)}};
+  Json json{{"frames", live.frames},
+            {"dropped", live.dropped},
+            {"fps", number(live.fps)},
+            {"latency_ms", latency_json(live.latency)},
+            {"stale_s", number(live.stale_s)}};
+  if (const auto& robot = live.robot)
+    json["robot"] = {{"commands", robot->commands},
+                     {"moving_commands", robot->moving_commands},
+                     {"started", robot->is_started},
+                     {"picture_age_ms", latency_json(robot->picture_age)}};
+  return json;
 }
 
 Json hand_json(const TouchStatistics& statistics) {

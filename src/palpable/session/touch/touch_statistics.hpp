@@ -13,6 +13,16 @@
 
 namespace palpable::session {
 
+/// What was sent to a robot.
+struct RobotStatistics {
+  std::uint64_t commands = 0;
+  /// Those that were not zero.
+  std::uint64_t moving_commands = 0;
+  bool is_started = false;
+  /// From when a picture was taken to the newest odometry when it had arrived, both by the robot's clock.
+  haptics::LatencySummary picture_age;
+};
+
 /// How a live touch kept up with its source.
 struct LiveStatistics {
   /// Frames that arrived, and those of them that were never felt.
@@ -24,6 +34,8 @@ struct LiveStatistics {
   haptics::LatencySummary latency;
   /// Age of the newest felt frame; NaN if none was felt.
   double stale_s = std::numeric_limits<double>::quiet_NaN();
+  /// Of a robot's camera.
+  std::optional<RobotStatistics> robot = {};
 };
 
 /// Statistics of a touch without page (docs/cli.md).

@@ -83,19 +83,21 @@ Result<Answer> touch(TouchArguments arguments, Console& console) {
 
 void add_touch(Program& program) {
   const auto arguments = std::make_shared<TouchArguments>();
-  Options options =
-      add_command(program, "touch",
-                  "Touch a scene with a device, in the browser or in the terminal; without INPUT the sample",
-                  "  palpable touch\n"
-                  "  palpable touch left.png right.png\n"
-                  "  palpable touch sample:map --route \"Mill Lane to Church Lane\"\n"
-                  "  palpable touch room.palp --law rolling\n"
-                  "  palpable touch room.palp --device falcon:0 --device falcon:1    two hands\n"
-                  "  palpable touch http://192.168.1.20:8080/video    a stereo camera (MJPEG), live\n"
-                  "  palpable touch \"camera:0?size=1280x480\"    a stereo camera of this machine\n"
-                  "  palpable touch \"frames:folder?fps=30&loop=1\"    frames of a depth camera, live\n"
-                  "  palpable touch left.png right.png --headless --seconds 10 --json",
-                  [arguments](Console& console) { return touch(*arguments, console); });
+  Options options = add_command(
+      program, "touch",
+      "Touch a scene with a device, in the browser or in the terminal; without INPUT the sample",
+      "  palpable touch\n"
+      "  palpable touch left.png right.png\n"
+      "  palpable touch sample:map --route \"Mill Lane to Church Lane\"\n"
+      "  palpable touch room.palp --law rolling\n"
+      "  palpable touch room.palp --device falcon:0 --device falcon:1    two hands\n"
+      "  palpable touch http://192.168.1.20:8080/video    a stereo camera (MJPEG), live\n"
+      "  palpable touch \"camera:0?size=1280x480\"    a stereo camera of this machine\n"
+      "  palpable touch \"frames:folder?fps=30&loop=1\"    frames of a depth camera, live\n"
+      "  palpable touch \"ros://robot.local:9090?depth=/depth\"    a depth camera of a rosbridge server\n"
+      "  palpable touch robot:sample    drive a simulated robot, and touch what it sees\n"
+      "  palpable touch left.png right.png --headless --seconds 10 --json",
+      [arguments](Console& console) { return touch(*arguments, console); });
   add_make_options(options, arguments->scene.make);
   add_title_options(options, arguments->scene.title);
   add_material_options(options, arguments->scene.material);
@@ -141,6 +143,10 @@ void add_touch(Program& program) {
   options.number("--seconds", arguments->seconds, {0.01, 86400.0}, "How long a headless touch lasts");
   options.number("--rate", arguments->rate_hz, {100.0, 4000.0},
                  "Servo rate in Hz (1000 unless a paper states another)");
+  options.flag(
+      "--start-robot", arguments->start_robot,
+      "Start the robot of robot:HOST:PORT at once; without it, only the word start at the terminal does, and "
+      "nothing is sent to it before");
   options.output_folder("--record-frames", arguments->frames_recording,
                         "Record the pairs of a live stereo camera into this folder, for frames:FOLDER");
   options.output("--record", arguments->recording, {},

@@ -3,6 +3,7 @@
 #include "palpable/cli/commands/touch/touch_live.hpp"
 
 #include "palpable/cli/arguments/stereo_options.hpp"
+#include "palpable/cli/commands/touch/touch_robot.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/session/touch/live_address.hpp"
 #include "palpable/sources/calibration/calibration.hpp"
@@ -67,8 +68,9 @@ Result<void> open_live(const TouchArguments& arguments, TouchPlan& plan, const N
   const auto& inputs = arguments.scene.make.inputs;
   const auto address = std::find_if(inputs.begin(), inputs.end(), session::is_live_address);
   if (address == inputs.end()) {
-    if (arguments.frames_recording.empty()) return {};
-    return Error{ErrorCode::usage, "is for live sources", "--record-frames"};
+    if (arguments.frames_recording.empty() && !arguments.start_robot) return {};
+    return Error{ErrorCode::usage, "is for live sources",
+                 arguments.start_robot ? "--start-robot" : "--record-frames"};
   }
   if (inputs.size() > 1)
     return Error{ErrorCode::usage, "a live source is touched alone, without further inputs", *address};
@@ -81,13 +83,23 @@ Result<void> open_live(const TouchArguments& arguments, TouchPlan& plan, const N
   if (!options) return options.error();
   const auto rig = rig_of(arguments.scene.make.stereo.calibration);
   if (!rig) return rig.error();
+  std::string opened = *address;
+  if (is_sample_robot(opened)) {
+    auto sample = start_sample_robot(opened);
+    if (!sample) return std::move(sample).error();
+    opened = std::move(sample->address);
+    plan.sample_robot = std::move(sample->server);
+  }
   auto source = session::open_live_source(
-      *address, {*rig, layout_of(arguments.scene.make.stereo), arguments.frames_recording}, work);
+      opened, {*rig, layout_of(arguments.scene.make.stereo), arguments.frames_recording}, work);
   if (!source) return std::move(source).error();
   note_on_options(arguments.scene.make, notes);
   auto feed = session::LiveFeed::open(*std::move(source), *options, work);
   if (!feed) return std::move(feed).error();
   plan.live = *std::move(feed);
+  if (plan.live->robot() == nullptr && arguments.start_robot)
+    return Error{ErrorCode::usage, "is for robots", "--start-robot"};
+  if (plan.live->robot() != nullptr && arguments.start_robot) plan.live->robot()->request_start();
   plan.options.servo.tick.fade_s = options->fade_s;
   return {};
 }

@@ -10,6 +10,7 @@
 #include "palpable/cli/command.hpp"
 #include "palpable/haptics/safety/stability.hpp"
 #include "palpable/session/touch/headless.hpp"
+#include "palpable/study/world/robot_server.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -35,6 +36,8 @@ struct TouchArguments {
   std::string recording;
   /// The folder to which the pictures of a live stereo camera are recorded; empty: none.
   std::string frames_recording;
+  /// Start the robot at once, without a person at a terminal.
+  bool start_robot = false;
   int port = 0;
   bool headless = false;
   bool keys = false;
@@ -68,6 +71,8 @@ struct TouchPlan {
   session::TouchSettings settings;
   session::SessionOptions options;
   std::int64_t begin_ns = 0;
+  /// The simulated robot that is touched; null: none.
+  std::shared_ptr<study::RobotServer> sample_robot;
   /// Null unless the input is a live source.
   std::shared_ptr<session::LiveFeed> live;
 };

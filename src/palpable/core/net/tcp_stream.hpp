@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace palpable::device {
+namespace palpable {
 
 /// A TCP connection that neither reads nor writes with waiting, and sends small messages at once. One thread.
 class TcpStream {
@@ -37,6 +37,8 @@ class TcpStream {
   bool receive(std::vector<std::byte>& bytes, std::size_t most);
   bool is_lost() const { return lost_; }
   int descriptor() const { return socket_.number(); }
+  /// The socket, for another owner; nothing may have been received or kept.
+  Descriptor release() { return std::move(socket_); }
   /// Leaves time for the bytes so far to be read, at most `longest`, and closes.
   void close_after_sending(std::chrono::milliseconds longest);
 
@@ -65,4 +67,4 @@ class TcpListener {
 /// Waits until one of these descriptors can be read, at most this long.
 void wait_for_any(std::span<const int> descriptors, std::chrono::milliseconds longest);
 
-}  // namespace palpable::device
+}  // namespace palpable

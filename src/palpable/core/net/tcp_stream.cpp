@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/device/transport/tcp_stream.hpp"
+#include "palpable/core/net/tcp_stream.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@
 #include <sys/ioctl.h>
 #include <sys/socket.h>
 
-namespace palpable::device {
+namespace palpable {
 namespace {
 
 struct FreeAddresses {
@@ -153,4 +153,4 @@ void wait_for_any(std::span<const int> descriptors, std::chrono::milliseconds lo
   ::poll(waited.data(), count, static_cast<int>(longest.count()));
 }
 
-}  // namespace palpable::device
+}  // namespace palpable

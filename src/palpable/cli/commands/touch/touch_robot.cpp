@@ -1,0 +1,117 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/commands/touch/touch_robot.hpp"
+
+#include "palpable/device/url.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+namespace palpable::cli {
+namespace {
+
+constexpr std::string_view kSampleRobot = "robot:sample";
+
+/// The options of an address that are not the simulated robot's own.
+std::string further_options(std::string_view address) {
+  const auto question = address.find('?');
+  if (question == std::string_view::npos) return {};
+  std::string rest;
+  for (auto options = address.substr(question + 1); !options.empty();) {
+    const auto option = options.substr(0, options.find('&'));
+    options.remove_prefix(std::min(options.size(), option.size() + 1));
+    const auto name = option.substr(0, option.find('='));
+    constexpr std::array<std::string_view, 5> kOwn{"seed", "fps", "delay", "jitter", "loss"};
+    if (std::find(kOwn.begin(), kOwn.end(), name) == kOwn.end()) rest.append("&").append(option);
+  }
+  return rest;
+}
+
+}  // namespace
+
+bool is_sample_robot(std::string_view address) {
+  return address == kSampleRobot || address.starts_with(std::string(kSampleRobot) + "?");
+}
+
+Result<SampleRobot> start_sample_robot(const std::string& address) {
+  auto url = device::DeviceUrl::parse(address);
+  if (!url) return std::move(url).error();
+  study::RobotServerOptions options;
+  options.seed = static_cast<std::uint64_t>(url->take_count("seed", 1, 0, 1'000'000));
+  options.link.rate_hz = url->take_number("fps", options.link.rate_hz, 1.0, 60.0);
+  options.link.delay_s = url->take_number("delay", 0.0, 0.0, 5.0);
+  options.link.jitter_s = url->take_number("jitter", 0.0, 0.0, 5.0);
+  options.link.loss = url->take_number("loss", 0.0, 0.0, 1.0);
+  // What is left is checked with the robot's address.
+  for (const auto* other : {"mode", "speed", "turn", "reaction"}) url->take_text(other);
+  if (auto finished = url->finish(); !finished) return std::move(finished).error();
+  auto server = study::RobotServer::start(options);
+  if (!server) return std::move(server).error();
+  const auto& body = options.body;
+  constexpr double kDegree = 3.14159265358979323846 / 180.0;
+  const std::string there = fmt::format(
+      "robot:127.0.0.1:{}?color=/camera/color/"
+      "image_raw&radius={}&height={}&camera-height={}&camera-forward={}&camera-down={}",
+      (*server)->port(), body.radius_m, body.height_m, body.camera_height_m, body.camera_forward_m,
+      body.camera_down_rad / kDegree);
+  return SampleRobot{*std::move(server), there + further_options(address)};
+}
+
+bool obey(std::string_view line, session::RobotControl& robot) {
+  using session::RobotMode;
+  if (line == "start")
+    robot.request_start();
+  else if (line == "stop" || line.empty())
+    robot.request_stop();
+  else if (line == "drive")
+    robot.request_mode(RobotMode::drive);
+  else if (line == "look")
+    robot.request_mode(RobotMode::look);
+  else if (line == "touch")
+    robot.request_mode(RobotMode::touch);
+  else
+    return false;
+  return true;
+}
+
+RobotTerminal::RobotTerminal(session::RobotControl* robot, Console& console) {
+  if (robot == nullptr || ::isatty(STDIN_FILENO) != 1) return;
+  console.note(
+      "Type start and Enter to start the robot; Enter alone, or stop, stops it; drive, look and touch change "
+      "the mode.");
+  thread_ = std::thread([this, robot, &console] { run(*robot, console); });
+}
+
+RobotTerminal::~RobotTerminal() {
+  ending_ = true;
+  if (thread_.joinable()) thread_.join();
+}
+
+void RobotTerminal::run(session::RobotControl& robot, Console& console) const {
+  constexpr int kPatience_ms = 50;
+  std::string line;
+  while (!ending_) {
+    pollfd waited{STDIN_FILENO, POLLIN, 0};
+    if (::poll(&waited, 1, kPatience_ms) <= 0) continue;
+    std::array<char, 64> buffer{};
+    const ssize_t got = ::read(STDIN_FILENO, buffer.data(), buffer.size());
+    // The terminal is gone, and with it the way to stop the robot.
+    if (got <= 0) return robot.request_stop();
+    for (const char c : std::string_view(buffer.data(), static_cast<std::size_t>(got))) {
+      if (c != '\n') {
+        line += c;
+        continue;
+      }
+      if (!obey(line, robot)) console.note("The robot's words are start, stop, drive, look and touch.");
+      line.clear();
+    }
+  }
+}
+
+}  // namespace palpable::cli

@@ -1,0 +1,120 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// A simulated robot on a real WebSocket, its live source, and a touch.
+#include "palpable/cli/commands/touch/touch_robot.hpp"
+
+#include "palpable/session/touch/live_feed.hpp"
+#include "palpable/session/touch/touch_session.hpp"
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+namespace palpable::cli {
+namespace {
+
+bool comes_true(const std::function<bool()>& condition) {
+  for (int k = 0; k < 1000; ++k, std::this_thread::sleep_for(std::chrono::milliseconds(20)))
+    if (condition()) return true;
+  return false;
+}
+
+/// A touch of the simulated robot by the page's pointer.
+class RobotTouch : public testing::Test {
+ protected:
+  void open(const std::string& address) {
+    auto started = start_sample_robot(address);
+    ASSERT_TRUE(started) << started.error().sentence();
+    robot_ = *std::move(started);
+    auto source = session::open_live_source(robot_.address, {}, {});
+    ASSERT_TRUE(source) << source.error().sentence();
+    auto feed = session::LiveFeed::open(*std::move(source), {}, {});
+    ASSERT_TRUE(feed) << feed.error().sentence();
+    feed_ = *std::move(feed);
+    auto session = session::TouchSession::open(feed_->first_scene(), {}, "pointer:", {});
+    ASSERT_TRUE(session) << session.error().sentence();
+    session_ = *std::move(session);
+    feed_->start(*session_, [this](const std::string& words) {
+      const std::lock_guard lock(mutex_);
+      said_ += words + "\n";
+    });
+  }
+  void TearDown() override {
+    if (feed_) feed_->stop();
+  }
+  /// The pointer is held there until the condition holds, for 20 s at most.
+  bool held_at(Vec3 place_m, const std::function<bool()>& condition) {
+    return comes_true([&] {
+      session_->move_pointer(Point<SceneFrame>{place_m});
+      return condition();
+    });
+  }
+  std::string said() const {
+    const std::lock_guard lock(mutex_);
+    return said_;
+  }
+  bool moves() const { return robot_.server->commanded() != study::WheelMotion{}; }
+
+  SampleRobot robot_;
+  std::unique_ptr<session::TouchSession> session_;
+  std::unique_ptr<session::LiveFeed> feed_;
+  mutable std::mutex mutex_;
+  std::string said_;
+};
+
+TEST_F(RobotTouch, SendsNothingBeforeAPersonStartsAndStopsWhenTheyStop) {
+  open("robot:sample?fps=20&mode=look");
+  const Vec3 right{0.03, 0.0, 0.0};
+  EXPECT_TRUE(held_at(right, [&] { return session_->law_in_use() == haptics::Law::rolling; }));
+  EXPECT_EQ(robot_.server->commands(), 0U);
+  feed_->robot()->request_start();
+  EXPECT_TRUE(held_at(right, [&] { return robot_.server->commanded().turn_rad_per_s < -0.1; })) << said();
+  feed_->robot()->request_stop();
+  EXPECT_TRUE(held_at(right, [&] { return !moves(); }));
+  EXPECT_NE(said().find("The robot is stopped."), std::string::npos) << said();
+  EXPECT_FALSE(feed_->robot()->statistics().is_started);
+  EXPECT_FALSE(robot_.server->has_touched());
+}
+
+TEST_F(RobotTouch, StandsWhenTheHandIsReleasedOrPicturesDoNotComeAndAfterALostLink) {
+  open("robot:sample?fps=20&mode=look");
+  const Vec3 left{-0.03, 0.0, 0.0};
+  const auto turns = [&] { return robot_.server->commanded().turn_rad_per_s > 0.1; };
+  feed_->robot()->request_start();
+  EXPECT_TRUE(held_at(left, turns)) << said();
+  // Nobody moves the pointer any more.
+  EXPECT_TRUE(comes_true([&] { return !moves(); }));
+  EXPECT_TRUE(held_at(left, turns));
+  robot_.server->set_link({20.0, 0.0, 0.0, 1.0});
+  EXPECT_TRUE(held_at(left, [&] { return said().find("no picture of its camera") != std::string::npos; }));
+  EXPECT_FALSE(moves());
+  robot_.server->set_link({});
+  EXPECT_TRUE(held_at(left, turns));
+  robot_.server->hang_up();
+  EXPECT_TRUE(held_at(left, [&] { return !feed_->robot()->statistics().is_started; }));
+  EXPECT_TRUE(held_at(left, [&] { return said().find("its connection was lost") != std::string::npos; }));
+  EXPECT_FALSE(moves());
+}
+
+TEST_F(RobotTouch, IsTouchedWithTheLawOfPicturesInTheModeTouch) {
+  open("robot:sample?fps=20");
+  EXPECT_TRUE(held_at({}, [&] { return session_->law_in_use() == haptics::Law::rolling; }));
+  EXPECT_TRUE(obey("touch", *feed_->robot()));
+  EXPECT_TRUE(held_at({}, [&] { return session_->law_in_use() == haptics::Law::proxy; }));
+  EXPECT_FALSE(obey("jump", *feed_->robot()));
+  EXPECT_EQ(robot_.server->commands(), 0U);
+}
+
+TEST(SampleRobot, RefusesOptionsOutOfRange) {
+  for (const auto* wrong : {"robot:sample?loss=2", "robot:sample?fps=0", "robot:sample?port=1"})
+    EXPECT_EQ(start_sample_robot(wrong).error().code, ErrorCode::usage) << wrong;
+  EXPECT_FALSE(is_sample_robot("robot:sampler:9090"));
+}
+
+}  // namespace
+}  // namespace palpable::cli

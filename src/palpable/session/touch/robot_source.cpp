@@ -1,0 +1,375 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/touch/robot_source.hpp"
+
+#include "palpable/session/robot/drive_surface.hpp"
+#include "palpable/session/touch/touch_session.hpp"
+#include "palpable/sources/live/rosbridge_client.hpp"
+#include "palpable/sources/live/rosbridge_picture.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+namespace palpable::session {
+namespace {
+
+using sources::RosbridgeClient;
+using RobotClock = std::chrono::steady_clock;
+
+/// Places of the topics in the client's list.
+enum RobotTopic : std::size_t {
+  kRobotDepth,
+  kRobotColour,
+  kRobotInfo,
+  kRobotOdometry,
+  kRobotBattery,
+  kRobotContact
+};
+
+constexpr auto kTick = std::chrono::milliseconds(20);
+
+double seconds_of(RobotClock::time_point time) {
+  return std::chrono::duration<double>(time.time_since_epoch()).count();
+}
+
+std::string twist_text(const RobotVelocity& velocity) {
+  return fmt::format(
+      R"({{"linear":{{"x":{:.4f},"y":0.0,"z":0.0}},"angular":{{"x":0.0,"y":0.0,"z":{:.4f}}}}})",
+      velocity.forward_m_per_s, velocity.turn_rad_per_s);
+}
+
+std::string sentence_of(DriveLimit limit) {
+  switch (limit) {
+    case DriveLimit::picture_lost:
+      return "The robot stands: no picture of its camera has come for a tenth of a second, or none with a "
+             "camera's data.";
+    case DriveLimit::link_lost:
+      return "The robot stands: its odometry does not come.";
+    case DriveLimit::obstacle:
+      return "There is something ahead of the robot, or floor that it has not seen.";
+    case DriveLimit::none:
+    case DriveLimit::not_started:
+    case DriveLimit::released:
+    case DriveLimit::standing:
+      break;
+  }
+  return {};
+}
+
+class RobotSource final : public LiveSource, public RobotControl {
+ public:
+  RobotSource(std::unique_ptr<RosbridgeClient> client, const RobotAddress& address)
+      : client_(std::move(client)),
+        metres_per_unit_(address.pictures.metres_per_unit),
+        drive_(address.drive) {
+    drive_.set_mode(address.mode);
+    mode_ = address.mode;
+    thread_ = std::thread([this] { run(); });
+  }
+  ~RobotSource() override {
+    ending_ = true;
+    thread_.join();
+  }
+
+  // LiveSource
+  Result<std::optional<LiveFrame>> take(RobotClock::time_point deadline) override {
+    std::unique_lock lock(mutex_);
+    changed_.wait_until(lock, deadline, [&] { return newest_ || fault_; });
+    if (fault_) return *std::exchange(fault_, std::nullopt);
+    return std::exchange(newest_, std::nullopt);
+  }
+  bool has_ended() const override { return false; }
+  std::optional<Image> colour() override {
+    const auto newest = client_->take(kRobotColour);
+    if (!newest) return std::nullopt;
+    auto picture = sources::colour_of(newest->message.body);
+    return picture ? std::optional(*std::move(picture)) : std::nullopt;
+  }
+  std::optional<std::string> loss() override { return client_->loss(); }
+  std::optional<std::string> notice() override {
+    if (auto words = client_->notice()) return words;
+    const std::lock_guard lock(mutex_);
+    if (notices_.empty()) return std::nullopt;
+    std::string first = std::move(notices_.front());
+    notices_.pop_front();
+    return first;
+  }
+  std::string_view kind() const override { return "robot"; }
+  std::shared_ptr<const models::Relief> surface(const models::Relief& seen) override {
+    if (mode() == RobotMode::touch) return nullptr;
+    const RobotDrive now = [&] {
+      const std::lock_guard lock(mutex_);
+      return drive_;
+    }();
+    auto made = drive_surface(now, seen);
+    return made ? *std::move(made) : nullptr;
+  }
+  RobotControl* robot() override { return this; }
+  void begin(TouchSession& session) override {
+    touch_law_ = session.settings().law;
+    session_ = &session;
+    law_is_set_ = false;
+  }
+  void end() override {
+    request_stop();
+    // The thread no longer uses the session once it has seen this.
+    session_ = nullptr;
+    const std::lock_guard lock(using_session_);
+  }
+
+  // RobotControl
+  void request_start() override { asked_ = Asked::start; }
+  void request_stop() override { asked_ = Asked::stop; }
+  void request_mode(RobotMode mode) override {
+    const std::lock_guard lock(mutex_);
+    mode_ = mode;
+    drive_.set_mode(mode);
+    law_is_set_ = false;
+  }
+  RobotStatistics statistics() const override {
+    const std::lock_guard lock(mutex_);
+    RobotStatistics statistics = statistics_;
+    statistics.picture_age = picture_ages_.summary();
+    statistics.is_started = drive_.is_started();
+    return statistics;
+  }
+
+ private:
+  enum class Asked : std::uint8_t { nothing, start, stop };
+
+  void run() {
+    for (auto next = RobotClock::now(); !ending_; next += kTick) {
+      // Wakes for each picture, so that none waits for the next tick.
+      auto depth = client_->wait(kRobotDepth, next);
+      if (depth && *depth) take_picture(**depth);
+      if (!depth) fail(depth.error());
+      tick(RobotClock::now());
+      std::this_thread::sleep_until(std::min(next, RobotClock::now() + kTick));
+      next = std::max(next, RobotClock::now() - kTick);
+    }
+    // Several, since one may be lost.
+    if (has_commanded_)
+      for (int n = 0; n < 3; ++n, std::this_thread::sleep_for(kTick)) client_->publish(0, twist_text({}));
+  }
+
+  void fail(const Error& error) {
+    const std::lock_guard lock(mutex_);
+    if (!std::exchange(has_failed_, true)) fault_ = error;
+    changed_.notify_all();
+  }
+
+  void take_picture(RosbridgeClient::Newest& newest) {
+    if (const auto info = client_->take(kRobotInfo))
+      if (const auto* camera = std::get_if<Pinhole>(&info->message.body)) camera_ = *camera;
+    auto depth = sources::depth_of(newest.message.body, camera_, metres_per_unit_);
+    const std::lock_guard lock(mutex_);
+    if (!depth) {
+      fault_ = invalid_input(depth.error().message, client_->name());
+    } else {
+      drive_.take_picture(seconds_of(newest.arrival), *depth, newest.message.stamp_s);
+      if (newest.message.stamp_s && odometry_stamp_s_ && *odometry_stamp_s_ >= *newest.message.stamp_s)
+        picture_ages_.record_ns(1e9 * (*odometry_stamp_s_ - *newest.message.stamp_s));
+      newest_ = LiveFrame{newest.number, newest.arrival, *std::move(depth)};
+    }
+    changed_.notify_all();
+  }
+
+  void tick(RobotClock::time_point now) {
+    take_state();
+    const bool is_connected = client_->is_connected();
+    follow_law();
+    const auto [hand, is_released] = hand_now();
+    const std::lock_guard lock(mutex_);
+    if (!is_connected) {
+      // A start that was asked for before is no start of what comes back.
+      asked_ = Asked::nothing;
+      if (drive_.is_started())
+        notices_.emplace_back("The robot is not started any more: its connection was lost.");
+      drive_.lose_link();
+    }
+    follow_wishes(seconds_of(now));
+    if (is_released) drive_.release_hand();
+    if (hand) drive_.take_hand(seconds_of(now), *hand);
+    const auto command = drive_.command(seconds_of(now));
+    tell(command.limit, now);
+    send(command.velocity, now);
+    watch_motion(command.velocity, now);
+  }
+
+  void take_state() {
+    if (const auto newest = client_->take(kRobotOdometry))
+      if (const auto* at = std::get_if<sources::RosOdometry>(&newest->message.body)) {
+        const std::lock_guard lock(mutex_);
+        drive_.take_odometry(seconds_of(newest->arrival), {at->x_m, at->y_m, at->yaw_rad},
+                             newest->message.stamp_s);
+        odometry_stamp_s_ = newest->message.stamp_s;
+        measured_ = {at->forward_m_per_s, at->turn_rad_per_s};
+      }
+    if (const auto newest = client_->take(kRobotContact))
+      if (const auto* touches = std::get_if<sources::RosFlag>(&newest->message.body))
+        take_contact(touches->value);
+    if (const auto newest = client_->take(kRobotBattery))
+      if (const auto* battery = std::get_if<sources::RosBattery>(&newest->message.body))
+        take_battery(battery->charge);
+  }
+
+  void take_contact(bool touches) {
+    const std::lock_guard lock(mutex_);
+    if (touches && !touches_) {
+      drive_.stop();
+      notices_.emplace_back("The robot touches something: it is stopped, and must be started again.");
+    }
+    touches_ = touches;
+  }
+
+  void take_battery(double charge) {
+    constexpr double kLow = 0.15;
+    const std::lock_guard lock(mutex_);
+    if (charge < kLow && !std::exchange(said_battery_, true))
+      notices_.push_back(fmt::format("The robot's battery is at {:.0f} %.", 100.0 * charge));
+  }
+
+  /// The law of the mode, once after each change of mode.
+  void follow_law() {
+    const RobotMode now = mode();
+    const std::lock_guard use(using_session_);
+    TouchSession* session = session_;
+    if (session == nullptr || law_is_set_.exchange(true)) return;
+    TouchSettings settings = session->settings();
+    settings.law = touch_law_;
+    if (now != RobotMode::touch) (settings.law = {}).law = haptics::Law::rolling;
+    static_cast<void>(session->change_settings(settings));
+  }
+  RobotMode mode() const {
+    const std::lock_guard lock(mutex_);
+    return mode_;
+  }
+
+  void follow_wishes(double now_s) {
+    if (asked_ == Asked::stop) {
+      asked_ = Asked::nothing;
+      if (drive_.is_started()) notices_.emplace_back("The robot is stopped.");
+      drive_.stop();
+    }
+    if (asked_ == Asked::start && (drive_.is_started() || drive_.start(now_s))) {
+      asked_ = Asked::nothing;
+      notices_.push_back(
+          fmt::format("The robot is started. The floor within {:.2f} m around it, which its camera does not "
+                      "see, must be free.",
+                      drive_.vouched_m()));
+    }
+  }
+
+  /// Where the hand is now, if a tick of the servo says so that was not seen before; the second: nobody holds
+  /// it.
+  std::pair<std::optional<DriveHand>, bool> hand_now() {
+    const std::lock_guard use(using_session_);
+    TouchSession* session = session_;
+    if (session == nullptr || session->paused()) return {std::nullopt, true};
+    const auto sample = session->latest();
+    if (sample.status != device::Status::ok) return {std::nullopt, true};
+    // A servo that stands still says nothing of the hand.
+    if (std::exchange(last_tick_, sample.tick) == sample.tick) return {std::nullopt, false};
+    const auto scene = session->scene();
+    const Vec3 at = sample.position.v;
+    return {drive_hand_at(at.x, at.y, *models::relief_of(*scene)), false};
+  }
+
+  void tell(DriveLimit limit, RobotClock::time_point now) {
+    constexpr auto kLasting = std::chrono::milliseconds(500);
+    if (limit != limit_) {
+      limit_ = limit;
+      limit_since_ = now;
+      limit_is_said_ = false;
+    }
+    if (limit_is_said_ || now - limit_since_ < kLasting) return;
+    limit_is_said_ = true;
+    if (auto words = sentence_of(limit); !words.empty()) notices_.push_back(std::move(words));
+  }
+
+  void send(const RobotVelocity& velocity, RobotClock::time_point now) {
+    // For a second after the end, since a zero that is sent once may be lost.
+    constexpr auto kAfter = std::chrono::seconds(1);
+    if (drive_.is_started()) started_at_ = now;
+    if (!started_at_ || now - *started_at_ > kAfter) return;
+    has_commanded_ = true;
+    if (client_->publish(0, twist_text(velocity))) ++statistics_.commands;
+    if (velocity != RobotVelocity{}) ++statistics_.moving_commands;
+  }
+
+  void watch_motion(const RobotVelocity& velocity, RobotClock::time_point now) {
+    constexpr auto kLong = std::chrono::milliseconds(1500);
+    constexpr double kStill_m_per_s = 0.03;
+    const bool moves = std::abs(measured_.forward_m_per_s) > kStill_m_per_s;
+    if (velocity != RobotVelocity{} || !moves || !has_commanded_) {
+      standing_since_ = now;
+      said_moving_ = false;
+    } else if (now - standing_since_ > kLong && !std::exchange(said_moving_, true)) {
+      drive_.stop();
+      notices_.emplace_back("The robot moves, though it is told to stand: use its own emergency stop.");
+    }
+  }
+
+  std::unique_ptr<RosbridgeClient> client_;
+  std::optional<double> metres_per_unit_;
+  std::atomic<bool> ending_{false};
+  std::atomic<Asked> asked_{Asked::nothing};
+  std::atomic<bool> law_is_set_{true};
+  std::mutex using_session_;
+  std::atomic<TouchSession*> session_{nullptr};
+  haptics::LawParameters touch_law_;
+
+  // The thread's own.
+  std::optional<Pinhole> camera_;
+  bool has_commanded_ = false;
+  bool has_failed_ = false;
+  bool touches_ = false;
+  bool said_battery_ = false;
+  bool said_moving_ = false;
+  bool limit_is_said_ = false;
+  std::uint64_t last_tick_ = 0;
+  DriveLimit limit_ = DriveLimit::none;
+  RobotClock::time_point limit_since_, standing_since_;
+  std::optional<RobotClock::time_point> started_at_;
+  std::optional<double> odometry_stamp_s_;
+  RobotVelocity measured_;
+
+  /// Guards what follows.
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  RobotDrive drive_;
+  RobotMode mode_ = RobotMode::drive;
+  std::optional<LiveFrame> newest_;
+  std::optional<Error> fault_;
+  std::deque<std::string> notices_;
+  RobotStatistics statistics_;
+  haptics::LatencyRecorder picture_ages_;
+  std::thread thread_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<LiveSource>> open_robot_source(const RobotAddress& address) {
+  if (auto valid = check(address.drive); !valid) return std::move(valid).error();
+  sources::RosbridgeOptions options;
+  options.host = address.pictures.host;
+  options.port = address.pictures.port;
+  options.topics = {address.pictures.depth, address.pictures.colour, address.pictures.info,
+                    address.odometry,       address.battery,         address.contact};
+  options.publications = {{address.command, "geometry_msgs", "Twist"}};
+  auto client = RosbridgeClient::open(std::move(options));
+  if (!client) return std::move(client).error();
+  return std::unique_ptr<LiveSource>(std::make_unique<RobotSource>(*std::move(client), address));
+}
+
+}  // namespace palpable::session

@@ -1,0 +1,60 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/touch/live_source.hpp"
+#include "palpable/sources/live/test_ros_messages.hpp"
+#include "palpable/sources/live/test_rosbridge_server.hpp"
+
+#include <gtest/gtest.h>
+
+namespace palpable::session {
+namespace {
+
+using sources::ros_picture;
+using sources::ros_published;
+
+class RosSourceTest : public testing::Test {
+ protected:
+  /// The next frame, or error, within ten seconds.
+  Result<std::optional<LiveFrame>> next() {
+    return (*source_)->take(std::chrono::steady_clock::now() + std::chrono::seconds(10));
+  }
+  void send_depth(float depth_m) {
+    server_.send(ros_published("/d", ros_picture<float>(2, 1, "32FC1", 4, {depth_m, 2.0F})));
+  }
+
+  sources::TestRosbridgeServer server_;
+  Result<std::unique_ptr<LiveSource>> source_ = open_live_source(
+      "ros://127.0.0.1:" + std::to_string(server_.port()) + "?depth=/d&color=/c&info=/i", {}, {});
+};
+
+TEST_F(RosSourceTest, GivesDepthWithItsCameraAndColours) {
+  ASSERT_TRUE(source_) << source_.error().sentence();
+  server_.send(ros_published("/i", R"({"height":1,"width":2,"K":[2,0,0.5,0,2,0,0,0,1]})"));
+  server_.send(ros_published("/c", ros_picture<std::uint8_t>(1, 1, "rgb8", 3, {255, 0, 0})));
+  send_depth(1.25F);
+  const auto frame = next();
+  ASSERT_TRUE(frame && *frame);
+  EXPECT_FLOAT_EQ((*frame)->depth.depth_m(0, 0), 1.25F);
+  ASSERT_TRUE((*frame)->depth.camera);
+  EXPECT_EQ((*frame)->depth.camera->fx, 2.0);
+  const auto colour = (*source_)->colour();
+  ASSERT_TRUE(colour);
+  EXPECT_EQ(rgb8(*colour)(0, 0), (Rgb8{255, 0, 0}));
+  EXPECT_FALSE((*source_)->has_ended());
+}
+
+TEST_F(RosSourceTest, GoesOnAfterAFrameThatCannotBeRead) {
+  ASSERT_TRUE(source_);
+  server_.send(ros_published("/d", ros_picture<std::uint8_t>(1, 1, "yuv422", 1, {0})));
+  const auto damaged = next();
+  ASSERT_FALSE(damaged);
+  EXPECT_EQ(damaged.error().code, ErrorCode::invalid_input);
+  EXPECT_NE(damaged.error().message.find("yuv422"), std::string::npos);
+  send_depth(1.5F);
+  const auto frame = next();
+  ASSERT_TRUE(frame && *frame);
+  EXPECT_EQ((*frame)->number, 1U);
+}
+
+}  // namespace
+}  // namespace palpable::session

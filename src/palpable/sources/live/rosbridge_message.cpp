@@ -1,0 +1,255 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sources/live/rosbridge_message.hpp"
+
+#include "palpable/core/text/base64.hpp"
+#include "palpable/core/text/plain_text.hpp"
+#include "palpable/sources/live/frame_folder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+namespace palpable::sources {
+namespace {
+
+using RosJson = nlohmann::json;
+
+/// The member of an object, or null.
+const RosJson& ros_member(const RosJson& object, const char* name) {
+  static const RosJson none;
+  if (!object.is_object()) return none;
+  const auto found = object.find(name);
+  return found == object.end() ? none : *found;
+}
+
+/// A finite number; nullopt for anything else.
+std::optional<double> ros_number(const RosJson& value) {
+  if (!value.is_number()) return std::nullopt;
+  const double number = value.get<double>();
+  return std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+/// A whole number of 0 ... `most`.
+std::optional<std::size_t> ros_count(const RosJson& value, std::size_t most) {
+  if (!value.is_number_unsigned()) return std::nullopt;
+  const auto number = value.get<std::uint64_t>();
+  return number <= most ? std::optional(static_cast<std::size_t>(number)) : std::nullopt;
+}
+
+bool ros_flag(const RosJson& value) {
+  if (value.is_boolean()) return value.get<bool>();
+  return value.is_number_unsigned() && value.get<std::uint64_t>() != 0;
+}
+
+/// uint8[]: base64, or, of servers that were set so, a list of numbers.
+std::optional<std::vector<std::byte>> ros_bytes(const RosJson& value) {
+  if (value.is_string()) return from_base64(value.get_ref<const std::string&>());
+  if (!value.is_array()) return std::nullopt;
+  std::vector<std::byte> bytes;
+  bytes.reserve(value.size());
+  for (const RosJson& item : value) {
+    const auto byte = ros_count(item, std::numeric_limits<std::uint8_t>::max());
+    if (!byte) return std::nullopt;
+    bytes.push_back(static_cast<std::byte>(*byte));
+  }
+  return bytes;
+}
+
+/// Whether a text can be JSON of a message: neither nested deeper, nor with more values. Parsing other text
+/// would take much memory.
+bool has_plausible_structure(std::string_view text) {
+  constexpr int kDeepest = 16;
+  constexpr std::size_t kMostValues = 3'000'000;
+  int depth = 0;
+  std::size_t values = 0;
+  bool in_text = false;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const char c = text[k];
+    if (in_text) {
+      if (c == '\\') ++k;
+      in_text = c != '"';
+      continue;
+    }
+    in_text = c == '"';
+    if (c == '[' || c == '{') ++depth;
+    if (c == ']' || c == '}') --depth;
+    if (c == ',') ++values;
+    if (depth > kDeepest || values > kMostValues) return false;
+  }
+  return true;
+}
+
+struct Size {
+  int width = 0, height = 0;
+};
+
+/// The size that a picture or cloud states. Errors: as check_frame_size().
+Result<Size> size_in(const RosJson& message) {
+  constexpr std::size_t kMost = 1U << 20U;
+  const auto width = ros_count(ros_member(message, "width"), kMost);
+  const auto height = ros_count(ros_member(message, "height"), kMost);
+  if (!width || !height) return invalid_input("sends a picture without a size");
+  const Size size{static_cast<int>(*width), static_cast<int>(*height)};
+  if (auto valid = check_frame_size(size.width, size.height); !valid)
+    return invalid_input("sends a picture that " + valid.error().message);
+  return size;
+}
+
+constexpr std::size_t kMostStep = std::size_t{1} << 28U;
+
+Result<RosBody> picture_in(const RosJson& message) {
+  const auto size = size_in(message);
+  if (!size) return size.error();
+  const auto step = ros_count(ros_member(message, "step"), kMostStep);
+  const auto& encoding = ros_member(message, "encoding");
+  auto data = ros_bytes(ros_member(message, "data"));
+  if (!step || !encoding.is_string() || !data) return invalid_input("sends a damaged picture");
+  if (data->size() / static_cast<std::size_t>(size->height) < *step)
+    return invalid_input("sends less of a picture than its size needs");
+  return RosBody(RosPicture{size->width, size->height, encoding.get<std::string>(),
+                            ros_flag(ros_member(message, "is_bigendian")), *step, *std::move(data)});
+}
+
+Result<RosBody> compressed_in(const RosJson& message) {
+  auto data = ros_bytes(ros_member(message, "data"));
+  const auto& format = ros_member(message, "format");
+  if (!data || !format.is_string()) return invalid_input("sends a damaged compressed picture");
+  return RosBody(RosCompressed{format.get<std::string>(), *std::move(data)});
+}
+
+/// The row-major camera matrix: fx 0 cx 0 fy cy 0 0 1.
+Result<RosBody> ros_camera_in(const RosJson& message, const RosJson& matrix) {
+  const auto size = size_in(message);
+  if (!size) return size.error();
+  const auto at = [&](std::size_t k) { return k < matrix.size() ? ros_number(matrix[k]) : std::nullopt; };
+  const auto fx = at(0), cx = at(2), fy = at(4), cy = at(5);
+  constexpr double kMost_px = 1e6;
+  if (matrix.size() != 9 || !fx || !fy || !cx || !cy || *fx <= 0.0 || *fy <= 0.0 || *fx > kMost_px ||
+      *fy > kMost_px || std::abs(*cx) > kMost_px || std::abs(*cy) > kMost_px)
+    return invalid_input("sends a camera that is none");
+  return RosBody(Pinhole{*fx, *fy, *cx, *cy, size->width, size->height});
+}
+
+/// Where in a point a field of this name is, which must be a float32.
+std::optional<std::size_t> field_at(const RosJson& fields, std::string_view name) {
+  constexpr std::size_t kFloat32 = 7;
+  if (!fields.is_array()) return std::nullopt;
+  for (const RosJson& field : fields) {
+    const auto& called = ros_member(field, "name");
+    if (!called.is_string() || called.get_ref<const std::string&>() != name) continue;
+    if (ros_count(ros_member(field, "datatype"), kFloat32) != kFloat32) return std::nullopt;
+    return ros_count(ros_member(field, "offset"), kMostStep);
+  }
+  return std::nullopt;
+}
+
+Result<RosBody> cloud_in(const RosJson& message) {
+  const auto size = size_in(message);
+  if (!size) return size.error();
+  const auto point_step = ros_count(ros_member(message, "point_step"), kMostStep);
+  const auto row_step = ros_count(ros_member(message, "row_step"), kMostStep);
+  const auto& fields = ros_member(message, "fields");
+  const auto x = field_at(fields, "x"), y = field_at(fields, "y"), z = field_at(fields, "z");
+  auto data = ros_bytes(ros_member(message, "data"));
+  if (!point_step || !row_step || !x || !y || !z || !data)
+    return invalid_input("sends a cloud without points of float32 x, y and z");
+  const bool is_whole = std::max({*x, *y, *z}) + sizeof(float) <= *point_step &&
+                        *row_step >= *point_step * static_cast<std::size_t>(size->width) &&
+                        data->size() / static_cast<std::size_t>(size->height) >= *row_step;
+  if (!is_whole) return invalid_input("sends less of a cloud than its size needs");
+  return RosBody(RosCloud{size->width, size->height, ros_flag(ros_member(message, "is_bigendian")),
+                          *point_step, *row_step, *x, *y, *z, *std::move(data)});
+}
+
+/// The yaw of the quaternion, ROS' convention: z up.
+Result<RosBody> odometry_in(const RosJson& message) {
+  const auto& pose = ros_member(ros_member(message, "pose"), "pose");
+  const auto& twist = ros_member(ros_member(message, "twist"), "twist");
+  const auto& turn = ros_member(pose, "orientation");
+  const auto number = [](const RosJson& of, const char* name) { return ros_number(ros_member(of, name)); };
+  const auto px = number(ros_member(pose, "position"), "x"), py = number(ros_member(pose, "position"), "y");
+  const auto x = number(turn, "x"), y = number(turn, "y"), z = number(turn, "z"), w = number(turn, "w");
+  const auto forward = number(ros_member(twist, "linear"), "x");
+  const auto turning = number(ros_member(twist, "angular"), "z");
+  constexpr double kMost = 1e6;
+  const auto is_plausible = [](const std::optional<double>& value) {
+    return value && std::abs(*value) < kMost;
+  };
+  for (const auto& value : {px, py, x, y, z, w, forward, turning})
+    if (!is_plausible(value)) return invalid_input("sends odometry that is none");
+  const double yaw_rad = std::atan2(2.0 * (*w * *z + *x * *y), 1.0 - 2.0 * (*y * *y + *z * *z));
+  return RosBody(RosOdometry{*px, *py, yaw_rad, *forward, *turning});
+}
+
+Result<RosBody> body_in(const RosJson& message) {
+  for (const char* matrix : {"K", "k"})
+    if (const auto& numbers = ros_member(message, matrix); numbers.is_array())
+      return ros_camera_in(message, numbers);
+  if (message.contains("encoding")) return picture_in(message);
+  if (message.contains("format")) return compressed_in(message);
+  if (message.contains("point_step")) return cloud_in(message);
+  if (message.contains("pose") && message.contains("twist")) return odometry_in(message);
+  if (const auto charge = ros_number(ros_member(message, "percentage")); charge)
+    return RosBody(RosBattery{std::clamp(*charge, 0.0, 1.0)});
+  if (const auto& data = ros_member(message, "data"); data.is_boolean())
+    return RosBody(RosFlag{data.get<bool>()});
+  return invalid_input("sends a message of another type than was asked for");
+}
+
+std::optional<double> stamp_in(const RosJson& message) {
+  const auto& stamp = ros_member(ros_member(message, "header"), "stamp");
+  constexpr std::size_t kMost_s = std::size_t{1} << 34U, kNano = 1'000'000'000;
+  for (const auto& [whole, part] : {std::pair("secs", "nsecs"), {"sec", "nanosec"}}) {
+    const auto seconds = ros_count(ros_member(stamp, whole), kMost_s);
+    const auto nano = ros_count(ros_member(stamp, part), kNano);
+    if (!seconds || !nano || (*seconds == 0 && *nano == 0)) continue;
+    return static_cast<double>(*seconds) + 1e-9 * static_cast<double>(*nano);
+  }
+  return std::nullopt;
+}
+
+RosVersion version_of(const RosJson& message) {
+  const auto& stamp = ros_member(ros_member(message, "header"), "stamp");
+  if (stamp.is_object() && stamp.contains("secs")) return RosVersion::ros1;
+  if (stamp.is_object() && stamp.contains("sec")) return RosVersion::ros2;
+  return RosVersion::unknown;
+}
+
+std::string shown_words(const RosJson& words) {
+  constexpr std::size_t kMost = 200;
+  if (!words.is_string() || !is_utf8(words.get_ref<const std::string&>())) return "";
+  std::string line = plain_name(words.get_ref<const std::string&>());
+  if (line.size() > kMost) {
+    std::size_t end = kMost;
+    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) --end;
+    line.resize(end);
+  }
+  return line;
+}
+
+}  // namespace
+
+Result<RosHeard> parse_rosbridge(std::string_view text) {
+  if (text.size() > kLongestRosMessage || !has_plausible_structure(text))
+    return invalid_input("sends a message that is larger or nested deeper than any picture");
+  const RosJson json = RosJson::parse(text, nullptr, false);
+  if (!json.is_object()) return invalid_input("sends something else than JSON of rosbridge");
+  const auto& operation = ros_member(json, "op");
+  if (operation == "status")
+    return RosHeard(RosStatus{ros_member(json, "level") == "error", shown_words(ros_member(json, "msg"))});
+  const auto& topic = ros_member(json, "topic");
+  const auto& message = ros_member(json, "msg");
+  if (operation != "publish" || !topic.is_string() || !message.is_object())
+    return invalid_input("sends an operation that was not asked for");
+  auto body = body_in(message);
+  if (!body) return std::move(body).error();
+  return RosHeard(
+      RosMessage{topic.get<std::string>(), *std::move(body), version_of(message), stamp_in(message)});
+}
+
+}  // namespace palpable::sources

@@ -1,0 +1,107 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/study/world/robot_world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace palpable::study {
+namespace {
+
+/// A number of [0, 1), the same on every machine.
+double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11U) * 0x1p-53; }
+
+/// About normal, of standard deviation 1: the sum of twelve uniform numbers.
+double normal(std::mt19937_64& random) {
+  double sum = -6.0;
+  for (int k = 0; k < 12; ++k) sum += uniform(random);
+  return sum;
+}
+
+bool fits(const Room& room, const RobotBody& body, double x_m, double y_m, double around_m) {
+  return !touches(room, {x_m, y_m, body.radius_m + around_m, body.height_m});
+}
+
+/// A place with room around it. The middle of the room if there is none.
+FloorPose free_place(const Room& room, const RobotBody& body, std::mt19937_64& random) {
+  constexpr double kAround_m = 0.4;
+  constexpr int kTries = 10'000;
+  for (int k = 0; k < kTries; ++k) {
+    const double x_m = (uniform(random) - 0.5) * room.size_m.x;
+    const double y_m = (uniform(random) - 0.5) * room.size_m.y;
+    if (fits(room, body, x_m, y_m, kAround_m)) return {x_m, y_m, 2.0 * std::numbers::pi * uniform(random)};
+  }
+  return {};
+}
+
+/// `from`, moved by a circular arc.
+FloorPose moved(const FloorPose& from, double forward_m, double turn_rad) {
+  const double middle_rad = from.heading_rad + 0.5 * turn_rad;
+  return {from.x_m + forward_m * std::cos(middle_rad), from.y_m + forward_m * std::sin(middle_rad),
+          from.heading_rad + turn_rad};
+}
+
+double towards(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
+
+}  // namespace
+
+RobotWorld::RobotWorld(Room room, const RobotBody& body, const RobotErrors& errors, std::uint64_t seed)
+    : room_(std::move(room)), body_(body), errors_(errors), random_(seed) {
+  pose_ = free_place(room_, body_, random_);
+}
+
+void RobotWorld::command(const WheelMotion& wanted) {
+  if (!std::isfinite(wanted.forward_m_per_s) || !std::isfinite(wanted.turn_rad_per_s)) return;
+  command_ = {std::clamp(wanted.forward_m_per_s, -body_.max_forward_m_per_s, body_.max_forward_m_per_s),
+              std::clamp(wanted.turn_rad_per_s, -body_.max_turn_rad_per_s, body_.max_turn_rad_per_s)};
+  commanded_at_s_ = time_s_;
+}
+
+WheelMotion RobotWorld::commanded() const {
+  return time_s_ - commanded_at_s_ > body_.command_lasts_s ? WheelMotion{} : command_;
+}
+
+void RobotWorld::advance(double dt_s) {
+  constexpr double kStep_s = 0.005;
+  for (double left_s = dt_s; left_s > 1e-9; left_s -= kStep_s) step(std::min(left_s, kStep_s));
+}
+
+void RobotWorld::draw_errors() {
+  slip_forward_ = 1.0 + errors_.slip * normal(random_);
+  slip_turn_ = 1.0 + errors_.slip * normal(random_);
+  odometry_forward_ = 1.0 + errors_.odometry * normal(random_);
+  odometry_turn_ = 1.0 + errors_.odometry * normal(random_);
+}
+
+void RobotWorld::step(double dt_s) {
+  constexpr double kDraw_s = 0.1;
+  time_s_ += dt_s;
+  if (time_s_ >= next_draw_s_) {
+    draw_errors();
+    next_draw_s_ += kDraw_s;
+  }
+  const WheelMotion wanted = commanded();
+  motion_.forward_m_per_s =
+      towards(motion_.forward_m_per_s, wanted.forward_m_per_s, body_.forward_m_per_s2 * dt_s);
+  motion_.turn_rad_per_s =
+      towards(motion_.turn_rad_per_s, wanted.turn_rad_per_s, body_.turn_rad_per_s2 * dt_s);
+  const double forward_m = motion_.forward_m_per_s * dt_s, turn_rad = motion_.turn_rad_per_s * dt_s;
+  odometry_ = moved(odometry_, odometry_forward_ * forward_m, odometry_turn_ * turn_rad);
+  const FloorPose next = moved(pose_, slip_forward_ * forward_m, slip_turn_ * turn_rad);
+  if (!fits(room_, body_, next.x_m, next.y_m, 0.0)) {
+    has_touched_ = true;
+    return;
+  }
+  pose_ = next;
+}
+
+RoomView RobotWorld::view(const Pinhole& camera, const CameraNoise& noise) const {
+  const FloorPose at = moved(pose_, body_.camera_forward_m, 0.0);
+  const auto place = camera_pose(Point<WorldFrame>{{at.x_m, at.y_m, body_.camera_height_m}},
+                                 pose_.heading_rad, body_.camera_down_rad);
+  return render(room_, place, camera, noise);
+}
+
+}  // namespace palpable::study

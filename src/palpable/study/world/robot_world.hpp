@@ -1,0 +1,94 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/study/world/room.hpp"
+#include "palpable/study/world/room_view.hpp"
+
+#include <cstdint>
+#include <random>
+
+namespace palpable::study {
+
+/// Where a robot stands on the floor: metres, and its heading, counter-clockwise from the world's x axis.
+struct FloorPose {
+  double x_m = 0.0, y_m = 0.0;
+  double heading_rad = 0.0;
+};
+
+/// What a robot's wheels are asked for, or do.
+struct WheelMotion {
+  double forward_m_per_s = 0.0;
+  double turn_rad_per_s = 0.0;
+  bool operator==(const WheelMotion&) const = default;
+};
+
+/// A robot with two driven wheels: an upright cylinder with a camera near its top.
+struct RobotBody {
+  double radius_m = 0.2;
+  double height_m = 0.75;
+  double camera_height_m = 0.7;
+  /// From the axis to the camera.
+  double camera_forward_m = 0.12;
+  double camera_down_rad = 0.44;
+  double max_forward_m_per_s = 0.5;
+  double max_turn_rad_per_s = 1.5;
+  double forward_m_per_s2 = 0.6;
+  double turn_rad_per_s2 = 3.0;
+  /// Without a command for this time the wheels brake, as the drivers of robots do.
+  double command_lasts_s = 0.25;
+};
+
+/// Errors of wheels: standard deviations as shares of what a wheel turns by, drawn anew for each 0.1 s.
+struct RobotErrors {
+  /// Between wheel and floor: moves the robot otherwise than the wheels say.
+  double slip = 0.02;
+  /// Between wheel and encoder: odometry says otherwise than the wheels.
+  double odometry = 0.01;
+};
+
+/// A robot in a room, in simulated time. One thread.
+class RobotWorld {
+ public:
+  /// Stands, looking along a free direction, at a place with 0.4 m of free floor around it, if there is such
+  /// a place.
+  RobotWorld(Room room, const RobotBody& body, const RobotErrors& errors, std::uint64_t seed);
+
+  /// Limited to what the wheels can do. A value that is not finite is none.
+  void command(const WheelMotion& wanted);
+  /// Moves by this time, in steps of 5 ms. A robot that touches something stops there.
+  void advance(double dt_s);
+
+  double time_s() const { return time_s_; }
+  const FloorPose& pose() const { return pose_; }
+  /// What the wheels say, from (0, 0, 0).
+  const FloorPose& odometry() const { return odometry_; }
+  const WheelMotion& motion() const { return motion_; }
+  /// What the wheels follow now; 0 once the last command is too old.
+  WheelMotion commanded() const;
+  /// Whether it ever touched anything.
+  bool has_touched() const { return has_touched_; }
+  const Room& room() const { return room_; }
+  const RobotBody& body() const { return body_; }
+  /// What its camera sees now.
+  RoomView view(const Pinhole& camera, const CameraNoise& noise) const;
+
+ private:
+  void step(double dt_s);
+  void draw_errors();
+
+  Room room_;
+  RobotBody body_;
+  RobotErrors errors_;
+  std::mt19937_64 random_;
+  FloorPose pose_, odometry_;
+  WheelMotion command_, motion_;
+  double time_s_ = 0.0;
+  double commanded_at_s_ = -1e9;
+  double next_draw_s_ = 0.0;
+  /// Factors of what the wheels do, of the floor and of the encoders.
+  double slip_forward_ = 1.0, slip_turn_ = 1.0, odometry_forward_ = 1.0, odometry_turn_ = 1.0;
+  bool has_touched_ = false;
+};
+
+}  // namespace palpable::study
