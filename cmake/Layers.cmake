@@ -102,7 +102,7 @@ set(PALPABLE_MAY_USE_session/touch robot make)
 set(PALPABLE_MAY_USE_session/share touch)
 set(PALPABLE_MAY_USE_session/check touch)
 
-set(PALPABLE_ROOMS_page shelf)
+set(PALPABLE_ROOMS_page share shelf)
 
 set(PALPABLE_ROOMS_onefile wasm)
 

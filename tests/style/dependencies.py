@@ -33,7 +33,7 @@ wrong += [
 # A header of each library that CMake finds for the program itself.
 headers = {"assimp": "assimp/", "libblosc": "openvdb/", "libboost": "boost/", "libcairo2": "cairo", "libceres": "ceres/", "libcli11": "CLI/",
            "libeigen3": "Eigen/", "libfmt": "fmt/", "libavcodec": "libavcodec/", "libavformat": "libavformat/", "libavutil": "libavutil/", "libheif": "libheif/", "libjpeg": "jpeglib.h", "libopenexr": "Imf", "libopenvdb": "openvdb/", "libosmium2": "osmium/",
-           "libpango1.0": "pango/", "libpng": "png.h", "libspeechd": "libspeechd.h", "libssl": "openssl/", "libswscale": "libswscale/", "libtiff": "tiffio.h", "libusb-1.0-0": "libusb-1.0/", "libwebp": "webp/", "libzip": "zip.h",
+           "libpango1.0": "pango/", "libpng": "png.h", "libqrencode": "qrencode.h", "libspeechd": "libspeechd.h", "libssl": "openssl/", "libswscale": "libswscale/", "libtiff": "tiffio.h", "libusb-1.0-0": "libusb-1.0/", "libwebp": "webp/", "libzip": "zip.h",
            "libzstd": "zstd", "nlohmann-json3": "nlohmann/", "zlib1g": "zlib.h", "libassimp": "assimp/"}
 parts = re.findall(r"^libopencv-([a-z0-9]+)-dev$", Path("packages/build.txt").read_text(), re.M)
 headers |= {f"libopencv-{part}": f"opencv2/{part}" for part in parts}

@@ -111,6 +111,14 @@ void Console::say(std::string_view sentence) {
   std::fflush(stream);
 }
 
+void Console::draw(std::string_view picture) {
+  const std::lock_guard lock(mutex_);
+  if (options_.json || options_.quiet || isatty(STDOUT_FILENO) == 0) return;
+  remove_progress();
+  std::fwrite(picture.data(), 1, picture.size(), stdout);
+  std::fflush(stdout);
+}
+
 void Console::end_progress() {
   const std::lock_guard lock(mutex_);
   remove_progress();

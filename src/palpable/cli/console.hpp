@@ -42,6 +42,9 @@ class Console {
   void note(const Note& note);
   /// A sentence that is shown even with --quiet: on standard output, or on standard error with --json.
   void say(std::string_view sentence);
+  /// Writes a picture made of characters and control sequences of our own to standard output if it is a
+  /// terminal, else nothing.
+  void draw(std::string_view picture);
   /// Shows no progress from now on, since it would overwrite the lines of a touch in the terminal.
   void end_progress();
   /// The Work that long functions take: threads, seed, progress to this console, cancelled by Ctrl-C.

@@ -140,7 +140,8 @@ protocol::State BrowserTouch::state() {
   for (const auto& probe : probes_)
     if (probe == probes_.front() || haptics::is_present(probe->latest))
       state.probes.push_back(page::probe_state(probe->latest, *scene_, settings_.height_factor));
-  if (auto remark = words_.remark(state, *scene_, settings_.height_factor)) say("motion", *std::move(remark));
+  for (auto& remark : words_.remarks(state, *scene_, settings_.height_factor))
+    say(std::move(remark.level), std::move(remark.text));
   return state;
 }
 

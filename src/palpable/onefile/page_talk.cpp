@@ -37,7 +37,7 @@ bool PageTalk::advance(double seconds) {
   touch_.advance(seconds);
   auto state = touch_.state();
   for (auto& probe : state.probes) probe.page = kPage;
-  send(changes_.notices());
+  for (const auto& notice : changes_.notices()) send({page::text_frame(notice)});
   send(changes_.changes());
   const bool moved = !std::equal(state.probes.begin(), state.probes.end(), sent_probes_.begin(),
                                  sent_probes_.end(), page::nearly_equal);

@@ -43,6 +43,10 @@ class PageTalk {
   void handle(const page::protocol::UndoName& undo) { touch_.undo_name(undo); }
   void handle(const page::protocol::Find& find) { touch_.find(find); }
   void handle(const page::protocol::Visible&) {}
+  // A file is not shared.
+  void handle(const page::protocol::Invite&) {}
+  void handle(const page::protocol::Withdraw&) {}
+  void handle(const page::protocol::ShowOut&) {}
   void send(const std::vector<page::SharedFrame>& frames);
 
   BrowserTouch& touch_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/access.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace palpable::page {
@@ -18,14 +19,22 @@ std::string_view cookie_value(std::string_view header, std::string_view name) {
   return {};
 }
 
-bool is_own_host(std::string_view host, std::uint16_t port) {
+OwnNames loopback_names(std::uint16_t port) {
   const std::string suffix = ":" + std::to_string(port);
-  return host == "127.0.0.1" + suffix || host == "localhost" + suffix;
+  return {"http", {"127.0.0.1" + suffix, "localhost" + suffix}};
 }
 
-bool is_own_origin(std::string_view origin, std::uint16_t port) {
-  constexpr std::string_view kScheme = "http://";
-  return origin.starts_with(kScheme) && is_own_host(origin.substr(kScheme.size()), port);
+OwnNames guest_names(const std::string& address, std::uint16_t port) {
+  return {"https", {address + ":" + std::to_string(port)}};
+}
+
+bool is_own_host(std::string_view host, const OwnNames& names) {
+  return std::find(names.hosts.begin(), names.hosts.end(), host) != names.hosts.end();
+}
+
+bool is_own_origin(std::string_view origin, const OwnNames& names) {
+  const std::string scheme = names.scheme + "://";
+  return origin.starts_with(scheme) && is_own_host(origin.substr(scheme.size()), names);
 }
 
 }  // namespace palpable::page

@@ -3,16 +3,30 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace palpable::page {
 
 /// The value of the cookie `name` in a Cookie header's value; empty if it is absent.
 std::string_view cookie_value(std::string_view header, std::string_view name);
 
-/// Whether a request's Host and Origin are this server's own: a loopback name with its port. Another Host
-/// means DNS rebinding; another Origin means a foreign page in the same browser.
-bool is_own_host(std::string_view host, std::uint16_t port);
-bool is_own_origin(std::string_view origin, std::uint16_t port);
+/// How a server is called by the browsers that it serves.
+struct OwnNames {
+  /// "http" or "https".
+  std::string scheme;
+  /// "127.0.0.1:4711".
+  std::vector<std::string> hosts;
+};
+
+/// The names of a server that listens on loopback, without TLS; and of one for guests, at an IPv4 address.
+OwnNames loopback_names(std::uint16_t port);
+OwnNames guest_names(const std::string& address, std::uint16_t port);
+
+/// Whether a request's Host and Origin are the server's own. Another Host means DNS rebinding; another Origin
+/// means a foreign page in the same browser.
+bool is_own_host(std::string_view host, const OwnNames& names);
+bool is_own_origin(std::string_view origin, const OwnNames& names);
 
 }  // namespace palpable::page

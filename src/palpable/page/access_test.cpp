@@ -10,6 +10,7 @@ namespace palpable::page {
 namespace {
 
 constexpr std::uint16_t kPort = 4711;
+const OwnNames kOwn = loopback_names(kPort);
 
 Request own_request(std::string_view method, std::string_view target) {
   return {method, target, "127.0.0.1:4711", "http://127.0.0.1:4711", {}, {}};
@@ -39,16 +40,25 @@ TEST(Access, FindsItsCookieAmongOthers) {
 }
 
 TEST(Access, AcceptsOnlyItsOwnHost) {
-  EXPECT_TRUE(is_own_host("127.0.0.1:4711", kPort));
-  EXPECT_TRUE(is_own_host("localhost:4711", kPort));
-  EXPECT_FALSE(is_own_host("127.0.0.1", kPort));
-  EXPECT_FALSE(is_own_host("127.0.0.1:80", kPort));
-  EXPECT_FALSE(is_own_host("evil.example:4711", kPort));
-  EXPECT_FALSE(is_own_host("127.0.0.1:4711.evil.example", kPort));
-  EXPECT_FALSE(is_own_host("", kPort));
-  EXPECT_TRUE(is_own_origin("http://localhost:4711", kPort));
-  EXPECT_FALSE(is_own_origin("https://localhost:4711", kPort));
-  EXPECT_FALSE(is_own_origin("null", kPort));
+  EXPECT_TRUE(is_own_host("127.0.0.1:4711", kOwn));
+  EXPECT_TRUE(is_own_host("localhost:4711", kOwn));
+  EXPECT_FALSE(is_own_host("127.0.0.1", kOwn));
+  EXPECT_FALSE(is_own_host("127.0.0.1:80", kOwn));
+  EXPECT_FALSE(is_own_host("evil.example:4711", kOwn));
+  EXPECT_FALSE(is_own_host("127.0.0.1:4711.evil.example", kOwn));
+  EXPECT_FALSE(is_own_host("", kOwn));
+  EXPECT_TRUE(is_own_origin("http://localhost:4711", kOwn));
+  EXPECT_FALSE(is_own_origin("https://localhost:4711", kOwn));
+  EXPECT_FALSE(is_own_origin("null", kOwn));
+}
+
+TEST(Access, AcceptsOnlyTheAddressOfGuestsForThem) {
+  const OwnNames names = guest_names("192.168.1.20", kPort);
+  EXPECT_TRUE(is_own_host("192.168.1.20:4711", names));
+  EXPECT_FALSE(is_own_host("127.0.0.1:4711", names));
+  EXPECT_FALSE(is_own_host("192.168.1.20", names));
+  EXPECT_TRUE(is_own_origin("https://192.168.1.20:4711", names));
+  EXPECT_FALSE(is_own_origin("http://192.168.1.20:4711", names));
 }
 
 TEST(Access, AcceptsTheTokenOnceAndThenTheCookie) {

@@ -18,8 +18,12 @@ constexpr std::size_t kLongestReason = 120;
 
 }  // namespace
 
-Client::Client(beast::tcp_stream stream, const ServeOptions& options, Events events)
-    : socket_(std::move(stream)), rate_(options.rate), pings_(options.ping_rate), events_(std::move(events)) {
+Client::Client(Channel stream, const ServeOptions& options, Events events)
+    : questions(options.question_rate),
+      socket_(std::move(stream)),
+      rate_(options.rate),
+      pings_(options.ping_rate),
+      events_(std::move(events)) {
   beast::get_lowest_layer(socket_).expires_never();
   websocket::stream_base::timeout timeout{};
   timeout.handshake_timeout = std::chrono::seconds(5);
@@ -35,7 +39,7 @@ Client::Client(beast::tcp_stream stream, const ServeOptions& options, Events eve
 
 void Client::accept(const Upgrade& upgrade) {
   socket_.async_accept(upgrade, [self = shared_from_this()](beast::error_code error) {
-    if (error) return self->end();
+    if (error || self->closing_) return self->end();
     self->open_ = true;
     self->events_.opened(*self);
     self->read();
@@ -103,8 +107,9 @@ void Client::write_next() {
 }
 
 void Client::close(websocket::close_code code, const std::string& reason) {
-  if (!open_ || closing_) return;
+  if (ended_ || closing_) return;
   closing_ = true;
+  if (!open_) return beast::get_lowest_layer(socket_).close();
   websocket::close_reason why(code, reason.substr(0, kLongestReason));
   socket_.async_close(why, [self = shared_from_this()](beast::error_code) { self->end(); });
 }

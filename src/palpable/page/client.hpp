@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/page/channel.hpp"
 #include "palpable/page/host_changes.hpp"
 #include "palpable/page/protocol.hpp"
 #include "palpable/page/rate_limit.hpp"
@@ -14,10 +15,10 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http/message.hpp>
 #include <boost/beast/http/string_body.hpp>
 #include <boost/beast/websocket/stream.hpp>
@@ -41,14 +42,14 @@ class Client : public std::enable_shared_from_this<Client> {
     std::function<void(Client&)> closed;
   };
 
-  Client(boost::beast::tcp_stream stream, const ServeOptions& options, Events events);
+  Client(Channel stream, const ServeOptions& options, Events events);
 
   void accept(const Upgrade& upgrade);
   /// Queues a frame. A client whose queue grows too long is disconnected.
   void send(SharedFrame frame);
   /// Sends a frame only if the queue is empty, since the next state replaces it; returns whether it was sent.
   bool send_if_idle(const SharedFrame& frame);
-  /// Closes the connection with a reason of at most 120 bytes.
+  /// Closes the connection with a reason of at most 120 bytes; one that is not accepted yet, without.
   void close(boost::beast::websocket::close_code code, const std::string& reason);
 
   /// `hello.page`; set by the server.
@@ -58,6 +59,10 @@ class Client : public std::enable_shared_from_this<Client> {
   bool is_behind = true;
   /// The probes that this page has moved and not yet lifted.
   std::bitset<protocol::kMostProbes> moved;
+  /// Whose page it is; nullopt for a page of this machine.
+  std::optional<Guest> guest;
+  /// Of a guest's questions.
+  RateLimit questions;
 
  private:
   void read();
@@ -67,7 +72,7 @@ class Client : public std::enable_shared_from_this<Client> {
   void write_next();
   void end();
 
-  boost::beast::websocket::stream<boost::beast::tcp_stream> socket_;
+  boost::beast::websocket::stream<Channel> socket_;
   boost::beast::flat_buffer buffer_;
   std::deque<SharedFrame> waiting_;
   RateLimit rate_;

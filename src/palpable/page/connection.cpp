@@ -29,18 +29,29 @@ std::string_view view(beast::string_view text) { return {text.data(), text.size(
 
 template <class Message>
 Request request_of(const Message& message, std::string_view body) {
-  return {view(message.method_string()),      view(message.target()),
-          view(message[http::field::host]),   view(message[http::field::origin]),
-          view(message[http::field::cookie]), body};
+  return {view(message.method_string()),         view(message.target()),
+          view(message[http::field::host]),      view(message[http::field::origin]),
+          view(message[http::field::cookie]),    body,
+          view(message[http::field::user_agent])};
 }
 
-/// Why no page can be added now; empty if one can. A touch that has begun since the last frame counts.
+/// Why no page can be added now; empty if one can. A touch that has begun since the last frame counts. A
+/// guest's page always can: it takes the place of the guest's former one.
 std::string obstacle_to_a_page(ServerContext& context) {
+  if (context.share != nullptr) return {};
   if (context.shelf != nullptr) context.pages.show(context.shelf->touch());
   return context.pages.obstacle();
 }
 
 }  // namespace
+
+void Connection::start() {
+  stream_.expires_after(milliseconds_of(context_.options.handshake_timeout_s));
+  stream_.async_handshake([self = shared_from_this()](beast::error_code error) {
+    if (error) return self->abort();
+    self->read();
+  });
+}
 
 void Connection::read() {
   buffer_.max_size(kBufferBytes);
@@ -144,7 +155,7 @@ void Connection::respond(const Client::Upgrade& message) {
   const Request request = request_of(message, message.body());
   if (beast::websocket::is_upgrade(message)) return upgrade(message, request);
   Reply reply = context_.handler.answer(request);
-  is_admitted_ = is_admitted_ || context_.handler.admits(request) || !reply.set_cookie.empty();
+  is_admitted_ = context_.handler.admits(request) || !reply.set_cookie.empty();
   // Not for a browser that only comes in, at a home page.
   if (request.target == kSessionPath && reply.status == 204 &&
       (context_.shelf == nullptr || request.method == "GET"))
@@ -158,11 +169,15 @@ void Connection::respond(const Client::Upgrade& message) {
 void Connection::upgrade(const Client::Upgrade& message, const Request& request) {
   const Reply reply = context_.handler.check_upgrade(request);
   if (reply.status != 101) return write(reply, false);
-  if (context_.upgrades.check(seconds_now()) != Verdict::accept)
+  const Guest* guest =
+      context_.share == nullptr ? nullptr : context_.share->guest_of(context_.handler.secret_of(request));
+  if (guest == nullptr ? context_.upgrades.check(seconds_now()) != Verdict::accept
+                       : !context_.share->may_open(guest->number))
     return write({429, "text/plain", "The page is opened too often: wait a few seconds.", {}, {}}, false);
   if (std::string obstacle = obstacle_to_a_page(context_); !obstacle.empty())
     return write({503, "text/plain", std::move(obstacle), {}, {}}, false);
-  context_.pages.add_client(std::move(stream_), message);
+  context_.pages.add_client(std::move(stream_), message,
+                            guest == nullptr ? std::nullopt : std::optional(*guest));
 }
 
 void Connection::write(const Reply& reply, bool keep_alive) {
@@ -185,25 +200,32 @@ void Connection::write(const Reply& reply, bool keep_alive) {
                     });
 }
 
-void Connection::close() {
-  beast::error_code ignored;
-  stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
-}
+void Connection::close() { stream_.shut_down(); }
 
 void Connections::add(tcp::socket socket, ServerContext& context) {
-  if (!make_room()) return;
-  const auto connection = std::make_shared<Connection>(std::move(socket), context);
+  beast::error_code error;
+  const auto endpoint = socket.remote_endpoint(error);
+  if (error) return;
+  const asio::ip::address peer = endpoint.address();
+  if (context.share != nullptr && !context.share->is_local(peer.to_string())) return;
+  std::erase_if(open_, [](const auto& one) { return one.expired(); });
+  if (!make_room(most_of_an_address_, &peer) || !make_room(most_, nullptr)) return;
+  if (context.tls != nullptr && context.handshakes.check(seconds_now()) != Verdict::accept) return;
+  Channel channel =
+      context.tls == nullptr ? Channel(std::move(socket)) : Channel(std::move(socket), *context.tls);
+  const auto connection = std::make_shared<Connection>(std::move(channel), peer, context);
   open_.push_back(connection);
-  connection->read();
+  connection->start();
 }
 
-bool Connections::make_room() {
-  std::erase_if(open_, [](const auto& one) { return one.expired(); });
-  if (open_.size() < most_) return true;
-  const auto stranger = std::find_if(open_.begin(), open_.end(), [](const auto& one) {
+bool Connections::make_room(std::size_t most, const asio::ip::address* peer) {
+  const auto counts = [&](const std::weak_ptr<Connection>& one) {
     const auto connection = one.lock();
-    return connection != nullptr && !connection->is_admitted();
-  });
+    return connection != nullptr && (peer == nullptr || connection->peer() == *peer);
+  };
+  if (static_cast<std::size_t>(std::count_if(open_.begin(), open_.end(), counts)) < most) return true;
+  const auto stranger = std::find_if(
+      open_.begin(), open_.end(), [&](const auto& one) { return counts(one) && !one.lock()->is_admitted(); });
   if (stranger == open_.end()) return false;
   if (const auto connection = stranger->lock()) connection->abort();
   open_.erase(stranger);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/page/channel.hpp"
 #include "palpable/page/client.hpp"
 #include "palpable/page/http.hpp"
 #include "palpable/page/pages.hpp"
@@ -14,12 +15,11 @@
 
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http.hpp>
 
 namespace palpable::page {
 
-/// What all connections share. Everything runs on the server's thread.
+/// What all connections of a port share. Everything runs on the server's thread.
 struct ServerContext {
   RequestHandler handler;
   Pages& pages;
@@ -28,22 +28,29 @@ struct ServerContext {
   const ServeOptions& options;
   /// Of WebSocket requests with the cookie.
   RateLimit upgrades;
+  /// Set for the port of guests, whose connections are encrypted.
+  ShareHost* share = nullptr;
+  boost::asio::ssl::context* tls = nullptr;
+  RateLimit handshakes{{}};
 };
 
 /// One HTTP connection, until it is closed or becomes a client of `Pages`. It keeps itself alive while an
 /// operation is pending.
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
-  Connection(boost::asio::ip::tcp::socket socket, ServerContext& context)
-      : stream_(std::move(socket)), context_(context) {}
+  Connection(Channel stream, boost::asio::ip::address peer, ServerContext& context)
+      : stream_(std::move(stream)), peer_(std::move(peer)), context_(context) {}
 
-  void read();
-  /// Whether it has shown the session's cookie or token.
+  /// Begins with the TLS handshake, if there is one.
+  void start();
+  const boost::asio::ip::address& peer() const { return peer_; }
+  /// Whether its last request has shown the cookie, or a token that was exchanged for it.
   bool is_admitted() const { return is_admitted_; }
   /// Ends it at once.
   void abort() { stream_.close(); }
 
  private:
+  void read();
   void read_body();
   void on_header(boost::beast::error_code error);
   void on_read(boost::beast::error_code error);
@@ -58,7 +65,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void write(const Reply& reply, bool keep_alive);
   void close();
 
-  boost::beast::tcp_stream stream_;
+  Channel stream_;
+  boost::asio::ip::address peer_;
   ServerContext& context_;
   boost::beast::flat_buffer buffer_;
   /// Of the header, then of the whole request or of a file that is being received.
@@ -72,19 +80,23 @@ class Connection : public std::enable_shared_from_this<Connection> {
   bool is_admitted_ = false;
 };
 
-/// The open HTTP connections, at most `most` at once.
+/// The open HTTP connections of a port: at most `most` at once, and `most_of_an_address` of one peer.
 class Connections {
  public:
-  explicit Connections(std::size_t most) : most_(most) {}
+  Connections(std::size_t most, std::size_t most_of_an_address)
+      : most_(most), most_of_an_address_(most_of_an_address) {}
 
-  /// Begins to serve a connection. If there are too many, it takes the place of the oldest one that has not
-  /// been admitted, so that strangers cannot keep the browser out; if there is none, it is dropped.
+  /// Begins to serve a connection. If there are too many (of its peer, or of all), it takes the place of the
+  /// oldest one of them that is not admitted, so that strangers cannot keep the browser out; if there is
+  /// none, it is dropped. So is a guest's from outside the local network, or beyond the rate of handshakes.
   void add(boost::asio::ip::tcp::socket socket, ServerContext& context);
 
  private:
-  bool make_room();
+  /// Whether there is room for one more of `peer`, or of all peers for null.
+  bool make_room(std::size_t most, const boost::asio::ip::address* peer);
 
   std::size_t most_;
+  std::size_t most_of_an_address_;
   /// The oldest first.
   std::vector<std::weak_ptr<Connection>> open_;
 };

@@ -21,10 +21,18 @@ SharedFrame text_frame(const Message& message) {
 template SharedFrame text_frame(const protocol::State&);
 template SharedFrame text_frame(const protocol::Words&);
 template SharedFrame text_frame(const protocol::Around&);
+template SharedFrame text_frame(const protocol::Notice&);
+template SharedFrame text_frame(const protocol::Sharing&);
 
-std::vector<SharedFrame> HostChanges::everything(std::int64_t page) {
+std::vector<SharedFrame> HostChanges::everything(std::int64_t page,
+                                                 const std::optional<protocol::Guest>& guest) {
   auto hello = host_.hello();
   hello.page = page;
+  if (guest) {
+    hello.guest = guest;
+    hello.device = "the person who shares the scene";
+    hello.pointer_moves = hello.egocentric = hello.home = false;
+  }
   std::vector<SharedFrame> frames{text_frame(hello), text_frame(host_.laws())};
   if (const auto scene = host_.scene(); scene != shown_) show(scene);
   frames.insert(frames.end(), scene_frames_.begin(), scene_frames_.end());
@@ -35,10 +43,10 @@ std::vector<SharedFrame> HostChanges::everything(std::int64_t page) {
   return frames;
 }
 
-std::vector<SharedFrame> HostChanges::notices() {
-  std::vector<SharedFrame> frames;
-  while (const auto notice = host_.next_notice()) frames.push_back(text_frame(*notice));
-  return frames;
+std::vector<protocol::Notice> HostChanges::notices() {
+  std::vector<protocol::Notice> all;
+  while (auto notice = host_.next_notice()) all.push_back(*std::move(notice));
+  return all;
 }
 
 std::vector<SharedFrame> HostChanges::changes() {

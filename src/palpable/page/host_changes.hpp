@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,10 +30,10 @@ class HostChanges {
   /// `host` must outlive this.
   explicit HostChanges(PageHost& host) : host_(host) {}
 
-  /// For a page that has just been opened; `page` is its number (`hello.page`).
-  std::vector<SharedFrame> everything(std::int64_t page);
+  /// For a page that has just been opened; `page` is its number (`hello.page`), `guest` whose page it is.
+  std::vector<SharedFrame> everything(std::int64_t page, const std::optional<protocol::Guest>& guest = {});
   /// The notices since the last call.
-  std::vector<SharedFrame> notices();
+  std::vector<protocol::Notice> notices();
   /// What has changed since the last call or everything(): scene, settings, materials.
   std::vector<SharedFrame> changes();
 

@@ -17,27 +17,87 @@ Reply reply_with(unsigned status, std::string text) {
   return reply;
 }
 
-Reply no_access() {
-  return reply_with(401,
-                    "This browser has no access to the session: open the address that palpable printed.");
-}
+/// One browser of this machine, by the printed address.
+class OwnEntrance final : public Entrance {
+ public:
+  explicit OwnEntrance(SessionAccess access) : access_(std::move(access)) {}
 
-Reply not_from_here() {
-  return reply_with(403, "This server answers only requests from its own page on this machine.");
-}
+  bool admits(std::string_view secret) const override { return access_.admits(secret); }
+  bool renews(std::string_view) const override { return false; }
+  Result<std::string> exchange(std::string_view token, std::string_view) override {
+    if (std::string secret = access_.exchange(token); !secret.empty()) return secret;
+    return invalid_input(access_.used()
+                             ? "This address was used already: it gives access to one browser, once. "
+                               "Start palpable again for a new one."
+                             : "This address is not the one that palpable printed.");
+  }
+  std::string no_access() const override {
+    return "This browser has no access to the session: open the address that palpable printed.";
+  }
+  std::string not_from_here() const override {
+    return "This server answers only requests from its own page on this machine.";
+  }
+
+ private:
+  SessionAccess access_;
+};
+
+/// Guests, by one-time links.
+class GuestEntrance final : public Entrance {
+ public:
+  explicit GuestEntrance(ShareHost& share) : share_(share) {}
+
+  bool admits(std::string_view secret) const override { return share_.guest_of(secret) != nullptr; }
+  bool renews(std::string_view token) const override { return share_.offers(token); }
+  Result<std::string> exchange(std::string_view token, std::string_view agent) override {
+    return share_.join(token, agent);
+  }
+  std::string no_access() const override {
+    return "This device has no access to the scene: ask the person who shares it for a new link.";
+  }
+  std::string not_from_here() const override {
+    return "This server answers only requests from its own page, at the address of the link.";
+  }
+
+ private:
+  ShareHost& share_;
+};
 
 }  // namespace
+
+RequestHandler::RequestHandler(SessionAccess access, std::uint16_t port, ShelfHost* shelf)
+    : entrance_(std::make_unique<OwnEntrance>(std::move(access))),
+      names_(loopback_names(port)),
+      port_(port),
+      shelf_(shelf) {}
+
+RequestHandler::RequestHandler(ShareHost& share, std::uint16_t port)
+    : entrance_(std::make_unique<GuestEntrance>(share)),
+      names_(guest_names(share.address(), port)),
+      port_(port),
+      shelf_(nullptr) {}
+
+Reply RequestHandler::no_access() const { return reply_with(401, entrance_->no_access()); }
+
+Reply RequestHandler::not_from_here() const { return reply_with(403, entrance_->not_from_here()); }
+
+// A browser sends the Origin of every POST and WebSocket.
+bool RequestHandler::is_own(const Request& request) const {
+  return is_own_host(request.host, names_) && is_own_origin(request.origin, names_);
+}
 
 // Browsers share cookies between the ports of a host, so the name contains the port.
 std::string RequestHandler::cookie_name() const { return "palpable_" + std::to_string(port_); }
 
-bool RequestHandler::admits(const Request& request) const {
-  return access_.admits(cookie_value(request.cookies, cookie_name()));
+std::string_view RequestHandler::secret_of(const Request& request) const {
+  return cookie_value(request.cookies, cookie_name());
 }
 
+bool RequestHandler::admits(const Request& request) const { return entrance_->admits(secret_of(request)); }
+
 Reply RequestHandler::answer(const Request& request) {
-  if (!is_own_host(request.host, port_)) return not_from_here();
-  if (!request.origin.empty() && !is_own_origin(request.origin, port_)) return not_from_here();
+  if (!is_own_host(request.host, names_)) return not_from_here();
+  if (!request.origin.empty() && !is_own_origin(request.origin, names_)) return not_from_here();
   if (request.target == kSessionPath) return session(request);
   if (request.target == kSocketPath) return reply_with(426, "This address is for WebSockets.");
   if (shelf_ != nullptr)
@@ -76,8 +136,7 @@ std::optional<Reply> RequestHandler::shelf_answer(const Request& request) {
 }
 
 Reply RequestHandler::check_own(const Request& request) {
-  // A browser sends the Origin of every POST.
-  if (!is_own_host(request.host, port_) || !is_own_origin(request.origin, port_)) return not_from_here();
+  if (!is_own(request)) return not_from_here();
   if (request.method != "POST") return reply_with(405, "This method is not supported here.");
   if (!admits(request)) return no_access();
   if (shelf_rate_.check(seconds_now()) != Verdict::accept)
@@ -103,24 +162,20 @@ Reply RequestHandler::check_upload(const Request& request) { return check_own(re
 Reply RequestHandler::session(const Request& request) {
   if (request.method != "GET" && request.method != "POST")
     return reply_with(405, "This method is not supported here.");
+  const bool is_exchange = request.method == "POST";
   // A browser with the cookie may reload the printed address.
-  if (admits(request)) return reply_with(204, {});
-  if (request.method == "GET") return no_access();
-  const std::string secret = access_.exchange(request.body);
-  if (!secret.empty()) {
-    Reply reply = reply_with(204, {});
-    reply.set_cookie = cookie_name() + "=" + secret + "; Path=/; SameSite=Strict; HttpOnly";
-    return reply;
-  }
-  return reply_with(403, access_.used()
-                             ? "This address was used already: it gives access to one browser, once. "
-                               "Start palpable again for a new one."
-                             : "This address is not the one that palpable printed.");
+  if (admits(request) && !(is_exchange && entrance_->renews(request.body))) return reply_with(204, {});
+  if (!is_exchange) return no_access();
+  const auto secret = entrance_->exchange(request.body, request.agent);
+  if (!secret) return reply_with(403, secret.error().message);
+  Reply reply = reply_with(204, {});
+  reply.set_cookie = cookie_name() + "=" + *secret + "; Path=/; SameSite=Strict; HttpOnly";
+  if (names_.scheme == "https") reply.set_cookie += "; Secure";
+  return reply;
 }
 
 Reply RequestHandler::check_upgrade(const Request& request) const {
-  // A browser always sends the Origin of a WebSocket request.
-  if (!is_own_host(request.host, port_) || !is_own_origin(request.origin, port_)) return not_from_here();
+  if (!is_own(request)) return not_from_here();
   if (request.target != kSocketPath) return reply_with(404, "There is no WebSocket at this address.");
   if (!admits(request)) return no_access();
   return reply_with(101, {});

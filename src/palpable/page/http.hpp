@@ -5,9 +5,11 @@
 #include "palpable/core/system/secret.hpp"
 #include "palpable/page/access.hpp"
 #include "palpable/page/rate_limit.hpp"
+#include "palpable/page/share_host.hpp"
 #include "palpable/page/shelf_host.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,6 +25,8 @@ struct Request {
   std::string_view origin;
   std::string_view cookies;
   std::string_view body;
+  /// User-Agent: the browser's own description, not trusted.
+  std::string_view agent = {};
 };
 
 struct Reply {
@@ -47,12 +51,31 @@ constexpr std::string_view kUploadPath = "/upload/";
 constexpr std::string_view kPicturePath = "/picture/";
 constexpr std::string_view kTouchPath = "/touch";
 
+/// Who is let in, by the exchange of a token for the secret of a cookie.
+class Entrance {
+ public:
+  Entrance() = default;
+  Entrance(const Entrance&) = delete;
+  Entrance& operator=(const Entrance&) = delete;
+  virtual ~Entrance() = default;
+
+  virtual bool admits(std::string_view secret) const = 0;
+  /// Whether a browser that has access gets another one for this token.
+  virtual bool renews(std::string_view token) const = 0;
+  /// The secret for a token, once. Errors: a sentence for the person.
+  virtual Result<std::string> exchange(std::string_view token, std::string_view agent) = 0;
+  /// For a browser without a secret, and for one that calls the server by another name.
+  virtual std::string no_access() const = 0;
+  virtual std::string not_from_here() const = 0;
+};
+
 /// Answers HTTP requests. Not thread-safe.
 class RequestHandler {
  public:
-  /// `shelf`: null for a server without a home page; else it outlives this.
-  RequestHandler(SessionAccess access, std::uint16_t port, ShelfHost* shelf = nullptr)
-      : access_(std::move(access)), port_(port), shelf_(shelf) {}
+  /// For the pages of this machine. `shelf`: null for a server without a home page; else it outlives this.
+  RequestHandler(SessionAccess access, std::uint16_t port, ShelfHost* shelf = nullptr);
+  /// For guests. `share` outlives this.
+  RequestHandler(ShareHost& share, std::uint16_t port);
 
   /// The answer to an ordinary request: the page's files, and the exchange of the token.
   Reply answer(const Request& request);
@@ -62,18 +85,24 @@ class RequestHandler {
   bool is_upload(const Request& request) const;
   /// Status 200 if this request may send a file, else the refusal.
   Reply check_upload(const Request& request);
-  /// Whether the request shows the session's cookie.
+  /// Whether the request shows the cookie of the session, or of a guest.
   bool admits(const Request& request) const;
+  /// The secret in that cookie; empty if there is none.
+  std::string_view secret_of(const Request& request) const;
 
  private:
   Reply session(const Request& request);
+  Reply no_access() const;
+  Reply not_from_here() const;
+  bool is_own(const Request& request) const;
   std::optional<Reply> shelf_answer(const Request& request);
   Reply shelf_message(const Request& request);
   /// Status 200 for a request of the server's own page that changes something, else the refusal.
   Reply check_own(const Request& request);
   std::string cookie_name() const;
 
-  SessionAccess access_;
+  std::unique_ptr<Entrance> entrance_;
+  OwnNames names_;
   std::uint16_t port_;
   ShelfHost* shelf_;
   /// Of messages and files of the home page.

@@ -3,6 +3,7 @@
 #include "palpable/page/pages.hpp"
 
 #include "palpable/page/page_state.hpp"
+#include "palpable/page/roles.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -15,41 +16,96 @@ using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
 constexpr auto kRestPeriod = std::chrono::seconds(1);
-// The page knows this reason (web/src/home/connection.ts).
+// The page knows these reasons (web/src/home/connection.ts).
 constexpr const char* kReplaced = "another scene was opened";
+constexpr const char* kOtherTab = "opened in another tab";
+constexpr const char* kShownOut = "shown out";
 
 }  // namespace
 
 std::string Pages::obstacle() const {
   if (host_ == nullptr) return "No scene is being touched now: one is being opened, or waits to be chosen.";
-  if (clients_.size() < options_.most_clients) return {};
+  const auto here = std::count_if(clients_.begin(), clients_.end(), [](const auto& weak) {
+    const auto client = weak.lock();
+    return client != nullptr && !client->guest;
+  });
+  if (static_cast<std::size_t>(here) < options_.most_clients) return {};
   return "This session is open in " + std::to_string(options_.most_clients) +
          " pages already, which is the limit: close one of them.";
 }
 
-void Pages::add_client(boost::beast::tcp_stream stream, const Client::Upgrade& upgrade) {
+void Pages::add_client(Channel stream, const Client::Upgrade& upgrade, const std::optional<Guest>& guest) {
+  if (guest) close_page_of(guest->number, kOtherTab);
   Client::Events events;
   events.opened = [this](Client& client) { greet(client); };
   events.message = [this](Client& client, const protocol::FromPage& message) { pass(client, message); };
-  events.closed = [this](Client& client) {
-    release_probes(client);
-    std::erase_if(clients_,
-                  [&](const auto& other) { return other.expired() || other.lock().get() == &client; });
-  };
+  events.closed = [this](Client& client) { on_closed(client); };
   auto client = std::make_shared<Client>(std::move(stream), options_, std::move(events));
   client->page = next_page_++;
+  client->guest = guest;
   clients_.push_back(client);
   client->accept(upgrade);
 }
 
 void Pages::greet(Client& client) {
   if (!changes_) return client.close(boost::beast::websocket::close_code::try_again_later, kReplaced);
-  for (const auto& frame : changes_->everything(client.page)) client.send(frame);
+  std::optional<protocol::Guest> guest;
+  if (client.guest) guest = described(*client.guest, Presence::here);
+  for (const auto& frame : changes_->everything(client.page, guest)) client.send(frame);
+  if (guest) {
+    options_.share->set_presence(guest->guest, Presence::here);
+    const std::string may = guest->probe ? "you touch with probe " + std::to_string(*guest->probe + 1)
+                                         : "you see and hear, and do not touch";
+    client.send(text_frame(protocol::Notice{"info", "You are " + guest->name + ": " + may + ".", {}}));
+  } else if (options_.share != nullptr) {
+    client.send(text_frame(options_.share->sharing()));
+  }
   note_activity();
+}
+
+void Pages::close_page_of(std::int64_t guest, const char* reason) {
+  for_each_client([&](Client& client) {
+    if (!client.guest || client.guest->number != guest) return;
+    // At once, since the guest's next page may move the same probe before this one is closed.
+    release_probes(client);
+    client.moved.reset();
+    client.close(boost::beast::websocket::close_code::policy_error, reason);
+  });
+}
+
+void Pages::on_closed(Client& client) {
+  release_probes(client);
+  std::erase_if(clients_,
+                [&](const auto& other) { return other.expired() || other.lock().get() == &client; });
+  const auto is_same_guest = [&](const auto& other) {
+    const auto page = other.lock();
+    return page != nullptr && page->guest && page->guest->number == client.guest->number;
+  };
+  if (client.guest && std::none_of(clients_.begin(), clients_.end(), is_same_guest))
+    options_.share->set_presence(client.guest->number, Presence::away);
+}
+
+bool Pages::admits(Client& client, const protocol::FromPage& message) {
+  const Ruling what = ruling(*client.guest, message);
+  if (what == Ruling::pass) return true;
+  switch (client.questions.check(seconds_now())) {
+    case Verdict::accept:
+      break;
+    case Verdict::drop:
+      return false;
+    case Verdict::disconnect:
+      client.close(boost::beast::websocket::close_code::policy_error, "too many questions");
+      return false;
+  }
+  if (what == Ruling::question) return true;
+  client.send(
+      text_frame(protocol::Notice{"answer", "Only the person who shares the scene can do that.", {}}));
+  return false;
 }
 
 void Pages::pass(Client& client, const protocol::FromPage& message) {
   if (host_ == nullptr) return;
+  if (client.guest && !admits(client, message)) return;
   std::visit([&](const auto& m) { handle(client, m); }, message);
   note_activity();
 }
@@ -70,11 +126,36 @@ void Pages::show(std::shared_ptr<PageHost> host) {
 
 void Pages::update() {
   if (host_ == nullptr) return;
-  for (const auto& frame : changes_->notices()) broadcast(frame);
+  for (const auto& notice : changes_->notices()) send_notice(notice);
+  if (options_.share != nullptr) send_sharing();
   if (clients_.empty()) return;
   host_->update();
   for (const auto& frame : changes_->changes()) broadcast(frame);
   send_state();
+}
+
+void Pages::send_notice(const protocol::Notice& notice) {
+  const auto frame = text_frame(notice);
+  const bool is_of_guest = is_of_a_guest(notice.probe);
+  for_each_client([&](Client& client) {
+    if (client.guest ? concerns(*client.guest, notice, is_of_guest) : !is_of_guest) client.send(frame);
+  });
+}
+
+// Who is there is shown, and said.
+void Pages::send_sharing() {
+  while (auto news = options_.share->next_news())
+    broadcast_here(text_frame(protocol::Notice{"info", *std::move(news), {}}));
+  if (options_.share->revision() == sent_sharing_) return;
+  sent_sharing_ = options_.share->revision();
+  broadcast_here(text_frame(options_.share->sharing()));
+}
+
+bool Pages::is_of_a_guest(std::optional<std::int64_t> probe) const {
+  return probe && std::any_of(clients_.begin(), clients_.end(), [&](const auto& weak) {
+           const auto client = weak.lock();
+           return client != nullptr && client->guest && client->guest->probe == probe;
+         });
 }
 
 bool Pages::is_at_rest() const { return steady_clock::now() - active_at_ >= kRestPeriod; }
@@ -130,6 +211,12 @@ void Pages::broadcast(const SharedFrame& frame) {
   for_each_client([&](Client& client) { client.send(frame); });
 }
 
+void Pages::broadcast_here(const SharedFrame& frame) {
+  for_each_client([&](Client& client) {
+    if (!client.guest) client.send(frame);
+  });
+}
+
 void Pages::handle(Client& client, const protocol::Pointer& pointer) {
   const auto probe = static_cast<std::size_t>(pointer.probe);
   client.moved.set(probe);
@@ -143,7 +230,11 @@ void Pages::handle(Client& client, const protocol::Lift& probe) {
   host_->lift(probe);
 }
 
-void Pages::handle(Client& client, const protocol::Ask& ask) { client.send(text_frame(host_->answer(ask))); }
+void Pages::handle(Client& client, const protocol::Ask& ask) {
+  // The last probe is no guest's (server.cpp).
+  const auto asked = client.guest ? asked_by(*client.guest, ask, host_->hello().probes - 1) : ask;
+  client.send(text_frame(host_->answer(asked)));
+}
 
 void Pages::handle(Client& client, const protocol::LookAround& question) {
   client.send(text_frame(host_->around(question)));
@@ -152,6 +243,30 @@ void Pages::handle(Client& client, const protocol::LookAround& question) {
 void Pages::handle(Client& client, const protocol::Visible& visible) {
   client.visible = visible.visible;
   client.is_behind = true;
+  if (!client.guest) return;
+  // A phone that sleeps, or shows something else, leaves no probe on the surface.
+  if (!visible.visible) {
+    release_probes(client);
+    client.moved.reset();
+  }
+  options_.share->set_presence(client.guest->number, visible.visible ? Presence::here : Presence::asleep);
+}
+
+void Pages::handle(Client& client, const protocol::Invite& invite) {
+  const auto role = role_named(invite.role);
+  if (options_.share == nullptr || !role) return;
+  if (const auto made = options_.share->invite(*role); !made)
+    client.send(text_frame(protocol::Notice{"answer", made.error().message, {}}));
+}
+
+void Pages::handle(Client&, const protocol::Withdraw&) {
+  if (options_.share != nullptr) options_.share->withdraw();
+}
+
+void Pages::handle(Client&, const protocol::ShowOut& guest) {
+  if (options_.share == nullptr) return;
+  close_page_of(guest.guest, kShownOut);
+  options_.share->show_out(guest.guest);
 }
 
 }  // namespace palpable::page

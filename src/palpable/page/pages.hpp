@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/page/channel.hpp"
 #include "palpable/page/client.hpp"
 #include "palpable/page/host.hpp"
 #include "palpable/page/host_changes.hpp"
 #include "palpable/page/protocol.hpp"
 #include "palpable/page/server.hpp"
+#include "palpable/page/share_host.hpp"
 
 #include <array>
 #include <chrono>
@@ -17,12 +19,10 @@
 #include <string>
 #include <vector>
 
-#include <boost/beast/core/tcp_stream.hpp>
-
 namespace palpable::page {
 
-/// The open pages of a touch: passes their messages to the host, and the host's changes to them. Everything
-/// runs on the server's thread.
+/// The open pages of a touch, those of this machine and those of guests: passes their messages to the host,
+/// and the host's changes to them. Everything runs on the server's thread.
 class Pages {
  public:
   /// `options` outlive this. `on_activity` is called when a page is opened or has sent something.
@@ -34,9 +34,10 @@ class Pages {
   /// The touch that pages show from now on; null: none. The pages of another one are disconnected with the
   /// reason kReplaced; they may connect again.
   void show(std::shared_ptr<PageHost> host);
-  /// Why another page cannot be added now; empty if it can.
+  /// Why another page of this machine cannot be added now; empty if it can.
   std::string obstacle() const;
-  void add_client(boost::beast::tcp_stream stream, const Client::Upgrade& upgrade);
+  /// A guest's page takes the place of the one that the guest has.
+  void add_client(Channel stream, const Client::Upgrade& upgrade, const std::optional<Guest>& guest);
   /// Sends what has changed to all pages.
   void update();
   /// Whether nothing has changed and no page has sent anything for a second.
@@ -46,12 +47,21 @@ class Pages {
  private:
   void note_activity();
   void greet(Client& client);
+  void close_page_of(std::int64_t guest, const char* reason);
+  void on_closed(Client& client);
+  /// Whether a guest may send this message now; answers it if not.
+  bool admits(Client& client, const protocol::FromPage& message);
+  void send_notice(const protocol::Notice& notice);
+  void send_sharing();
   void pass(Client& client, const protocol::FromPage& message);
   void send_state();
   void release_probes(const Client& client);
   template <class Do>
   void for_each_client(Do act);
   void broadcast(const SharedFrame& frame);
+  /// To the pages of this machine.
+  void broadcast_here(const SharedFrame& frame);
+  bool is_of_a_guest(std::optional<std::int64_t> probe) const;
   void handle(Client& client, const protocol::Pointer& pointer);
   void handle(Client& client, const protocol::Lift& probe);
   void handle(Client&, const protocol::Change& change) { host_->change(change); }
@@ -67,6 +77,9 @@ class Pages {
   void handle(Client&, const protocol::UndoName& undo) { host_->undo_name(undo); }
   void handle(Client&, const protocol::Find& find) { host_->find(find); }
   void handle(Client& client, const protocol::Visible& visible);
+  void handle(Client& client, const protocol::Invite& invite);
+  void handle(Client& client, const protocol::Withdraw& withdraw);
+  void handle(Client& client, const protocol::ShowOut& guest);
 
   std::shared_ptr<PageHost> host_;
   const ServeOptions& options_;
@@ -80,6 +93,7 @@ class Pages {
   std::chrono::steady_clock::time_point sent_state_at_;
   std::chrono::steady_clock::time_point active_at_;
   std::int64_t next_page_ = 1;
+  std::uint64_t sent_sharing_ = 0;
   /// The page that last moved each probe.
   std::array<std::optional<std::int64_t>, protocol::kMostProbes> movers_;
 };

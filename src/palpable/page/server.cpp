@@ -3,10 +3,12 @@
 #include "palpable/page/server.hpp"
 
 #include "palpable/page/access.hpp"
+#include "palpable/page/channel.hpp"
 #include "palpable/page/connection.hpp"
 #include "palpable/page/http.hpp"
 #include "palpable/page/pages.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <memory>
 #include <optional>
@@ -34,15 +36,16 @@ struct Served {
   ShelfHost* shelf = nullptr;
 };
 
-// Updates the shelf, then the pages, at a steady rate: slowly at rest, and at once when a page sends
-// something.
+// Updates the shelf, the sharing, then the pages, at a steady rate: slowly at rest, and at once when a page
+// sends something.
 class Updates {
  public:
   Updates(asio::io_context& context, const ServeOptions& options, ShelfHost* shelf)
       : timer_(context),
         period_(period_of(options.states_per_s)),
         rest_period_(period_of(options.rest_updates_per_s)),
-        shelf_(shelf) {}
+        shelf_(shelf),
+        share_(options.share) {}
 
   void start(Pages& pages) {
     pages_ = &pages;
@@ -67,6 +70,7 @@ class Updates {
         shelf_->update();
         pages_->show(shelf_->touch());
       }
+      if (share_ != nullptr) share_->update();
       pages_->update();
       wait();
     });
@@ -76,6 +80,7 @@ class Updates {
   std::chrono::microseconds period_;
   std::chrono::microseconds rest_period_;
   ShelfHost* shelf_;
+  ShareHost* share_;
   Pages* pages_ = nullptr;
   bool resting_ = false;
   bool stopped_ = false;
@@ -89,8 +94,8 @@ void accept_next(tcp::acceptor& acceptor, Connections& connections, ServerContex
   });
 }
 
-Result<void> open(tcp::acceptor& acceptor, std::uint16_t port) {
-  const tcp::endpoint where(asio::ip::address_v4::loopback(), port);
+Result<void> open(tcp::acceptor& acceptor, const asio::ip::address& address, std::uint16_t port) {
+  const tcp::endpoint where(address, port);
   beast::error_code error;
   acceptor.open(where.protocol(), error);
   if (!error) acceptor.set_option(asio::socket_base::reuse_address(true), error);
@@ -103,6 +108,34 @@ Result<void> open(tcp::acceptor& acceptor, std::uint16_t port) {
   return Error{ErrorCode::failed, "cannot serve the page there (" + error.message() + ")", place};
 }
 
+/// The second port, for guests (docs/adr/0009). It outlives the context, but for the acceptor.
+struct GuestPort {
+  std::unique_ptr<asio::ssl::context> tls;
+  std::optional<ServerContext> shared;
+  std::optional<Connections> connections;
+};
+
+/// Begins to serve guests.
+Result<void> open_for_guests(GuestPort& guests, tcp::acceptor& acceptor, Pages& pages,
+                             const ServeOptions& options, const protocol::Hello& hello) {
+  ShareHost& share = *options.share;
+  auto tls = tls_context(share.certificate());
+  if (!tls) return tls.error();
+  guests.tls = *std::move(tls);
+  beast::error_code error;
+  const auto address = asio::ip::make_address_v4(share.address(), error);
+  if (error) return invalid_input("is not an IPv4 address of this computer", share.address());
+  if (auto opened = open(acceptor, address, share.port()); !opened) return opened;
+  const std::uint16_t port = acceptor.local_endpoint().port();
+  guests.shared.emplace(ServerContext{RequestHandler(share, port), pages, nullptr, options, RateLimit({}),
+                                      &share, guests.tls.get(), RateLimit(options.handshake_rate)});
+  guests.connections.emplace(options.most_guest_connections, options.most_connections_of_an_address);
+  // The last probe answers the questions of those who look.
+  share.begin(port, std::max<std::int64_t>(1, hello.hands), hello.probes - 2);
+  accept_next(acceptor, *guests.connections, *guests.shared);
+  return {};
+}
+
 Result<void> run(const Served& served, const ServeOptions& options, const std::atomic<bool>& stop) {
   const auto token = random_secret();
   if (!token) return token.error();
@@ -112,17 +145,24 @@ Result<void> run(const Served& served, const ServeOptions& options, const std::a
   // What outlives the context, whose pending operations refer to it.
   std::optional<Pages> pages;
   std::optional<ServerContext> shared;
-  Connections connections(options.most_connections);
+  Connections connections(options.most_connections, options.most_connections);
+  GuestPort guests;
 
   asio::io_context context(1);
   tcp::acceptor acceptor(context);
-  if (auto opened = open(acceptor, options.port); !opened) return opened;
+  tcp::acceptor guest_acceptor(context);
+  if (auto opened = open(acceptor, asio::ip::address_v4::loopback(), options.port); !opened) return opened;
   const std::uint16_t port = acceptor.local_endpoint().port();
   Updates updates(context, options, served.shelf);
   pages.emplace(options, [&updates] { updates.hasten(); });
   pages->show(served.touch);
   shared.emplace(ServerContext{RequestHandler(SessionAccess(*token, *secret), port, served.shelf), *pages,
-                               served.shelf, options, RateLimit(options.upgrade_rate)});
+                               served.shelf, options, RateLimit(options.upgrade_rate), nullptr, nullptr,
+                               RateLimit({})});
+  if (options.share != nullptr && served.touch != nullptr)
+    if (auto opened = open_for_guests(guests, guest_acceptor, *pages, options, served.touch->hello());
+        !opened)
+      return opened;
   accept_next(acceptor, connections, *shared);
   updates.start(*pages);
   if (options.on_ready) options.on_ready("http://127.0.0.1:" + std::to_string(port) + "/#" + *token);
@@ -131,6 +171,7 @@ Result<void> run(const Served& served, const ServeOptions& options, const std::a
   updates.stop();
   beast::error_code ignored;
   acceptor.close(ignored);
+  guest_acceptor.close(ignored);
   pages->close_all();
   context.run_for(milliseconds(100));
   return {};

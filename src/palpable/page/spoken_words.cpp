@@ -64,8 +64,8 @@ std::string SpokenWords::text_of(const protocol::Ask& ask, const models::Scene& 
   return {};
 }
 
-std::optional<std::string> SpokenWords::remark(const protocol::State& state, const models::Scene& scene,
-                                               double height_factor) {
+std::vector<protocol::Notice> SpokenWords::remarks(const protocol::State& state, const models::Scene& scene,
+                                                   double height_factor) {
   const double now = now_s();
   if (scene.model != model_) {
     model_ = scene.model;
@@ -74,15 +74,17 @@ std::optional<std::string> SpokenWords::remark(const protocol::State& state, con
     for (const auto& probe : state.probes)
       commentaries_.at(static_cast<std::size_t>(probe.probe)).heard(scene, place_of(probe), now);
   }
-  std::optional<std::string> remark;
+  std::vector<protocol::Notice> remarks;
   for (const auto& probe : state.probes) {
     if (!is_near_surface(probe)) continue;
     auto words = commentaries_.at(static_cast<std::size_t>(probe.probe))
                      .at(scene, height_factor, place_of(probe), now);
-    if (!words || remark) continue;
-    remark = state.probes.size() > 1 ? fmt::format("Probe {}: {}", probe.probe + 1, *words) : *words;
+    if (!words) continue;
+    remarks.push_back(
+        {"motion", state.probes.size() > 1 ? fmt::format("Probe {}: {}", probe.probe + 1, *words) : *words,
+         probe.probe});
   }
-  return remark;
+  return remarks;
 }
 
 }  // namespace palpable::page

@@ -8,8 +8,8 @@
 #include "palpable/page/protocol.gen.hpp"
 
 #include <array>
-#include <optional>
 #include <string>
+#include <vector>
 
 namespace palpable::page {
 
@@ -21,9 +21,9 @@ class SpokenWords {
   /// force on the probe of the question.
   protocol::Words answer(const protocol::Ask& ask, const models::Scene& scene, double height_factor,
                          double force_N);
-  /// What a probe has just met; usually nothing. Call it with every state.
-  std::optional<std::string> remark(const protocol::State& state, const models::Scene& scene,
-                                    double height_factor);
+  /// What probes have just met, as notices of level motion; usually nothing. Call it with every state.
+  std::vector<protocol::Notice> remarks(const protocol::State& state, const models::Scene& scene,
+                                        double height_factor);
   /// What the pages list, edit and find.
   PageNames& names() { return names_; }
 

@@ -45,7 +45,7 @@ class FakeHost final : public PageHost {
     scene_ = scene;
   }
   protocol::Hello hello() const override {
-    return {protocol::kVersion, 0, "test", "pointer", true, 1, false, false};
+    return {protocol::kVersion, 0, "test", "pointer", true, 1, protocol::kMostProbes, false, false};
   }
   protocol::Laws laws() const override { return {{{"proxy", "Surface", {}, true, true}}}; }
   std::shared_ptr<const PageScene> scene() override { return scene_; }
@@ -60,6 +60,7 @@ class FakeHost final : public PageHost {
   void update() override {}
   void move(const protocol::Pointer& pointer) override {
     pointer_ = pointer;
+    moved = pointer.probe;
     ++moves;
   }
   void lift(const protocol::Lift& probe) override {
@@ -67,6 +68,7 @@ class FakeHost final : public PageHost {
     lifted.notify_all();
   }
   void change(const protocol::Change& change) override {
+    ++commands;
     settings_.answers = change.serial;
     if (change.law == "proxy") {
       settings_.height_factor = change.height_factor;
@@ -74,26 +76,49 @@ class FakeHost final : public PageHost {
       notice_ = protocol::Notice{"warning", "there is no such law"};
     }
   }
-  void edit(const protocol::Edit& edit) override { settings_.answers = materials_.answers = edit.serial; }
-  void save() override { notice_ = protocol::Notice{"info", "saved"}; }
-  void pause(bool paused) override { settings_.paused = paused; }
-  void recentre() override {}
-  void move_explorer(const protocol::MoveExplorer&) override {}
+  void edit(const protocol::Edit& edit) override {
+    ++commands;
+    settings_.answers = materials_.answers = edit.serial;
+  }
+  void save() override {
+    ++commands;
+    notice_ = protocol::Notice{"info", "saved"};
+  }
+  void pause(bool paused) override {
+    ++commands;
+    settings_.paused = paused;
+  }
+  void recentre() override { ++commands; }
+  void move_explorer(const protocol::MoveExplorer&) override { ++commands; }
   protocol::Words answer(const protocol::Ask& ask) override {
+    asked = ask.probe;
     return {ask.serial, "words on " + ask.what, {}, {}};
   }
   protocol::Around around(const protocol::LookAround& question) override {
     return {question.serial, 1, {{0, "tall hill", "tall hill, here", {}, true, true}}};
   }
   void name(const protocol::Name& name) override {
+    ++commands;
     notice_ = protocol::Notice{"answer", "Named: " + name.name};
   }
-  void unname(const protocol::Unname&) override { notice_ = protocol::Notice{"answer", "Deleted"}; }
-  void undo_name(const protocol::UndoName&) override { notice_ = protocol::Notice{"answer", "Undone"}; }
-  void find(const protocol::Find&) override {}
+  void unname(const protocol::Unname&) override {
+    ++commands;
+    notice_ = protocol::Notice{"answer", "Deleted"};
+  }
+  void undo_name(const protocol::UndoName&) override {
+    ++commands;
+    notice_ = protocol::Notice{"answer", "Undone"};
+  }
+  void find(const protocol::Find&) override { ++commands; }
   std::optional<protocol::Notice> next_notice() override { return std::exchange(notice_, std::nullopt); }
 
   std::atomic<int> moves = 0;
+  /// The last probe that was moved.
+  std::atomic<std::int64_t> moved = -1;
+  /// The probe of the last question.
+  std::atomic<std::int64_t> asked = -1;
+  /// Calls that change something other than places of probes.
+  std::atomic<int> commands = 0;
   /// How often state() was called.
   std::atomic<int> states = 0;
   /// Bit k is set if probe k was lifted.
@@ -166,13 +191,12 @@ using Response = http::response<http::string_body>;
 
 using Headers = std::vector<std::pair<http::field, std::string>>;
 
-inline Response ask(const ServedAddress& page, http::verb method, const std::string& target,
-                    const std::string& body = {}, const Headers& headers = {}) {
-  boost::asio::io_context context;
-  boost::beast::tcp_stream stream(context);
-  stream.connect(tcp::endpoint(boost::asio::ip::address_v4::loopback(), page.port));
+// Sends one request over a connected stream to a server at this port, and reads the answer.
+template <class Stream>
+Response exchange(Stream& stream, std::uint16_t port, http::verb method, const std::string& target,
+                  const std::string& body, const Headers& headers) {
   http::request<http::string_body> request(method, target, 11);
-  request.set(http::field::host, "127.0.0.1:" + std::to_string(page.port));
+  request.set(http::field::host, "127.0.0.1:" + std::to_string(port));
   for (const auto& [name, value] : headers)
     if (!value.empty()) request.set(name, value);
   request.body() = body;
@@ -183,6 +207,14 @@ inline Response ask(const ServedAddress& page, http::verb method, const std::str
   parser.skip(method == http::verb::head);
   http::read(stream, buffer, parser);
   return parser.release();
+}
+
+inline Response ask(const ServedAddress& page, http::verb method, const std::string& target,
+                    const std::string& body = {}, const Headers& headers = {}) {
+  boost::asio::io_context context;
+  boost::beast::tcp_stream stream(context);
+  stream.connect(tcp::endpoint(boost::asio::ip::address_v4::loopback(), page.port));
+  return exchange(stream, page.port, method, target, body, headers);
 }
 
 // One HTTP connection that is kept open.
@@ -209,18 +241,22 @@ class HttpConnection {
   boost::beast::flat_buffer buffer_;
 };
 
+// What a browser sends to open a WebSocket.
+inline Headers upgrade_headers(const std::string& cookie, const std::string& origin,
+                               const std::string& host = {}) {
+  return {{http::field::cookie, cookie},
+          {http::field::origin, origin},
+          {http::field::host, host},
+          {http::field::connection, "Upgrade"},
+          {http::field::upgrade, "websocket"},
+          {http::field::sec_websocket_version, "13"},
+          {http::field::sec_websocket_key, "dGhlIHNhbXBsZSBub25jZQ=="}};
+}
+
 // The status of the server's answer to a WebSocket request.
 inline unsigned upgrade_status(const ServedAddress& page, const std::string& cookie,
                                const std::string& origin, const std::string& host = {}) {
-  return ask(page, http::verb::get, "/socket", {},
-             {{http::field::cookie, cookie},
-              {http::field::origin, origin},
-              {http::field::host, host},
-              {http::field::connection, "Upgrade"},
-              {http::field::upgrade, "websocket"},
-              {http::field::sec_websocket_version, "13"},
-              {http::field::sec_websocket_key, "dGhlIHNhbXBsZSBub25jZQ=="}})
-      .result_int();
+  return ask(page, http::verb::get, "/socket", {}, upgrade_headers(cookie, origin, host)).result_int();
 }
 
 inline std::string cookie_of(const ServedAddress& page) {
@@ -230,18 +266,10 @@ inline std::string cookie_of(const ServedAddress& page) {
   return header.substr(0, header.find(';'));
 }
 
-// A minimal client in place of a page.
-class TestPage {
+// A minimal client in place of a page, over a plain or an encrypted connection.
+template <class Stream>
+class TestPageOver {
  public:
-  explicit TestPage(const ServedAddress& page) : TestPage(page, cookie_of(page)) {}
-  TestPage(const ServedAddress& page, const std::string& cookie) {
-    socket_.next_layer().connect(tcp::endpoint(boost::asio::ip::address_v4::loopback(), page.port));
-    socket_.set_option(websocket::stream_base::decorator([&](websocket::request_type& request) {
-      request.set(http::field::origin, page.own_origin());
-      request.set(http::field::cookie, cookie);
-    }));
-    socket_.handshake("127.0.0.1:" + std::to_string(page.port), "/socket");
-  }
   void send(const std::string& text, bool binary = false) {
     socket_.binary(binary);
     boost::beast::error_code error;
@@ -274,10 +302,32 @@ class TestPage {
     return socket_.reason();
   }
 
+ protected:
+  // `more`: what a stream is made of besides the context.
+  template <class... More>
+  explicit TestPageOver(More&... more) : socket_(context_, more...) {}
+  void handshake(const std::string& host, const std::string& origin, const std::string& cookie) {
+    socket_.set_option(websocket::stream_base::decorator([=](websocket::request_type& request) {
+      request.set(http::field::origin, origin);
+      request.set(http::field::cookie, cookie);
+    }));
+    socket_.handshake(host, "/socket");
+  }
+  Stream& stream() { return socket_.next_layer(); }
+
  private:
   boost::asio::io_context context_;
-  websocket::stream<tcp::socket> socket_{context_};
+  websocket::stream<Stream> socket_;
   bool failed_ = false;
+};
+
+class TestPage : public TestPageOver<tcp::socket> {
+ public:
+  explicit TestPage(const ServedAddress& page) : TestPage(page, cookie_of(page)) {}
+  TestPage(const ServedAddress& page, const std::string& cookie) {
+    stream().connect(tcp::endpoint(boost::asio::ip::address_v4::loopback(), page.port));
+    handshake("127.0.0.1:" + std::to_string(page.port), page.own_origin(), cookie);
+  }
 };
 
 }  // namespace palpable::page

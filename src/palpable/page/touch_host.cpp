@@ -92,8 +92,10 @@ void TouchHost::find(const protocol::Find& find) {
   const auto scene = named_scene();
   const auto seen = words_.names().find(*scene, find);
   if (!seen) say("answer", describe::capitalised(seen.error().message) + ".");
+  // Only the hand is pulled.
+  if (find.probe != 0) return;
   end_pull();
-  if (find.probe != 0 || pointer_moves() || !seen || !*seen || (*seen)->distance_m == 0.0) return;
+  if (pointer_moves() || !seen || !*seen || (*seen)->distance_m == 0.0) return;
   const Place from{find.x_m, find.y_m};
   auto guide = pull_.begin(*scene, session_.device_traits(), from, (*seen)->at);
   if (guide == nullptr) return;
@@ -185,7 +187,8 @@ protocol::State TouchHost::state() {
     rate_hz_ = session_.statistics().servo.rate_hz;
   }
   state.rate_hz = rate_hz_;
-  if (auto remark = words_.remark(state, *scene, height_factor)) say("motion", *std::move(remark));
+  for (auto& remark : words_.remarks(state, *scene, height_factor))
+    say(std::move(remark.level), std::move(remark.text), remark.probe);
   return state;
 }
 
@@ -304,9 +307,9 @@ void TouchHost::take_notices() {
   }
 }
 
-void TouchHost::say(std::string level, std::string text) {
+void TouchHost::say(std::string level, std::string text, std::optional<std::int64_t> probe) {
   const std::lock_guard lock(mutex_);
-  notices_.push_back({std::move(level), std::move(text)});
+  notices_.push_back({std::move(level), std::move(text), probe});
 }
 
 void TouchHost::work() {

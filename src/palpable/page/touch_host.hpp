@@ -74,8 +74,8 @@ class TouchHost final : public PageHost {
   void find(const protocol::Find& find) override;
   std::optional<protocol::Notice> next_notice() override;
 
-  /// Adds a notice for the user; levels as in protocol.json. Any thread.
-  void say(std::string level, std::string text);
+  /// Adds a notice for the user; levels and `probe` as in protocol.json. Any thread.
+  void say(std::string level, std::string text, std::optional<std::int64_t> probe = {});
 
  private:
   /// The waiting tasks, taken all at once. Of several edits of one value, the last one counts.

@@ -48,7 +48,7 @@ export class Connection implements Program {
 
   private talk(): Promise<{ reason: string; opened: boolean }> {
     return new Promise((resolve) => {
-      const socket = new WebSocket(`ws://${location.host}/socket`);
+      const socket = new WebSocket(`${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/socket`);
       socket.binaryType = 'arraybuffer';
       this.socket = socket;
       let opened = false;
@@ -76,5 +76,7 @@ export class Connection implements Program {
 function lossOf(reason: string): Loss {
   if (reason === 'the session has ended') return { sentence: 'The session has ended. Start palpable again to go on.', final: true };
   if (reason === 'another scene was opened') return { sentence: 'Another scene was opened in another page. It will be shown here, too.', final: false };
+  if (reason === 'shown out') return { sentence: 'The person who shares the scene has ended your access.', final: true };
+  if (reason === 'opened in another tab') return { sentence: 'The scene was opened again on this device, and goes on there.', final: true };
   return { sentence: `The connection was lost${reason === '' ? '' : `: ${reason}`}. Trying again.`, final: false };
 }

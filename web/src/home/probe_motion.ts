@@ -75,6 +75,7 @@ export class ProbeMotion {
 
   recentre(): void {
     const { own } = this.probes;
+    if (own.isGuest && !own.movable()) return this.page.say(`The probe is moved by ${this.page.device()}.`, Importance.answer);
     const scene = this.page.scene();
     own.current.jump({ x: scene?.middle_x_m ?? 0, y: scene?.middle_y_m ?? 0 }, performance.now());
     this.walking.reset();
@@ -105,7 +106,8 @@ export class ProbeMotion {
   /** Sonifies the program's report of the probes at its time `t_s`. */
   hear(surface: Surface, t_s: number): void {
     for (const one of this.probes.states) this.feedback.reported(one, surface, t_s);
-    if (!this.probes.moves(0)) this.hearDevice(this.probes.placeOf(0), surface);
+    const { own } = this.probes;
+    if (!this.probes.moves(0) && !(own.isGuest && own.movable())) this.hearDevice(this.probes.placeOf(0), surface);
     this.feedback.removeProbesExcept(this.probes.numbers);
   }
 

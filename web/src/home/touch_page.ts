@@ -12,6 +12,7 @@ import { Walking } from '../probe/walking';
 import { controlWords } from '../settings/control_words';
 import type { Settings } from '../settings/settings';
 import { Importance } from '../sound/announcer';
+import { SharePanel } from '../share/share_panel';
 import { Feedback } from '../sound/feedback';
 import { Voice } from '../sound/voice';
 import type { Surface } from '../surface';
@@ -114,6 +115,7 @@ export class TouchPage {
   private readonly keys: TouchActions;
   private readonly head: HeadPanel | null;
   private readonly headset: HeadsetPanel;
+  private readonly share: SharePanel;
   private hello: Hello | null = null;
   private paused = false;
   /** Whether the program is connected; otherwise nothing is felt, moved or heard. */
@@ -183,13 +185,17 @@ export class TouchPage {
       say: (words, importance) => this.voice.say(words, importance),
     });
     this.keys = this.touchActions();
+    this.share = new SharePanel({
+      send: (message) => this.connection.send(message),
+      say: (words) => this.voice.say(words, Importance.answer),
+    });
   }
 
   start(): void {
     this.bindStage();
     this.keys.bind();
     bindWindow({
-      visibilityChanged: (visible) => this.connection.send({ type: 'visible', visible }),
+      visibilityChanged: (visible) => this.becameVisible(visible),
       coloursChanged: () => this.settings.apply(),
       undoOrRedo: (which) => this.keys.undoOrRedo(which),
     });
@@ -232,6 +238,13 @@ export class TouchPage {
       wake: () => this.wake(),
       turnOnSound: () => this.turnOnSound(),
     });
+  }
+
+  private becameVisible(visible: boolean): void {
+    this.connection.send({ type: 'visible', visible });
+    if (!visible) return;
+    this.own.comeBack();
+    this.frames.request();
   }
 
   // Settings.
@@ -335,6 +348,8 @@ export class TouchPage {
         return this.narrator.receive(message);
       case 'around':
         return this.names.receive(message);
+      case 'sharing':
+        return this.share.show(message);
       case 'notice':
         if (message.level === 'fault') return this.alert(message.text);
         if (message.level === 'recovered') this.readouts.allWell();
@@ -352,6 +367,8 @@ export class TouchPage {
     this.probes.page = hello.page;
     this.readouts.setDevice(hello.device);
     this.own.set(hello.probes, hello.pointer_moves, hello.hands);
+    this.share.greet(hello.guest);
+    if (hello.guest !== null) this.own.setGuest(hello.guest.probe);
     this.actions.changed();
     this.walking.allow(hello.egocentric);
     showWayBack(hello.home);

@@ -18,6 +18,8 @@ export class PageProbes {
   private most = 1;
   private movesFirst = true;
   private hands = 1;
+  /** Of a guest's page: the only probe that it moves, or null for none. */
+  private only: number | null | undefined;
   private scale = 1;
 
   /**
@@ -29,6 +31,24 @@ export class PageProbes {
     this.movesFirst = movesFirst;
     this.hands = hands;
     for (let hand = 1; hand < hands; ++hand) if (!this.probes.has(hand)) this.put(hand, { x: 0, y: 0 });
+  }
+
+  /** Makes this a guest's page, which moves this probe alone; null: none. It is sent again, since it was lifted while the page was away. */
+  setGuest(probe: number | null): void {
+    if (probe !== null) {
+      for (const other of this.numbers) if (other !== probe) this.probes.delete(other);
+      if (!this.probes.has(probe)) this.put(probe, { x: 0, y: 0 });
+      this.chosenProbe = probe;
+    }
+    this.only = probe;
+    this.comeBack();
+  }
+  get isGuest(): boolean {
+    return this.only !== undefined;
+  }
+  /** The page of a guest is visible again. */
+  comeBack(): void {
+    if (this.isGuest && this.movable()) this.current.resend();
   }
 
   /** The scale of the touched surface. */
@@ -58,12 +78,13 @@ export class PageProbes {
     return this.probes.get(this.chosenProbe)!;
   }
   movable(probe = this.chosenProbe): boolean {
+    if (this.isGuest) return probe === this.only;
     return probe >= this.hands || (probe === 0 && this.movesFirst);
   }
 
   /** Selects a probe, which is added at `place` if it does not exist; false for an invalid number. */
   choose(probe: number, place: Place): boolean {
-    if (probe >= this.most) return false;
+    if (probe >= this.most || (this.isGuest && !this.probes.has(probe))) return false;
     if (!this.probes.has(probe)) this.put(probe, place);
     this.chosenProbe = probe;
     return true;
@@ -71,13 +92,14 @@ export class PageProbes {
 
   /** The lowest free number; null if there is none. */
   free(): number | null {
+    if (this.isGuest) return null;
     for (let probe = 1; probe < this.most; ++probe) if (!this.probes.has(probe)) return probe;
     return null;
   }
 
   /** False for the hands, which cannot be removed. */
   remove(probe: number): boolean {
-    if (probe < this.hands || !this.probes.delete(probe)) return false;
+    if (this.isGuest || probe < this.hands || !this.probes.delete(probe)) return false;
     if (this.chosenProbe === probe) this.chosenProbe = 0;
     for (const [pointer, held] of this.pointers) if (held.probe === probe) this.pointers.delete(pointer);
     return true;

@@ -44,7 +44,7 @@ export class ProbeActions implements ProbesTarget {
   take(): void {
     const probe = this.probes.own.chosen;
     if (!this.probes.own.remove(probe)) {
-      const words = probe === 0 ? 'The first probe cannot be removed.' : 'A device moves this probe: it cannot be removed.';
+      const words = probe === 0 || this.probes.own.isGuest ? 'The first probe cannot be removed.' : 'A device moves this probe: it cannot be removed.';
       return this.page.say(words, Importance.answer);
     }
     this.lift(probe);
@@ -64,6 +64,8 @@ export class ProbeActions implements ProbesTarget {
     this.lift(probe);
   }
   full(): void {
+    const { own } = this.probes;
+    if (own.isGuest) return this.page.say(own.movable() ? 'You touch with one probe.' : 'You look: others move the probes.', Importance.answer);
     this.page.say(`More than ${this.probes.own.numbers.length} probes cannot touch at once.`, Importance.news);
   }
 

@@ -90,6 +90,7 @@ void add_touch(Program& program) {
       "  palpable touch left.png right.png\n"
       "  palpable touch sample:map --route \"Mill Lane to Church Lane\"\n"
       "  palpable touch room.palp --law rolling\n"
+      "  palpable touch room.palp --share    also on phones and tablets\n"
       "  palpable touch room.palp --device falcon:0 --device falcon:1    two hands\n"
       "  palpable touch http://192.168.1.20:8080/video    a stereo camera (MJPEG), live\n"
       "  palpable touch \"camera:0?size=1280x480\"    a stereo camera of this machine\n"
@@ -129,6 +130,14 @@ void add_touch(Program& program) {
                "No soft spring at the border of the device's workspace");
   options.integer("--port", arguments->port, {0, 65535}, "Port of the page on 127.0.0.1; 0 = any free one");
   options.flag("--no-browser", arguments->no_browser, "Do not open the browser");
+  options.flag(
+      "--share", arguments->share,
+      "Share the touch with phones and tablets of the local network, over TLS: prints a one-time link "
+      "with its QR code");
+  options.text("--share-address", arguments->share_address,
+               "With --share: which IPv4 address of this computer they connect to");
+  options.integer("--share-port", arguments->share_port, {0, 65535},
+                  "With --share: the port that they connect to; 0 = any free one");
   options.flag("--headless", arguments->headless, "No page: a scripted hand explores");
   options.flag("--keys", arguments->keys,
                "With --headless: explore with the keys of this terminal; H lists them (braille, speech)");

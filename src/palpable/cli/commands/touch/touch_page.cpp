@@ -5,6 +5,7 @@
 #include "palpable/cli/commands/touch/open_browser.hpp"
 #include "palpable/cli/commands/touch/touch_robot.hpp"
 #include "palpable/page/server.hpp"
+#include "palpable/page/share/sharing.hpp"
 #include "palpable/page/touch_host.hpp"
 
 #include <chrono>
@@ -43,6 +44,29 @@ class NoteBox {
   std::vector<Note> kept_;
 };
 
+/// Null if the touch is not shared.
+Result<std::unique_ptr<page::Sharing>> open_sharing(const TouchArguments& arguments, Console& console) {
+  if (!arguments.share) return nullptr;
+  page::Sharing::Options options;
+  options.address = arguments.share_address;
+  options.port = static_cast<std::uint16_t>(arguments.share_port);
+  options.on_link = [&console](const page::protocol::Invitation& link, const std::string& code) {
+    console.draw(code);
+    console.say(
+        fmt::format("Let one phone or tablet {}: {}\nThe link is valid once, for {} minutes; the page makes "
+                    "further ones.",
+                    link.role, link.link, link.minutes));
+  };
+  options.on_news = [&console](const std::string& sentence) { console.say(sentence); };
+  auto sharing = page::Sharing::open(std::move(options));
+  if (sharing)
+    console.say(fmt::format(
+        "Phones warn that the certificate is not known, since it was made for this touch. Its SHA-256 "
+        "fingerprint must be\n{}",
+        (*sharing)->certificate().fingerprint));
+  return sharing;
+}
+
 /// Serves the page of a running touch until the user ends it.
 Result<void> serve_page(const TouchArguments& arguments, const TouchPlan& plan,
                         session::TouchSession& session, session::MakerThread& maker, NoteBox& notes,
@@ -58,6 +82,9 @@ Result<void> serve_page(const TouchArguments& arguments, const TouchPlan& plan,
   std::optional<OpenedBrowser> browser;
   page::ServeOptions options;
   options.port = static_cast<std::uint16_t>(arguments.port);
+  const auto sharing = open_sharing(arguments, console);
+  if (!sharing) return sharing.error();
+  options.share = sharing->get();
   options.on_ready = [&](const std::string& address) {
     console.say(fmt::format(
         "Touch the scene at {}\nThe address lets one browser in, once; its further tabs need only "

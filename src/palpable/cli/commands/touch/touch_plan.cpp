@@ -114,6 +114,11 @@ Result<void> check_touch_options(const TouchArguments& arguments,
   if (!arguments.view.walk.empty() && !arguments.headless)
     return Error{ErrorCode::usage, "on the page the user walks: leave out --walk, or add --headless",
                  "--walk"};
+  if (arguments.share && arguments.headless)
+    return Error{ErrorCode::usage, "what is shared is the page: leave out --headless", "--share"};
+  if (!arguments.share && (!arguments.share_address.empty() || arguments.share_port != 0))
+    return Error{ErrorCode::usage, "is for a touch that is shared: add --share",
+                 arguments.share_address.empty() ? "--share-port" : "--share-address"};
   if (arguments.pull_N && arguments.route.empty())
     return Error{ErrorCode::usage, "the pull is along a route: add --route", "--pull"};
   if (arguments.scene.make.detail == kCompareDetails)

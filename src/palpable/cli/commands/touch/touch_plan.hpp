@@ -42,6 +42,10 @@ struct TouchArguments {
   bool headless = false;
   bool keys = false;
   bool no_browser = false;
+  /// Shares the touch with phones and tablets, at this address and port; empty and 0: those that are free.
+  bool share = false;
+  std::string share_address;
+  int share_port = 0;
   bool speak = false;
   double seconds = 10.0;
   std::optional<double> rate_hz;

@@ -1,0 +1,17 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/result.hpp"
+#include "palpable/page/share_host.hpp"
+
+#include <string>
+
+namespace palpable::page {
+
+/// A self-signed certificate for an IPv4 address with a new key on the curve P-256, valid from an hour ago
+/// for two days. Nothing is written to a file. Errors: invalid_input for what is no address; failed, if
+/// OpenSSL fails.
+Result<ServerCertificate> make_certificate(const std::string& address);
+
+}  // namespace palpable::page
