@@ -20,7 +20,7 @@ namespace asio = boost::asio;
 namespace beast = boost::beast;
 using testing::HasSubstr;
 
-constexpr const char* kQuestion =
+constexpr const char* kLimitsQuestion =
     R"({"type":"ask","serial":7,"what":"probe","probe":0,"x_m":0,"y_m":0,"press_m":0,"part":0})";
 
 /// A connection to the port of guests without TLS.
@@ -82,9 +82,9 @@ TEST(SharedTouchLimits, HoldsAgainstTwoHundredConnections) {
   std::vector<std::unique_ptr<RawConnection>> strangers;
   for (int k = 0; k < 200; ++k) strangers.push_back(std::make_unique<RawConnection>(shared));
   EXPECT_EQ(status_of_the_own_page(shared), 200U);
-  guest.send(kQuestion);
+  guest.send(kLimitsQuestion);
   EXPECT_EQ(guest.read_until("words")["serial"], 7);
-  host.send(kQuestion);
+  host.send(kLimitsQuestion);
   EXPECT_EQ(host.read_until("words")["serial"], 7);
   // Of one address eight are open: all others have been closed.
   for (int k = 0; k < 190; ++k) EXPECT_EQ(strangers[static_cast<std::size_t>(k)]->read_to_the_end(), "");
@@ -149,7 +149,7 @@ TEST(SharedTouchLimits, AGuestsFloodOfQuestionsIsNotAnswered) {
   options.question_rate = {.per_s = 1e-6, .burst = 5, .most_drops = 100};
   SharedPage shared(options);
   GuestPage guest(shared, shared.join(shared.token));
-  for (int k = 0; k < 200 && !guest.failed(); ++k) guest.send(kQuestion);
+  for (int k = 0; k < 200 && !guest.failed(); ++k) guest.send(kLimitsQuestion);
   int answers = 0;
   while (!guest.read_until("words").empty()) ++answers;
   EXPECT_EQ(answers, 5);
