@@ -46,7 +46,7 @@ class NoteBox {
 
 /// Null if the touch is not shared.
 Result<std::unique_ptr<page::Sharing>> open_sharing(const TouchArguments& arguments, Console& console) {
-  if (!arguments.share) return nullptr;
+  if (!arguments.share) return std::unique_ptr<page::Sharing>();
   page::Sharing::Options options;
   options.address = arguments.share_address;
   options.port = static_cast<std::uint16_t>(arguments.share_port);
