@@ -5,6 +5,7 @@
 #include "palpable/core/frame.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace palpable::haptics {
 
@@ -45,21 +46,36 @@ Limited<Frame> cap_rise(Vector<Frame> force_N, Vector<Frame> before_N, double ma
 
 /// The same for the force on a hand that moves at `velocity`: what is kept of the last force gives the hand
 /// no more power than the wanted force does. Where a force turns faster than it may grow, its old direction
-/// would push the hand on after the law has ended that push. The result is never longer than without the
+/// would push the hand on after the law has ended that push. The new part first turns the force away from the
+/// movement; what is kept is shortened only if that is not enough, since a hand that moves across its force
+/// would lose nearly all of it for a power that is nearly zero. The result is never longer than without the
 /// velocity. Tick path.
 template <class Frame>
 Limited<Frame> cap_rise(Vector<Frame> force_N, Vector<Frame> before_N, double max_rise_N,
                         Vector<Frame> velocity) noexcept {
   Limited<Frame> risen = cap_rise(force_N, before_N, max_rise_N);
   if (!risen.limited) return risen;
-  const double excess_W = dot(risen.force_N, velocity) - std::max(0.0, dot(force_N, velocity));
+  const double allowed_W = std::max(0.0, dot(force_N, velocity));
   const double size = norm(before_N);
-  if (!(excess_W > 0.0) || !(size > 0.0)) return risen;
+  if (!(dot(risen.force_N, velocity) > allowed_W) || !(size > 0.0)) return risen;
   const Vector<Frame> along = (1.0 / size) * before_N;
-  const Vector<Frame> kept = std::clamp(dot(force_N, along), 0.0, size) * along;
+  Vector<Frame> kept = std::clamp(dot(force_N, along), 0.0, size) * along;
   // Above 0: only what is kept can give more than the wanted force.
   const double kept_W = dot(kept, velocity);
-  if (kept_W > 0.0) risen.force_N -= std::min(1.0, excess_W / kept_W) * kept;
+  if (!(kept_W > 0.0)) return risen;
+  Vector<Frame> grown = risen.force_N - kept;
+  const Vector<Frame> across = velocity - dot(velocity, along) * along;
+  if (const double across_m_per_s = norm(across); across_m_per_s > 0.0) {
+    const Vector<Frame> side = (1.0 / across_m_per_s) * across;
+    const Vector<Frame> other = grown - dot(grown, side) * side;
+    const double sideways_N =
+        std::max(-max_rise_N, (allowed_W - kept_W - dot(other, velocity)) / across_m_per_s);
+    const double left_N = std::sqrt(std::max(0.0, max_rise_N * max_rise_N - sideways_N * sideways_N));
+    grown = cap_force(other, left_N).force_N + sideways_N * side;
+  }
+  const double excess_W = kept_W + dot(grown, velocity) - allowed_W;
+  if (excess_W > 0.0) kept = (1.0 - std::min(1.0, excess_W / kept_W)) * kept;
+  risen.force_N = kept + grown;
   return risen;
 }
 

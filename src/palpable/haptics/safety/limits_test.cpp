@@ -51,6 +51,19 @@ TEST(RiseCap, LetsAPushEndAtOnceWhereTheForceTurns) {
   EXPECT_NEAR(dot(cap_rise(wanted, before, 0.3, velocity).force_N, velocity), 0.0, 1e-12);
 }
 
+TEST(RiseCap, LeavesTheForceOfAHandThatMovesAcrossIt) {
+  // A hand swings about the place that holds it: the law's force is larger than the last one, and its power
+  // is nearly zero. The last force, one tick behind, would push with 0.02 W.
+  constexpr double kAngle = 0.018;
+  const Force velocity{{0.2, 0.0, 0.0}}, before{{3.7 * std::sin(kAngle), 0.0, 3.7 * std::cos(kAngle)}},
+      wanted{{0.0, 0.0, 5.5}};
+  const auto risen = cap_rise(wanted, before, 0.3, velocity);
+  ASSERT_TRUE(risen.limited);
+  EXPECT_LE(dot(risen.force_N, velocity), 1e-12);
+  EXPECT_GT(norm(risen.force_N), 3.95);
+  EXPECT_FALSE(cap_rise(risen.force_N, before, 0.3 + 1e-9).limited) << "the new part is within the limit";
+}
+
 TEST(RiseCap, GivesAMovingHandNoMorePowerThanTheWantedForce) {
   std::mt19937 random(5);
   std::normal_distribution<double> side;

@@ -136,7 +136,7 @@ class RiseLimit {
     const double goal = root_ * (1.0 - gain_);
     // A spring that stores U at a force f is 2 U / f deep.
     const double over_m = kReleaseDepth * 2.0 * stored_J_ / norm(spring_N_);
-    release_left_ = std::max(0.0, release_left_ - std::max(0.0, in.moved_out_m) / over_m);
+    release_left_ = std::clamp(release_left_ - in.moved_out_m / over_m, 0.0, 1.0);
     // Stronger forces than the next ones are still on their way to the motors, and the next tick may give
     // more than this one: the hand becomes faster.
     constexpr double kGrowth = 2.0;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/check/recorded_scenes.hpp"
 
+#include "palpable/session/touch/live_source.hpp"
+
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -52,8 +54,11 @@ const haptics::HapticScene* RecordedScenes::scene(std::uint32_t id) {
   if (std::exchange(noted.tried, true)) return noted.made.get();
   const models::Scene* scene = find(noted.touch);
   if (scene == nullptr) {
-    why_ = at_hand_.empty() ? "the scene is not given"
-                            : "another scene was touched than the one given" + words_of(noted.touch);
+    if (noted.touch.method == kLiveMethod)
+      why_ = "the surfaces of live pictures are not in a recording";
+    else
+      why_ = at_hand_.empty() ? "the scene is not given"
+                              : "another scene was touched than the one given" + words_of(noted.touch);
     return nullptr;
   }
   auto made = remade_scene(noted.touch, *scene, id, kept_);

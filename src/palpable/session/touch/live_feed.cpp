@@ -67,10 +67,12 @@ Result<std::unique_ptr<LiveFeed>> LiveFeed::open(std::unique_ptr<LiveSource> sou
   PALPABLE_CHECK(source != nullptr);
   if (auto valid = check(options); !valid) return std::move(valid).error();
   std::unique_ptr<LiveFeed> feed(new LiveFeed(std::move(source), options));
+  bool has_seen = false;
   for (const auto begin = Clock::now(); !work.cancelled();) {
     auto frame = feed->source_->take(Clock::now() + kPatience);
     if (!frame) return std::move(frame).error();
     if (*frame) {
+      has_seen = true;
       feed->last_arrival_ = (*frame)->arrival;
       feed->options_.steady.noise = feed->source_->noise();
       feed->steady_ = vision::SteadyDepth(feed->options_.steady);
@@ -79,7 +81,8 @@ Result<std::unique_ptr<LiveFeed>> LiveFeed::open(std::unique_ptr<LiveSource> sou
       if (*relief) return feed->begin_with(*std::move(relief)), std::move(feed);
     }
     if (feed->source_->has_ended() || seconds_between(begin, Clock::now()) > options.first_s)
-      return invalid_input("no frame of the live source has a known depth");
+      return invalid_input(has_seen ? "no frame of the live source has a known depth"
+                                    : "no readable picture has come");
   }
   return Work::interrupted();
 }
@@ -87,7 +90,7 @@ Result<std::unique_ptr<LiveFeed>> LiveFeed::open(std::unique_ptr<LiveSource> sou
 void LiveFeed::begin_with(std::shared_ptr<const models::Relief> relief) {
   auto scene = std::make_shared<models::Scene>();
   scene->model = std::move(relief);
-  scene->source.method = "live depth";
+  scene->source.method = kLiveMethod;
   scene->title = "Live pictures of a " + std::string(source_->kind());
   refresh_picture(*scene);
   first_ = std::move(scene);
@@ -129,7 +132,10 @@ void LiveFeed::start(TouchSession& session, Say say) {
 
 void LiveFeed::stop() {
   ending_ = true;
-  if (thread_.joinable()) thread_.join();
+  if (thread_.joinable()) {
+    source_->cancel();
+    thread_.join();
+  }
   if (watcher_.joinable()) watcher_.join();
   source_->end();
 }
@@ -162,6 +168,7 @@ void LiveFeed::run(TouchSession& session) {
     asked_ = Clock::time_point{};
     if (const auto notice = source_->notice()) say(*notice);
     if (!frame) {
+      if (ending_ || frame.error().code == ErrorCode::interrupted) return;
       if (!std::exchange(said_unreadable, true))
         say(frame.error().sentence() + "; the touch goes on with the next picture.");
       continue;
@@ -195,7 +202,7 @@ void LiveFeed::feel(TouchSession& session, const LiveFrame& frame) {
   auto scene = std::make_shared<models::Scene>(*session.scene());
   scene->model = *std::move(relief);
   refresh_picture(*scene);
-  if (const auto changed = session.change_scene(std::move(scene)); !changed) return;
+  if (const auto changed = session.change_surface(std::move(scene)); !changed) return;
   if (!wait_until_felt(session, session.newest_scene_id(), ending_)) return;
   const auto now = Clock::now();
   const std::lock_guard lock(mutex_);
@@ -215,13 +222,13 @@ void LiveFeed::call_old(const std::string& sentence, Old why) {
 }
 
 /// Ends that the surface is called old if it is so, and a picture that came since then is felt: after a loss
-/// any, else one that is new.
-bool LiveFeed::end_old(double current_s) {
+/// any, else one that is new. Returns why it was called old.
+std::optional<LiveFeed::Old> LiveFeed::end_old(double current_s) {
   const std::lock_guard lock(mutex_);
-  if (!old_since_ || newest_felt_ < *old_since_) return false;
-  if (old_ == Old::late && seconds_between(newest_felt_, Clock::now()) > current_s) return false;
+  if (!old_since_ || newest_felt_ < *old_since_) return std::nullopt;
+  if (old_ != Old::lost && seconds_between(newest_felt_, Clock::now()) > current_s) return std::nullopt;
   old_since_.reset();
-  return true;
+  return old_;
 }
 
 bool LiveFeed::is_called_old() const {
@@ -249,17 +256,18 @@ void LiveFeed::watch() {
   const double current_s = 0.5 * options_.lost_s;
   for (; !ending_ && !ended_; std::this_thread::sleep_for(kPatience)) {
     const double age = age_s();
-    if (end_old(current_s)) {
-      say("The pictures come again.");
+    if (const auto ended = end_old(current_s)) {
+      say(*ended == Old::slow ? "The surface keeps up with the pictures again." : "The pictures come again.");
     } else if (!is_called_old() && age > options_.lost_s) {
-      call_old(is_slow()
-                   ? fmt::format("The surface is {:.1f} s behind the pictures: they are read too slowly; "
-                                 "smaller ones would help.",
-                                 age)
-                   : fmt::format("No readable picture has come for {:.1f} s; the surface of the last one "
-                                 "stays.",
-                                 options_.lost_s),
-               Old::late);
+      if (is_slow())
+        call_old(fmt::format("The surface is {:.1f} s behind the pictures: they are read too slowly; "
+                             "smaller ones would help.",
+                             age),
+                 Old::slow);
+      else
+        call_old(fmt::format("No readable picture has come for {:.1f} s; the surface of the last one stays.",
+                             options_.lost_s),
+                 Old::late);
     }
   }
 }

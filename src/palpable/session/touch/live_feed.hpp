@@ -84,10 +84,10 @@ class LiveFeed {
   void refresh_picture(models::Scene& scene);
   void run(TouchSession& session);
   void feel(TouchSession& session, const LiveFrame& frame);
-  /// Why a surface is old: its camera was lost, or its pictures come or are felt too late.
-  enum class Old : std::uint8_t { lost, late };
+  /// Why a surface is old: its camera was lost, its pictures come too late, or they are used too slowly.
+  enum class Old : std::uint8_t { lost, late, slow };
   void call_old(const std::string& sentence, Old why);
-  bool end_old(double current_s);
+  std::optional<Old> end_old(double current_s);
   bool is_called_old() const;
   void watch();
   double age_s() const;

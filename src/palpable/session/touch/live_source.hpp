@@ -32,6 +32,9 @@ struct LiveFrame {
 
 class TouchSession;
 
+/// The method (models::SceneSource) of a surface that live pictures show.
+inline constexpr std::string_view kLiveMethod = "live depth";
+
 /// What a person decides about a robot; any thread.
 class RobotControl {
  public:
@@ -77,6 +80,8 @@ class LiveSource {
   virtual RobotControl* robot() { return nullptr; }
   /// The touch that it feeds, until end().
   virtual void begin(TouchSession& /*session*/) {}
+  /// Ends a take() that is going on; no other follows. After begin(), any thread.
+  virtual void cancel() {}
   virtual void end() {}
 };
 

@@ -5,6 +5,7 @@
 #include "palpable/vision/stereo/methods/pair_sequence.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -51,6 +52,9 @@ class MatchedSource final : public LiveSource {
   std::optional<std::string> loss() override { return pairs_->loss(); }
   std::optional<std::string> notice() override { return pairs_->notice(); }
   std::string_view kind() const override { return "stereo camera"; }
+  // The touch's own end stops the matching too, and comes with each of the user's.
+  void begin(TouchSession& /*session*/) override { work_.cancel = &cancelled_; }
+  void cancel() override { cancelled_ = true; }
 
   /// Depth z = f B / d, so an error of d is one of z^2 / (f B) times it.
   vision::DepthNoise noise() const override {
@@ -64,6 +68,7 @@ class MatchedSource final : public LiveSource {
   std::unique_ptr<PairSource> pairs_;
   std::optional<StereoRig> rig_;
   Work work_;
+  std::atomic<bool> cancelled_{false};
   vision::PairSequence sequence_;
   std::optional<Image> colour_;
   /// Focal length times baseline, as the depths have it; 0 before the first.

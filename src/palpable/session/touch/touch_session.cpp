@@ -123,6 +123,12 @@ Result<void> TouchSession::change_scene(std::shared_ptr<const models::Scene> sce
   return impl_->change(scene, settings(), place);
 }
 
+Result<void> TouchSession::change_surface(std::shared_ptr<const models::Scene> scene) {
+  PALPABLE_CHECK(scene != nullptr);
+  const std::lock_guard changing(impl_->changing);
+  return impl_->change(std::move(scene), settings(), [](const DeviceHand& hand) { return hand.place(); });
+}
+
 Result<void> TouchSession::change_settings(const TouchSettings& settings) {
   const std::lock_guard changing(impl_->changing);
   return impl_->change(scene(), settings, [](const DeviceHand& hand) { return hand.place(); });

@@ -3,10 +3,12 @@
 #include "palpable/session/touch/touch_session.hpp"
 
 #include "palpable/session/touch/scene_hash.hpp"
+#include "palpable/session/touch/test_session.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -69,6 +71,30 @@ TEST(TouchSession, KeepsThePointerAliveWhileSettingsOfALargeReliefAreDragged) {
   EXPECT_EQ(std::count_if(events.begin(), events.end(),
                           [](const auto& e) { return e.kind == haptics::TouchEvent::Kind::fault; }),
             0);
+}
+
+/// How much higher than the device the hand is in the scene.
+double raised_m(const TouchSession& session) {
+  const auto sample = session.latest();
+  return sample.position.v.z - sample.device_position.v.z;
+}
+
+TEST(TouchSession, KeepsTheScenesPlaceForTheNextSurfaceOfACamera) {
+  const auto low = std::make_shared<const models::Scene>(hilly_scene(0.002));
+  const auto high = std::make_shared<const models::Scene>(hilly_scene(0.03));
+  auto opened = TouchSession::open(low, {}, "sim:?script=hold", without_privileges());
+  ASSERT_TRUE(opened) << opened.error().sentence();
+  TouchSession& session = **opened;
+  const auto felt = [&] {
+    while (session.latest().scene_id < session.newest_scene_id())
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    return raised_m(session);
+  };
+  const double before_m = felt();
+  ASSERT_TRUE(session.change_surface(high));
+  EXPECT_NEAR(felt(), before_m, 1e-9);
+  ASSERT_TRUE(session.change_scene(high));
+  EXPECT_GT(std::abs(felt() - before_m), 0.005) << "another scene is placed anew";
 }
 
 TEST(SceneHashes, ReadASceneOnceAndAnotherAnew) {
