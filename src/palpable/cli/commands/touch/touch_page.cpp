@@ -45,7 +45,7 @@ class NoteBox {
 
 /// Null if the touch is not shared.
 Result<std::unique_ptr<page::Sharing>> open_sharing(const TouchArguments& arguments, Console& console) {
-  if (!arguments.share) return nullptr;
+  if (!arguments.share) return std::unique_ptr<page::Sharing>();
   page::Sharing::Options options;
   options.address = arguments.share_address;
   options.port = static_cast<std::uint16_t>(arguments.share_port);
@@ -69,7 +69,7 @@ Result<std::unique_ptr<page::Sharing>> open_sharing(const TouchArguments& argume
 /// Serves the page of a running touch until the user ends it.
 Result<void> serve_page(const TouchArguments& arguments, const TouchPlan& plan,
                         session::TouchSession& session, session::MakerThread& maker, NoteBox& notes,
-                        Console& console) {
+                        page::ShareHost* share, Console& console) {
   page::TouchHost host(session, {std::string("palpable ") + PALPABLE_VERSION,
                                  {},
                                  [&maker] { return maker.take(std::chrono::milliseconds(0)); },
@@ -81,9 +81,7 @@ Result<void> serve_page(const TouchArguments& arguments, const TouchPlan& plan,
   std::optional<OpenedBrowser> browser;
   page::ServeOptions options;
   options.port = static_cast<std::uint16_t>(arguments.port);
-  const auto sharing = open_sharing(arguments, console);
-  if (!sharing) return sharing.error();
-  options.share = sharing->get();
+  options.share = share;
   options.on_ready = [&](const std::string& address) {
     console.say(fmt::format(
         "Touch the scene at {}\nThe address lets one browser in, once; its further tabs need only "
@@ -99,6 +97,8 @@ Result<void> serve_page(const TouchArguments& arguments, const TouchPlan& plan,
 }  // namespace
 
 Result<Answer> touch_with_page(const TouchArguments& arguments, const TouchPlan& plan, Console& console) {
+  const auto sharing = open_sharing(arguments, console);
+  if (!sharing) return sharing.error();
   NoteBox notes;
   session::MakerThread maker(maker_of(plan,
                                       [&](const Note& note) {
@@ -121,7 +121,7 @@ Result<Answer> touch_with_page(const TouchArguments& arguments, const TouchPlan&
         console.note(sentence);
         notes.put(Note(sentence));
       });
-  const auto served = serve_page(arguments, plan, session, maker, notes, console);
+  const auto served = serve_page(arguments, plan, session, maker, notes, sharing->get(), console);
   feeding.reset();
   const auto recorded = session.stop_recording();
   session.stop();
