@@ -175,6 +175,26 @@ TEST_F(Touch, ServesThePageAndPrintsItsAddress) {
   EXPECT_EQ(outcome.exit_code, 130);
 }
 
+TEST_F(Touch, SharesThePageIfAskedTo) {
+  Running running({"touch", path("left.png"), path("right.png"), "--no-browser", "--share", "--share-address",
+                   "127.0.0.1"});
+  EXPECT_TRUE(running.says("Let one phone or tablet touch: https://127.0.0.1:", std::chrono::seconds(20)))
+      << running.err();
+  EXPECT_TRUE(running.says("SHA-256", std::chrono::seconds(20))) << running.err();
+  running.send(SIGTERM);
+  EXPECT_EQ(running.wait(std::chrono::seconds(20)).exit_code, 130);
+}
+
+TEST_F(Touch, RefusesToShareWhatIsNoPageOrAtAForeignAddress) {
+  const std::string left = path("left.png"), right = path("right.png");
+  EXPECT_EQ(palpable({"touch", left, right, "--share", "--headless"}).exit_code, 2);
+  EXPECT_EQ(palpable({"touch", left, right, "--share-port", "4711"}).exit_code, 2);
+  const Outcome foreign =
+      palpable({"touch", left, right, "--no-browser", "--share", "--share-address", "203.0.113.7"});
+  EXPECT_EQ(foreign.exit_code, 3);
+  EXPECT_THAT(foreign.err, HasSubstr("203.0.113.7"));
+}
+
 TEST_F(Touch, AnUnknownDeviceIsReported) {
   const Outcome unknown =
       palpable({"touch", path("left.png"), path("right.png"), "--headless", "--device", "teapot:"});

@@ -39,7 +39,7 @@ describe('reading messages', () => {
     ['a fraction for a whole number', withProbe({ label: 0.5 })],
   ])('refuses %s with an error message', (_, text) => expect(readMessage(text)).toBeTypeOf('string'));
   it('counts the bytes of a text, not its letters', () => {
-    const notice = (text: string) => JSON.stringify({ type: 'notice', level: 'info', text });
+    const notice = (text: string) => JSON.stringify({ type: 'notice', level: 'info', text, probe: null });
     expect(readMessage(notice('ä'.repeat(500)))).toBeTypeOf('object');
     expect(readMessage(notice('ä'.repeat(501)))).toBeTypeOf('string');
   });

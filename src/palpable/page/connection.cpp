@@ -208,9 +208,9 @@ void Connections::add(tcp::socket socket, ServerContext& context) {
   if (error) return;
   const asio::ip::address peer = endpoint.address();
   if (context.share != nullptr && !context.share->is_local(peer.to_string())) return;
+  if (context.tls != nullptr && context.handshakes.check(seconds_now()) != Verdict::accept) return;
   std::erase_if(open_, [](const auto& one) { return one.expired(); });
   if (!make_room(most_of_an_address_, &peer) || !make_room(most_, nullptr)) return;
-  if (context.tls != nullptr && context.handshakes.check(seconds_now()) != Verdict::accept) return;
   Channel channel =
       context.tls == nullptr ? Channel(std::move(socket)) : Channel(std::move(socket), *context.tls);
   const auto connection = std::make_shared<Connection>(std::move(channel), peer, context);

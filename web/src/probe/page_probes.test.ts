@@ -160,3 +160,34 @@ describe('the size of the scene', () => {
     expect(press(100)).toBe(press(1));
   });
 });
+
+describe("a guest's page", () => {
+  it('moves its own probe alone, with keys and one finger', () => {
+    const { own } = probes;
+    own.set(10, false);
+    own.setGuest(8);
+    expect(own.numbers).toEqual([8]);
+    expect(own.chosen).toBe(8);
+    expect(own.several).toBe(false);
+    expect([0, 7, 8].map((probe) => own.movable(probe))).toEqual([false, false, true]);
+    expect(own.press(1, right)).toEqual({ probe: 8, isNew: false });
+    expect(own.press(2, middle)).toBe(null);
+    expect(own.choose(0, middle)).toBe(false);
+    expect(own.remove(8)).toBe(false);
+  });
+  it('sends its probe again when it comes back, since it was lifted', () => {
+    const { own } = probes;
+    own.setGuest(8);
+    expect(own.advance(0.01, ramp, 1)).toEqual([8]);
+    expect(own.advance(0.01, ramp, 1)).toEqual([]);
+    own.comeBack();
+    expect(own.advance(0.01, ramp, 1)).toEqual([8]);
+  });
+  it('moves nothing if it only looks', () => {
+    const { own } = probes;
+    own.setGuest(null);
+    expect(own.movable()).toBe(false);
+    expect(own.press(1, right)).toBe(null);
+    expect(own.advance(0.01, ramp, 1)).toEqual([]);
+  });
+});

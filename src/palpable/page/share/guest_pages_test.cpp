@@ -3,6 +3,8 @@
 // Guests of a shared touch: one-time links over TLS, roles, presence, and being shown out.
 #include "palpable/page/share/test_guests.hpp"
 
+#include <array>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -209,8 +211,9 @@ TEST(SharedTouch, GuestsAreNotToldWhatMayNameFiles) {
   GuestPage guest(shared, shared.join(shared.token));
   guest.read_until("notice");
   host.send(R"({"type":"save"})");
-  EXPECT_EQ(host.read_until("notice")["text"], "Phone 1 has joined, and touches with probe 9.");
-  EXPECT_EQ(host.read_until("notice")["text"], "saved");
+  std::set<std::string> said;
+  for (int k = 0; k < 2; ++k) said.insert(host.read_until("notice").value("text", ""));
+  EXPECT_EQ(said, (std::set<std::string>{"Phone 1 has joined, and touches with probe 9.", "saved"}));
   EXPECT_THAT(notices_before_the_answer(guest), testing::IsEmpty());
 }
 

@@ -106,12 +106,13 @@ void Guests::set_presence(std::int64_t number, Presence presence, double now_s) 
   entry->presence = presence;
   entry->since_s = now_s;
   ++revision_;
-  if (entry->told == Presence::coming) say(*entry);
+  if (entry->told == Presence::coming && presence == Presence::here) say(*entry);
 }
 
 void Guests::update(double now_s) {
   for (Entry& one : entries_)
-    if (one.told != one.presence && now_s - one.since_s >= kSettled_s) say(one);
+    if (one.told != Presence::coming && one.told != one.presence && now_s - one.since_s >= kSettled_s)
+      say(one);
 }
 
 void Guests::say(const Entry& entry) {

@@ -3,7 +3,6 @@
 #include "palpable/cli/commands/touch/touch_page.hpp"
 
 #include "palpable/cli/commands/touch/open_browser.hpp"
-#include "palpable/cli/commands/touch/touch_robot.hpp"
 #include "palpable/page/server.hpp"
 #include "palpable/page/share/sharing.hpp"
 #include "palpable/page/touch_host.hpp"
@@ -70,7 +69,7 @@ Result<std::unique_ptr<page::Sharing>> open_sharing(const TouchArguments& argume
 /// Serves the page of a running touch until the user ends it.
 Result<void> serve_page(const TouchArguments& arguments, const TouchPlan& plan,
                         session::TouchSession& session, session::MakerThread& maker, NoteBox& notes,
-                        Console& console) {
+                        page::ShareHost* share, Console& console) {
   page::TouchHost host(session, {std::string("palpable ") + PALPABLE_VERSION,
                                  {},
                                  [&maker] { return maker.take(std::chrono::milliseconds(0)); },
@@ -82,9 +81,7 @@ Result<void> serve_page(const TouchArguments& arguments, const TouchPlan& plan,
   std::optional<OpenedBrowser> browser;
   page::ServeOptions options;
   options.port = static_cast<std::uint16_t>(arguments.port);
-  const auto sharing = open_sharing(arguments, console);
-  if (!sharing) return sharing.error();
-  options.share = sharing->get();
+  options.share = share;
   options.on_ready = [&](const std::string& address) {
     console.say(fmt::format(
         "Touch the scene at {}\nThe address lets one browser in, once; its further tabs need only "
@@ -100,6 +97,8 @@ Result<void> serve_page(const TouchArguments& arguments, const TouchPlan& plan,
 }  // namespace
 
 Result<Answer> touch_with_page(const TouchArguments& arguments, const TouchPlan& plan, Console& console) {
+  const auto sharing = open_sharing(arguments, console);
+  if (!sharing) return sharing.error();
   NoteBox notes;
   session::MakerThread maker(maker_of(plan,
                                       [&](const Note& note) {
@@ -122,9 +121,7 @@ Result<Answer> touch_with_page(const TouchArguments& arguments, const TouchPlan&
         console.note(sentence);
         notes.put(Note(sentence));
       });
-  auto terminal = std::make_unique<RobotTerminal>(plan.live ? plan.live->robot() : nullptr, console);
-  const auto served = serve_page(arguments, plan, session, maker, notes, console);
-  terminal.reset();
+  const auto served = serve_page(arguments, plan, session, maker, notes, sharing->get(), console);
   feeding.reset();
   const auto recorded = session.stop_recording();
   session.stop();
