@@ -63,8 +63,13 @@ inline Vec3 friction_damper(const Hand& hand, const Contact& contact, Vec3 place
   if (!before.touching || pressing_out <= 0.0) return {};
   const Vec3 v = hand.velocity_m_per_s.v;
   const Vec3 along = v - (dot(v, out.v) * out.per_length2) * out.v;
-  const double speed = norm(along);
-  const double held = speed - norm(place_m - before.place_m) / hand.dt_s;
+  // Mostly the proxy either kept up with the hand or did not move, which is known without roots.
+  constexpr double kSurely = 1.0 - 1e-9;
+  const double slid2 = squared_norm(place_m - before.place_m);
+  const double speed2 = squared_norm(along);
+  if (speed2 * (hand.dt_s * hand.dt_s) < kSurely * slid2) return {};
+  const double speed = std::sqrt(speed2);
+  const double held = slid2 > 0.0 ? speed - std::sqrt(slid2) / hand.dt_s : speed;
   if (held <= 0.0) return {};
   const double pressing_N = pressing_out * std::sqrt(out.per_length2);
   const double drag_N = std::min(contact.damping_Ns_per_m * held, contact.static_friction * pressing_N);

@@ -33,10 +33,7 @@ class ProxyFollower {
     if (proxy.phase == SurfaceProxy::Phase::fresh) [[unlikely]]
       begin(hand.v, proxy);
     const Before before{proxy.place_m, proxy.hand_m, proxy.holds_the_hand()};
-    const double moved_m = norm(hand.v - before.hand_m);
-    const double longest_m = std::max(surface_.pixel_m(), 0.5 * moved_m);
-    int evaluations = kEvaluations + static_cast<int>(std::min(kPerPixel * moved_m / surface_.pixel_m(),
-                                                               1.0 * kMaxEvaluations));
+    auto [longest_m, evaluations] = allowance(squared_norm(hand.v - before.hand_m));
     proxy.hand_m = hand.v;
     proxy.crossed_m = 0.0;
     Slid slid = Slid::leaves;
@@ -104,6 +101,17 @@ class ProxyFollower {
     /// Where the flight along the hand's path met it first, if it did.
     models::PathEntry entry{};
   };
+
+  /// What a tick may use after a hand's movement, given as its square.
+  [[gnu::always_inline]] Left allowance(double moved2_m2) const noexcept {
+    const double pixel_m = surface_.pixel_m();
+    // Mostly; the same as below, without a root and a division.
+    if (moved2_m2 < pixel_m * pixel_m) [[likely]]
+      return {pixel_m, kEvaluations};
+    const double moved_m = std::sqrt(moved2_m2);
+    return {std::max(pixel_m, 0.5 * moved_m),
+            kEvaluations + static_cast<int>(std::min(kPerPixel * moved_m / pixel_m, 1.0 * kMaxEvaluations))};
+  }
 
   /// The rest of a tick whose proxy was free, or whose first slide ended with `slid` before it came to rest.
   [[gnu::noinline]] void follow_on(Slid slid, const Before& before, Left left,
