@@ -3,6 +3,7 @@
 #include "palpable/cli/commands/touch/touch_page.hpp"
 
 #include "palpable/cli/commands/touch/open_browser.hpp"
+#include "palpable/cli/commands/touch/touch_robot.hpp"
 #include "palpable/page/server.hpp"
 #include "palpable/page/share/sharing.hpp"
 #include "palpable/page/touch_host.hpp"
@@ -121,7 +122,9 @@ Result<Answer> touch_with_page(const TouchArguments& arguments, const TouchPlan&
         console.note(sentence);
         notes.put(Note(sentence));
       });
+  auto terminal = std::make_unique<RobotTerminal>(plan.live ? plan.live->robot() : nullptr, console);
   const auto served = serve_page(arguments, plan, session, maker, notes, sharing->get(), console);
+  terminal.reset();
   feeding.reset();
   const auto recorded = session.stop_recording();
   session.stop();
