@@ -252,6 +252,7 @@ void join_lines(CentreLines& graph) {
     const int here = static_cast<int>(node);
     const std::size_t kept = at[node][0];
     const std::size_t added = at[node][1];
+    if (graph.lines[kept].kind != graph.lines[added].kind) continue;
     CentreLine& a = graph.lines[kept];
     CentreLine b = graph.lines[added];
     if (a.last != here) {
