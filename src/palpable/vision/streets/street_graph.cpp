@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/streets/street_graph.hpp"
 
+#include "palpable/vision/streets/lone_paths.hpp"
 #include "palpable/vision/streets/point_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -37,24 +37,10 @@ class Joiner {
  public:
   Joiner(const MapColours& colours, const std::vector<LayerOfColour>& layers,
          const std::vector<TextLine>& names, const StreetGraphOptions& options)
-      : colours_(colours), layers_(layers), names_(names), options_(options) {
-    for (const LayerOfColour& layer : layers) add(layer.lines);
-  }
-
-  /// Joins paths to a finished network.
-  Joiner(CentreLines streets, const CentreLines& paths, const MapColours& colours,
-         const std::vector<LayerOfColour>& layers, const std::vector<TextLine>& names,
-         const StreetGraphOptions& options)
-      : colours_(colours),
-        layers_(layers),
-        names_(names),
-        options_(options),
-        joined_kind_(MapStreet::Kind::path),
-        graph_(std::move(streets)) {
-    add(paths);
-  }
+      : colours_(colours), layers_(layers), names_(names), options_(options) {}
 
   CentreLines joined() {
+    for (const LayerOfColour& layer : layers_) add(layer.lines);
     remove_fragments(options_.fragment_part);
     follow_names();
     close_gaps();
@@ -66,13 +52,17 @@ class Joiner {
     return std::move(graph_);
   }
 
-  CentreLines with_paths() {
+  /// Joins paths to a finished network.
+  CentreLines with_paths(CentreLines streets, const CentreLines& paths) {
+    joined_kind_ = MapStreet::Kind::path;
+    graph_ = std::move(streets);
+    add(paths);
     follow_names();
     meet_streets();
     close_gaps();
     reach_border();
     merge_near_nodes();
-    remove_lone_paths();
+    remove_lone_paths(graph_, colours_.frame, options_.reach_px);
     return std::move(graph_);
   }
 
@@ -378,24 +368,6 @@ class Joiner {
     graph_.lines.back().kind = joined_kind_;
   }
 
-  void remove_lone_paths() {
-    std::vector<std::size_t> group(graph_.nodes.size());
-    std::iota(group.begin(), group.end(), std::size_t{0});
-    const auto root = [&group](int node) {
-      auto n = static_cast<std::size_t>(node);
-      while (group[n] != n) n = group[n];
-      return n;
-    };
-    for (const CentreLine& line : graph_.lines) group[root(line.first)] = root(line.last);
-    std::vector<bool> is_kept(graph_.nodes.size(), false);
-    for (const CentreLine& line : graph_.lines) {
-      const bool leaves = std::min(distance_to_side(colours_.frame, line.points.front()),
-                                   distance_to_side(colours_.frame, line.points.back())) < options_.reach_px;
-      if (line.kind != MapStreet::Kind::path || leaves) is_kept[root(line.first)] = true;
-    }
-    std::erase_if(graph_.lines, [&](const CentreLine& line) { return !is_kept[root(line.first)]; });
-  }
-
   const MapColours& colours_;
   const std::vector<LayerOfColour>& layers_;
   const std::vector<TextLine>& names_;
@@ -415,7 +387,7 @@ CentreLines join_streets(const MapColours& colours, const std::vector<LayerOfCol
 CentreLines join_paths(CentreLines streets, const CentreLines& paths, const MapColours& colours,
                        const std::vector<LayerOfColour>& layers, const std::vector<TextLine>& names,
                        const StreetGraphOptions& options) {
-  return Joiner(std::move(streets), paths, colours, layers, names, options).with_paths();
+  return Joiner(colours, layers, names, options).with_paths(std::move(streets), paths);
 }
 
 }  // namespace palpable::vision
