@@ -225,7 +225,8 @@ DrawnMap drawn_map(const sources::MapExtract& extract, const DrawnWindow& window
   DrawnMap map;
   for (const ProjectedWay& w : ways)
     if (w.way->kind != "rail")
-      map.ways.push_back({w.way->kind, w.way->name, w.points, drawn_width_px(w.way->kind, style)});
+      map.ways.push_back(
+          {w.way->kind, w.way->name, w.points, drawn_width_px(w.way->kind, style), w.way->tunnel});
   map.lettering = draw_street_names(cr, map.ways, style, side, std::move(taken));
   cairo_surface_flush(surface);
   map.picture = Raster<Rgb8>(side, side);

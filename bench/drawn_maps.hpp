@@ -78,6 +78,7 @@ struct DrawnWay {
   std::vector<MapPoint> points;
   /// As it is drawn, with its casing.
   double width_px = 0.0;
+  bool tunnel = false;
 };
 
 /// A name that is drawn whole: the middle of its letters, in the reading direction.

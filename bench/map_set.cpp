@@ -227,6 +227,7 @@ nlohmann::json json_of(const DrawnMap& map) {
     for (const MapPoint p : way.points) line.push_back({p.x, p.y});
     nlohmann::json street{{"highway", way.kind}, {"width_px", way.width_px}, {"polylines_px", {line}}};
     if (!way.name.empty()) street["name"] = way.name;
+    if (way.tunnel) street["tunnel"] = "yes";
     streets.push_back(std::move(street));
   }
   nlohmann::json lettering = nlohmann::json::array();

@@ -29,6 +29,7 @@ double beside_px(const StreetMap& map) {
 std::string called(const std::string& name, MapStreet::Kind kind) {
   if (!name.empty()) return name;
   if (kind == MapStreet::Kind::steps) return "steps";
+  if (kind == MapStreet::Kind::path) return "a path";
   return kind == MapStreet::Kind::sidewalk ? "a sidewalk" : kUnnamedStreet;
 }
 

@@ -23,7 +23,7 @@ void fields(Archive& archive, typename Archive::template Ref<MapPoint> point) {
 template <class Archive>
 void fields(Archive& archive, typename Archive::template Ref<MapStreet> street) {
   archive(street.name, street.width_px, street.points, street.felt);
-  archive.choice(street.kind, static_cast<unsigned>(MapStreet::Kind::steps) + 1);
+  archive.choice(street.kind, static_cast<unsigned>(MapStreet::Kind::path) + 1);
 }
 
 template <class Archive>

@@ -170,6 +170,7 @@ std::string_view words_of(MapPlace::Kind kind) { return row_of(kind).words; }
 
 std::string_view kind_words(MapStreet::Kind kind) {
   if (kind == MapStreet::Kind::sidewalk) return "sidewalk";
+  if (kind == MapStreet::Kind::path) return "path";
   return kind == MapStreet::Kind::steps ? "steps" : "street";
 }
 

@@ -25,8 +25,8 @@ struct MapStreet {
   std::vector<MapPoint> points;
   /// Whether it is felt in the scene; otherwise a finger could not tell it from its neighbours.
   bool felt = true;
-  /// What it is for: a street, a path beside one, or stairs.
-  enum class Kind : std::uint8_t { street, sidewalk, steps };
+  /// What it is for: a street, a path beside one, stairs, or a track or path of its own.
+  enum class Kind : std::uint8_t { street, sidewalk, steps, path };
   Kind kind = Kind::street;
 };
 

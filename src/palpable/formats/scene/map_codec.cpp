@@ -28,7 +28,7 @@ constexpr std::array<std::pair<MapArea::Kind, const char*>, 3> kAreaLists{
 
 /// Of a kind that this version does not know: a street.
 MapStreet::Kind street_kind_from(const std::string& name) {
-  for (const auto kind : {MapStreet::Kind::sidewalk, MapStreet::Kind::steps})
+  for (const auto kind : {MapStreet::Kind::sidewalk, MapStreet::Kind::steps, MapStreet::Kind::path})
     if (name == kind_words(kind)) return kind;
   return MapStreet::Kind::street;
 }

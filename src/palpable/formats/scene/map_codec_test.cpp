@@ -40,6 +40,17 @@ TEST(MapCodec, ReadsWhatItWrote) {
   EXPECT_EQ(encode_street_map(*read), encode_street_map(map));
 }
 
+TEST(MapCodec, ReadsEveryKindOfStreet) {
+  StreetMap map = example_map();
+  for (const auto kind :
+       {MapStreet::Kind::street, MapStreet::Kind::sidewalk, MapStreet::Kind::steps, MapStreet::Kind::path}) {
+    map.streets[0].kind = kind;
+    const auto read = decode_street_map(encode_street_map(map));
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->streets[0].kind, kind);
+  }
+}
+
 TEST(MapCodec, ReadsSpecialPlacesAndStepsAndSkipsUnknownKinds) {
   StreetMap map = example_map();
   map.streets[0].kind = MapStreet::Kind::steps;

@@ -135,12 +135,12 @@ std::vector<std::string> names_by_length(const StreetMap& map, const std::vector
   return names;
 }
 
-/// Steps and sidewalks have textures; those without a name have one material.
+/// Steps, sidewalks and paths have textures; those without a name have one material.
 models::Material street_material(MapStreet::Kind kind, models::Material street, const MapMaterialOptions& o) {
   using Texture = models::TouchTexture::Kind;
   if (kind == MapStreet::Kind::steps)
     street.texture = {Texture::ridges, o.roundabout_distance_m, o.place_height_m, 0.0};
-  if (kind == MapStreet::Kind::sidewalk)
+  if (kind == MapStreet::Kind::sidewalk || kind == MapStreet::Kind::path)
     street.texture = {Texture::grain, o.place_distance_m, 0.5 * o.place_height_m, 0.0};
   return street;
 }

@@ -250,8 +250,8 @@ void join_lines(CentreLines& graph) {
   for (std::size_t node = 0; node < at.size(); ++node) {
     if (at[node].size() != 2 || at[node][0] == at[node][1]) continue;
     const int here = static_cast<int>(node);
-    const std::size_t kept = at[node][0];
-    const std::size_t added = at[node][1];
+    const std::size_t kept = at[node][0], added = at[node][1];
+    if (graph.lines[kept].kind != graph.lines[added].kind) continue;
     CentreLine& a = graph.lines[kept];
     CentreLine b = graph.lines[added];
     if (a.last != here) {

@@ -20,6 +20,7 @@ struct CentreLine {
   /// Mean distance from the line to the mask's border, pixels, and its standard deviation along the line.
   double radius_px = 0.0;
   double radius_spread_px = 0.0;
+  MapStreet::Kind kind = MapStreet::Kind::street;
 };
 
 /// The lines in the middle of a mask, as a graph.
@@ -66,7 +67,7 @@ void remove_spurs(CentreLines& graph, double radii, double more_px);
 /// radius.
 void remove_short_networks(CentreLines& graph, double least_px, double least_radii);
 
-/// Joins the two lines of each node that has only two.
+/// Joins the two lines of each node that has only two, if they are of one kind.
 void join_lines(CentreLines& graph);
 
 /// Divides a line at one of its points; returns the node there, which is one of its own at an end.

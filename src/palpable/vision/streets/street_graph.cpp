@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/streets/street_graph.hpp"
 
+#include "palpable/vision/streets/lone_paths.hpp"
 #include "palpable/vision/streets/point_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace palpable::vision {
 namespace {
@@ -35,11 +37,10 @@ class Joiner {
  public:
   Joiner(const MapColours& colours, const std::vector<LayerOfColour>& layers,
          const std::vector<TextLine>& names, const StreetGraphOptions& options)
-      : colours_(colours), layers_(layers), names_(names), options_(options) {
-    for (const LayerOfColour& layer : layers) add(layer.lines);
-  }
+      : colours_(colours), layers_(layers), names_(names), options_(options) {}
 
   CentreLines joined() {
+    for (const LayerOfColour& layer : layers_) add(layer.lines);
     remove_fragments(options_.fragment_part);
     follow_names();
     close_gaps();
@@ -48,6 +49,20 @@ class Joiner {
     merge_near_nodes();
     remove_spurs(graph_, options_.spur_radii, options_.spur_px);
     remove_fragments(1.0);
+    return std::move(graph_);
+  }
+
+  /// Joins paths to a finished network.
+  CentreLines with_paths(CentreLines streets, const CentreLines& paths) {
+    joined_kind_ = MapStreet::Kind::path;
+    graph_ = std::move(streets);
+    add(paths);
+    follow_names();
+    meet_streets();
+    close_gaps();
+    reach_border();
+    merge_near_nodes();
+    remove_lone_paths(graph_, colours_.frame, options_.reach_px);
     return std::move(graph_);
   }
 
@@ -71,6 +86,7 @@ class Joiner {
     std::vector<FreeEnd> ends;
     for (std::size_t i = 0; i < graph_.lines.size(); ++i) {
       const CentreLine& line = graph_.lines[i];
+      if (line.kind != joined_kind_) continue;
       const auto& p = line.points;
       // Without the end itself, which may bend to a corner.
       const auto n = p.size();
@@ -170,7 +186,7 @@ class Joiner {
   /// `last` is a new node at the end of the name.
   void connect_along(const TextLine& name, std::size_t from, std::size_t to, int first, int last,
                      double radius_px) {
-    CentreLine line{{}, first, last, radius_px, 0.0};
+    CentreLine line{{}, first, last, radius_px, 0.0, joined_kind_};
     for (std::size_t i = from;; i < to ? ++i : --i) {
       line.points.push_back(name.centre[i]);
       if (i == to) break;
@@ -232,8 +248,7 @@ class Joiner {
     for (const Pair& pair : pairs) {
       if (used[pair.a] || used[pair.b]) continue;
       used[pair.a] = used[pair.b] = true;
-      connect_nodes(graph_, ends[pair.a].node, ends[pair.b].node,
-                    std::min(ends[pair.a].radius_px, ends[pair.b].radius_px));
+      connect(ends[pair.a].node, ends[pair.b].node, std::min(ends[pair.a].radius_px, ends[pair.b].radius_px));
     }
     join_lines(graph_);
   }
@@ -292,7 +307,7 @@ class Joiner {
         });
         if (found == points.end()) continue;
         const int there = split_line(graph_, i, static_cast<std::size_t>(found - points.begin()));
-        if (there != meeting.node) connect_nodes(graph_, meeting.node, there, meeting.radius_px);
+        if (there != meeting.node) connect(meeting.node, there, meeting.radius_px);
         break;
       }
     }
@@ -306,7 +321,7 @@ class Joiner {
       const double t = std::max(0.0, distance_to_side(colours_.frame, end.at, end.direction));
       if (t > reach) continue;
       graph_.nodes.push_back(end.at + t * end.direction);
-      connect_nodes(graph_, end.node, static_cast<int>(graph_.nodes.size()) - 1, end.radius_px);
+      connect(end.node, static_cast<int>(graph_.nodes.size()) - 1, end.radius_px);
     }
     join_lines(graph_);
   }
@@ -347,10 +362,18 @@ class Joiner {
                           factor * options_.least_network_radii);
   }
 
+  /// A line between two nodes of what is joined.
+  void connect(int a, int b, double radius_px) {
+    connect_nodes(graph_, a, b, radius_px);
+    graph_.lines.back().kind = joined_kind_;
+  }
+
   const MapColours& colours_;
   const std::vector<LayerOfColour>& layers_;
   const std::vector<TextLine>& names_;
   StreetGraphOptions options_;
+  /// The kind of the lines whose ends are joined.
+  MapStreet::Kind joined_kind_ = MapStreet::Kind::street;
   CentreLines graph_;
 };
 
@@ -359,6 +382,12 @@ class Joiner {
 CentreLines join_streets(const MapColours& colours, const std::vector<LayerOfColour>& layers,
                          const std::vector<TextLine>& names, const StreetGraphOptions& options) {
   return Joiner(colours, layers, names, options).joined();
+}
+
+CentreLines join_paths(CentreLines streets, const CentreLines& paths, const MapColours& colours,
+                       const std::vector<LayerOfColour>& layers, const std::vector<TextLine>& names,
+                       const StreetGraphOptions& options) {
+  return Joiner(colours, layers, names, options).with_paths(std::move(streets), paths);
 }
 
 }  // namespace palpable::vision

@@ -72,4 +72,10 @@ std::vector<Parameter> parameters_of(StreetGraphOptions& options);
 CentreLines join_streets(const MapColours& colours, const std::vector<LayerOfColour>& layers,
                          const std::vector<TextLine>& names, const StreetGraphOptions& options = {});
 
+/// Joins paths to each other and to the streets of a network, as join_streets() does. Paths that hang
+/// together with no street and do not leave the picture are left out. Any thread.
+CentreLines join_paths(CentreLines streets, const CentreLines& paths, const MapColours& colours,
+                       const std::vector<LayerOfColour>& layers, const std::vector<TextLine>& names,
+                       const StreetGraphOptions& options = {});
+
 }  // namespace palpable::vision

@@ -56,6 +56,12 @@ class KnownStreets {
   CentreLines joined(const std::vector<TextLine>& names = {}) const {
     return join_streets(colours_, layers_, names);
   }
+  CentreLines joined_with_path(MapPoint a, MapPoint b) const {
+    CentreLines paths{{a, b}, {}};
+    connect_nodes(paths, 0, 1, 1.0);
+    paths.lines[0].kind = MapStreet::Kind::path;
+    return join_paths(joined(), paths, colours_, layers_, {});
+  }
 
  private:
   static constexpr int kWidth = 200, kHeight = 150;
@@ -177,6 +183,21 @@ TEST(StreetGraph, StreetsReachThePicturesBorder) {
   KnownStreets map;
   map.street({5, 60}, {192, 60}, 5.0);
   EXPECT_THAT(places_of_degree(map.joined(), 1), UnorderedElementsAre(std::pair(0, 60), std::pair(199, 60)));
+}
+
+TEST(StreetGraph, PathsMeetStreetsAndLonePathsAreLeftOut) {
+  KnownStreets map;
+  map.street({0, 60}, {199, 60}, 5.0);
+  const auto paths_in = [](const CentreLines& graph) {
+    return std::count_if(graph.lines.begin(), graph.lines.end(),
+                         [](const CentreLine& line) { return line.kind == MapStreet::Kind::path; });
+  };
+  const CentreLines graph = map.joined_with_path({100, 120}, {100, 70});
+  EXPECT_EQ(graph.lines.size(), 3U);
+  EXPECT_EQ(paths_in(graph), 1);
+  EXPECT_THAT(places_of_degree(graph, 3), UnorderedElementsAre(std::pair(100, 60)));
+  EXPECT_EQ(paths_in(map.joined_with_path({100, 120}, {160, 110})), 0);
+  EXPECT_EQ(paths_in(map.joined_with_path({100, 120}, {199, 120})), 1);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include <opencv2/imgproc.hpp>
 
@@ -182,12 +183,31 @@ void add_network(StreetMap& map, const CentreLines& graph, const MapOutlineOptio
   for (const CentreLine& line : graph.lines) {
     const int reach =
         std::max(options.least_smoothing_points, static_cast<int>(options.smoothing_radii * line.radius_px));
-    map.streets.push_back(
-        {{}, 2.0 * line.radius_px, simplified(smoothed(line.points, reach), options.line_error_px)});
+    map.streets.push_back({{},
+                           2.0 * line.radius_px,
+                           simplified(smoothed(line.points, reach), options.line_error_px),
+                           true,
+                           line.kind});
   }
   const std::vector<int> degrees = degrees_of(graph);
   for (std::size_t n = 0; n < degrees.size(); ++n)
     if (degrees[n] > 2) map.junctions.push_back({graph.nodes[n], degrees[n], false});
+}
+
+/// The tracks and paths that the map draws as dashed lines; dashes of water are streams in pipes.
+CentreLines paths_of(const Raster<Rgb8>& dark_lines, const MapColours& colours,
+                     const std::vector<LayerOfColour>& layers, const StreetMapOptions& options) {
+  Raster<std::uint8_t> street(dark_lines.width(), dark_lines.height());
+  for (int y = 0; y < street.height(); ++y)
+    for (int x = 0; x < street.width(); ++x)
+      street(x, y) =
+          colours.seen(x, y) == MapColours::kArea && layers[colours.of_pixel(x, y)].layer == MapLayer::street
+              ? 1
+              : 0;
+  std::vector<Rgb8> water;
+  for (std::size_t k = 0; k < layers.size(); ++k)
+    if (layers[k].layer == MapLayer::water) water.push_back(colours.colours[k].value);
+  return dashed_lines(dark_lines, street, water, options.dashes);
 }
 
 /// Reads lines that were read and go on behind their ends once more, whole.
@@ -250,6 +270,8 @@ Result<FoundStreetMap> street_map_from_picture(const Image& picture, const Stree
   if (!is_street_map(colours, layers, graph, options))
     return invalid_input(
         "no streets were found in this picture: it is not a street map drawn in flat colours");
+  graph = join_paths(std::move(graph), paths_of(lettering, colours, layers, options), colours, layers, text,
+                     options.graph);
   FoundStreetMap out;
   StreetMap& map = out.map;
   map.width_px = picture.width;

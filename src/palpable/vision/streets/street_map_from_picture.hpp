@@ -8,6 +8,7 @@
 #include "palpable/core/picture/image.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
+#include "palpable/vision/streets/dashed_lines.hpp"
 #include "palpable/vision/streets/map_colours.hpp"
 #include "palpable/vision/streets/name_pieces.hpp"
 #include "palpable/vision/streets/street_colours.hpp"
@@ -79,6 +80,7 @@ struct StreetMapOptions {
   StreetColourOptions streets;
   TextLineOptions text;
   StreetGraphOptions graph;
+  DashedLineOptions dashes;
   MapRecognitionOptions recognition;
   MapOutlineOptions outlines;
   ReadTextOptions reading;

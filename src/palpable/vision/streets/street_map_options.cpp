@@ -179,6 +179,7 @@ std::vector<Parameter> parameters_of(StreetMapOptions& o) {
   append_parameters(all, "streets", parameters_of(o.streets));
   append_parameters(all, "text", parameters_of(o.text));
   append_parameters(all, "graph", parameters_of(o.graph));
+  append_parameters(all, "dashes", parameters_of(o.dashes));
   append_parameters(all, "recognition", parameters_of(o.recognition));
   append_parameters(all, "outlines", parameters_of(o.outlines));
   append_parameters(all, "reading", parameters_of(o.reading));
