@@ -17,7 +17,8 @@ constexpr RobotShape kShape{0.2, 0.75, 0.7, 0.1, 0.44};
 
 /// What a camera of kShape sees of a floor that ends at a wall, `wall_m` before the robot's axis.
 DepthMap floor_and_wall(double wall_m) {
-  const Pinhole camera{60.0, 60.0, 39.5, 29.5, 80, 60};
+  // Wide enough that the robot's top is in the picture from 0.3 m on.
+  const Pinhole camera{42.0, 42.0, 39.5, 29.5, 80, 60};
   DepthMap depth{Raster<float>(camera.width, camera.height), camera};
   const double sine = std::sin(kShape.camera_down_rad), cosine = std::cos(kShape.camera_down_rad);
   for (int v = 0; v < camera.height; ++v) {
@@ -61,7 +62,7 @@ RobotDrive::Command held(RobotDrive& drive, const DriveHand& hand, double wall_m
 
 TEST(RobotMap, IsFreeAsFarAsTheFloorIsSeen) {
   // Farther off the rows of so small a picture are more than a cell apart.
-  for (const double wall_m : {1.0, 1.3}) {
+  for (const double wall_m : {0.9, 1.1}) {
     RobotMap map(kShape);
     const auto seen = floor_and_wall(wall_m);
     map.begin({}, map.nearest_floor_m(*seen.camera));
@@ -76,12 +77,12 @@ TEST(RobotMap, IsFreeAsFarAsTheFloorIsSeen) {
 
 TEST(RobotMap, ForgetsAnObstacleOnlyWhenItsFloorWasSeenAFewTimes) {
   RobotMap map(kShape);
-  map.begin({}, map.nearest_floor_m(*floor_and_wall(1.0).camera));
-  map.add(floor_and_wall(1.0), {});
+  map.begin({}, map.nearest_floor_m(*floor_and_wall(0.8).camera));
+  map.add(floor_and_wall(0.8), {});
   map.add(floor_and_wall(2.0), {});
-  EXPECT_LT(map.free_distance_m({}, 0.0, 0.1, 5.0), 0.8);
+  EXPECT_LT(map.free_distance_m({}, 0.0, 0.1, 5.0), 0.6);
   for (int k = 0; k < 3; ++k) map.add(floor_and_wall(2.0), {});
-  EXPECT_GT(map.free_distance_m({}, 0.0, 0.1, 5.0), 0.9);
+  EXPECT_GT(map.free_distance_m({}, 0.0, 0.1, 5.0), 0.7);
 }
 
 TEST(RobotDrive, CommandsByTheHandBeyondTheDeadZone) {
