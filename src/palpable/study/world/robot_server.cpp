@@ -159,10 +159,15 @@ struct RobotServer::Impl {
   }
 
   void take_picture() {
-    const std::lock_guard lock(mutex);
-    next_picture_s = std::max(next_picture_s + 1.0 / link.rate_hz, followed_s);
+    // This thread alone changes the world, so it may look at it without the lock, for which others would
+    // starve.
+    const RobotLink now = [&] {
+      const std::lock_guard lock(mutex);
+      return link;
+    }();
+    next_picture_s = std::max(next_picture_s + 1.0 / now.rate_hz, followed_s);
     const auto uniform = [&] { return static_cast<double>(random() >> 11U) * 0x1p-53; };
-    if (uniform() < link.loss) return;
+    if (uniform() < now.loss) return;
     CameraNoise noise = options.noise;
     noise.seed = random();
     const RoomView view = world.view(camera, noise);
@@ -181,13 +186,12 @@ struct RobotServer::Impl {
     add(kDepthTopic, picture_of<std::uint16_t>(header(), camera.width, camera.height, "16UC1", 2,
                                                millimetres(view.depth_m)));
     // Messages of one connection stay in their order.
-    const double due_s = followed_s + link.delay_s + link.jitter_s * uniform();
+    const double due_s = followed_s + now.delay_s + now.jitter_s * uniform();
     waiting.emplace_back(std::max(due_s, waiting.empty() ? 0.0 : waiting.back().first), std::move(messages));
   }
 
   void send_state(WebSocket& socket) {
     constexpr double kPeriod_s = 0.02;
-    const std::lock_guard lock(mutex);
     next_state_s = followed_s + kPeriod_s;
     const ServerJson header = header_of(world.time_s(), options.is_ros2);
     const auto add = [&](const char* topic, const ServerJson& message) {
@@ -203,6 +207,7 @@ struct RobotServer::Impl {
   RobotServerOptions options;
   RobotLink link;
   Pinhole camera;
+  /// Guards changes of the world, the link and the count of commands.
   mutable std::mutex mutex;
   RobotWorld world;
   std::mt19937_64 random;
