@@ -20,14 +20,18 @@ Json percentiles(const haptics::Percentiles& of) {
 
 Json live_json(const LiveStatistics& live) {
   const auto ms = [&](double ns) { return live.latency.count > 0 ? Json(1e-6 * ns) : Json(nullptr); };
-  return {{"frames", live.frames},
-          {"dropped", live.dropped},
-          {"fps", number(live.fps)},
-          {"latency_ms",
-           {{"p50", ms(live.latency.p50_ns)},
-            {"p99", ms(live.latency.p99_ns)},
-            {"max", ms(live.latency.max_ns)}}},
-          {"stale_s", number(live.stale_s)}};
+  const auto& memory = live.memory;
+  return {
+      {"frames", live.frames},
+      {"dropped", live.dropped},
+      {"fps", number(live.fps)},
+      {"latency_ms",
+       {{"p50", ms(live.latency.p50_ns)},
+        {"p99", ms(live.latency.p99_ns)},
+        {"max", ms(live.latency.max_ns)}}},
+      {"stale_s", number(live.stale_s)},
+      {"memory", memory ? Json{{"share", memory->share}, {"map_mib", memory->map_mib}, {"lost", memory->lost}}
+                        : Json(nullptr)}};
 }
 
 Json hand_json(const TouchStatistics& statistics) {

@@ -67,8 +67,8 @@ Result<void> open_live(const TouchArguments& arguments, TouchPlan& plan, const N
   const auto& inputs = arguments.scene.make.inputs;
   const auto address = std::find_if(inputs.begin(), inputs.end(), session::is_live_address);
   if (address == inputs.end()) {
-    if (arguments.frames_recording.empty()) return {};
-    return Error{ErrorCode::usage, "is for live sources", "--record-frames"};
+    if (arguments.frames_recording.empty() && !arguments.memory) return {};
+    return Error{ErrorCode::usage, "is for live sources", arguments.memory ? "--memory" : "--record-frames"};
   }
   if (inputs.size() > 1)
     return Error{ErrorCode::usage, "a live source is touched alone, without further inputs", *address};
@@ -77,8 +77,9 @@ Result<void> open_live(const TouchArguments& arguments, TouchPlan& plan, const N
                  arguments.keys                   ? "--keys"
                  : arguments.as_published.empty() ? "--route"
                                                   : "--as-published"};
-  const auto options = live_options(plan.make.recipes.relief.relief);
+  auto options = live_options(plan.make.recipes.relief.relief);
   if (!options) return options.error();
+  if (arguments.memory) options->memory = session::Memory::on;
   const auto rig = rig_of(arguments.scene.make.stereo.calibration);
   if (!rig) return rig.error();
   auto source = session::open_live_source(

@@ -35,6 +35,8 @@ struct TouchArguments {
   std::string recording;
   /// The folder to which the pictures of a live stereo camera are recorded; empty: none.
   std::string frames_recording;
+  /// A live touch keeps what left the picture.
+  bool memory = false;
   int port = 0;
   bool headless = false;
   bool keys = false;
