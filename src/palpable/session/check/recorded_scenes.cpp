@@ -54,7 +54,7 @@ const haptics::HapticScene* RecordedScenes::scene(std::uint32_t id) {
   if (std::exchange(noted.tried, true)) return noted.made.get();
   const models::Scene* scene = find(noted.touch);
   if (scene == nullptr) {
-    if (noted.touch.method == kLiveMethod)
+    if (noted.touch.method.starts_with(kLiveMethod))
       why_ = "the surfaces of live pictures are not in a recording";
     else
       why_ = at_hand_.empty() ? "the scene is not given"

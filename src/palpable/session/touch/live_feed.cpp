@@ -73,12 +73,11 @@ Result<std::unique_ptr<LiveFeed>> LiveFeed::open(std::unique_ptr<LiveSource> sou
     if (!frame) return std::move(frame).error();
     if (*frame) {
       has_seen = true;
-      feed->last_arrival_ = (*frame)->arrival;
-      feed->options_.steady.noise = feed->source_->noise();
-      feed->steady_ = vision::SteadyDepth(feed->options_.steady);
-      auto relief = feed->relief_of(**frame);
-      if (!relief) return std::move(relief).error();
-      if (*relief) return feed->begin_with(*std::move(relief)), std::move(feed);
+      feed->prepare(**frame);
+      auto surface = feed->surface_of(**frame);
+      if (!surface) return std::move(surface).error();
+      feed->learn();
+      if (surface->relief) return feed->begin_with(*std::move(surface)), std::move(feed);
     }
     if (feed->source_->has_ended() || seconds_between(begin, Clock::now()) > options.first_s)
       return invalid_input(has_seen ? "no frame of the live source has a known depth"
@@ -87,30 +86,62 @@ Result<std::unique_ptr<LiveFeed>> LiveFeed::open(std::unique_ptr<LiveSource> sou
   return Work::interrupted();
 }
 
-void LiveFeed::begin_with(std::shared_ptr<const models::Relief> relief) {
+/// Sets what depends on the source, from its first frame.
+void LiveFeed::prepare(const LiveFrame& first) {
+  first_arrival_ = last_arrival_ = first.arrival;
+  options_.steady.noise = source_->noise();
+  steady_ = vision::SteadyDepth(options_.steady);
+  if (options_.memory == Memory::off) return;
+  options_.remembered.camera.map.noise = options_.steady.noise;
+  memory_ = std::make_unique<LiveMemory>(options_.remembered);
+}
+
+void LiveFeed::begin_with(Surface surface) {
   auto scene = std::make_shared<models::Scene>();
-  scene->model = std::move(relief);
+  scene->model = std::move(surface.relief);
+  scene->labels = std::move(surface.labels);
+  if (memory_) scene->materials = memory_materials();
   scene->source.method = kLiveMethod;
+  if (memory_) scene->source.method += ", with memory";
   scene->title = "Live pictures of a " + std::string(source_->kind());
   refresh_picture(*scene);
   first_ = std::move(scene);
 }
 
-/// Null for a frame before any depth is known.
-Result<std::shared_ptr<const models::Relief>> LiveFeed::relief_of(const LiveFrame& frame) {
+Result<LiveFeed::Surface> LiveFeed::surface_of(const LiveFrame& frame) {
   const double dt_s = std::max(0.0, seconds_between(last_arrival_, frame.arrival));
   const Raster<float>& raw = frame.depth.depth_m;
   const int longest = std::max(raw.width(), raw.height());
   const int k = std::max(1, (longest + options_.longest_side_px - 1) / options_.longest_side_px);
   const auto& noise = options_.steady.noise;
-  const auto& depth_m = steady_.add(vision::clean_depth(vision::reduced_depth(raw, k, noise), noise), dt_s);
+  Raster<float> seen_m = vision::clean_depth(vision::reduced_depth(raw, k, noise), noise);
+  if (memory_) seen_m = memory_->live_view(frame, seen_m, k, seconds_between(first_arrival_, frame.arrival));
+  const Raster<float>* depth_m = &steady_.add(seen_m, dt_s);
+  Surface surface;
+  if (memory_) {
+    seen_m = *depth_m;
+    surface.labels = memory_->fill(seen_m);
+    depth_m = &seen_m;
+  }
   auto range = options_.range;
-  if (const auto followed = range_.add(depth_m, dt_s); !range) range = followed;
-  if (!range) return std::shared_ptr<const models::Relief>();
-  auto relief = sculpt::relief_in_window(depth_m, *range, options_.relief);
+  if (const auto followed = range_.add(*depth_m, dt_s); !range) range = followed;
+  if (!range) return surface;
+  auto relief = sculpt::relief_in_window(*depth_m, *range, options_.relief);
   if (!relief) return std::move(relief).error();
-  if (auto other = source_->surface(*relief)) return other;
-  return std::make_shared<const models::Relief>(*std::move(relief));
+  if (auto other = source_->surface(*relief)) {
+    surface = {std::move(other), {}};
+    return surface;
+  }
+  surface.relief = std::make_shared<const models::Relief>(*std::move(relief));
+  return surface;
+}
+
+/// Takes the last frame into the memory.
+void LiveFeed::learn() {
+  if (!memory_) return;
+  memory_->learn();
+  const std::lock_guard lock(mutex_);
+  memory_statistics_ = MemoryStatistics{memory_->remembered_share(), memory_->map_mib(), memory_->lost()};
 }
 
 /// The colour picture is for the eye, and is read less often than the depth.
@@ -150,6 +181,7 @@ LiveStatistics LiveFeed::statistics() const {
   const auto now = Clock::now();
   LiveStatistics live;
   live.frames = arrived_;
+  live.memory = memory_statistics_;
   live.latency = latencies_.summary();
   live.dropped = arrived_ - live.latency.count;
   if (const double lasted_s = seconds_between(begin_, now); lasted_s > 0.0)
@@ -186,6 +218,7 @@ void LiveFeed::run(TouchSession& session) {
     }
     number = (*frame)->number;
     feel(session, **frame);
+    learn();
     constexpr double kMuch = 0.3;
     if (!said_unknown_ && share_unknown((*frame)->depth.depth_m) > kMuch) {
       said_unknown_ = true;
@@ -195,12 +228,13 @@ void LiveFeed::run(TouchSession& session) {
 }
 
 void LiveFeed::feel(TouchSession& session, const LiveFrame& frame) {
-  auto relief = relief_of(frame);
+  auto surface = surface_of(frame);
   last_arrival_ = frame.arrival;
   // A frame of another size than the first may be too small for a relief.
-  if (!relief || !*relief) return;
+  if (!surface || !surface->relief) return;
   auto scene = std::make_shared<models::Scene>(*session.scene());
-  scene->model = *std::move(relief);
+  scene->model = std::move(surface->relief);
+  if (memory_) scene->labels = std::move(surface->labels);
   refresh_picture(*scene);
   if (const auto changed = session.change_surface(std::move(scene)); !changed) return;
   if (!wait_until_felt(session, session.newest_scene_id(), ending_)) return;

@@ -7,6 +7,7 @@
 #include "palpable/haptics/servo/latency_recorder.hpp"
 #include "palpable/models/scene/scene.hpp"
 #include "palpable/sculpt/relief/relief_in_window.hpp"
+#include "palpable/session/touch/live_memory.hpp"
 #include "palpable/session/touch/live_source.hpp"
 #include "palpable/session/touch/touch_statistics.hpp"
 #include "palpable/vision/depth_camera/depth_range.hpp"
@@ -27,6 +28,9 @@ namespace palpable::session {
 
 class TouchSession;
 
+/// Whether what left the picture stays under the hand (live_memory.hpp).
+enum class Memory : std::uint8_t { off, on };
+
 /// How the frames of a depth camera become the surface under the hand. The defaults are the same for every
 /// camera.
 struct LiveOptions {
@@ -44,6 +48,9 @@ struct LiveOptions {
   double lost_s = 1.0;
   /// For this time a first depth is waited for. Seconds, 0.1 ... 600.
   double first_s = 10.0;
+  Memory memory = Memory::off;
+  /// Its map's noise is that of `steady`.
+  LiveMemoryOptions remembered;
 };
 
 /// Errors: usage for a value out of range.
@@ -79,8 +86,17 @@ class LiveFeed {
   using Clock = std::chrono::steady_clock;
 
   LiveFeed(std::unique_ptr<LiveSource> source, const LiveOptions& options);
-  Result<std::shared_ptr<const models::Relief>> relief_of(const LiveFrame& frame);
-  void begin_with(std::shared_ptr<const models::Relief> relief);
+  /// What is felt of a frame; without relief before any depth is known.
+  struct Surface {
+    std::shared_ptr<const models::Relief> relief;
+    /// Empty without memory.
+    Raster<std::uint8_t> labels;
+  };
+
+  void prepare(const LiveFrame& first);
+  Result<Surface> surface_of(const LiveFrame& frame);
+  void begin_with(Surface surface);
+  void learn();
   void refresh_picture(models::Scene& scene);
   void run(TouchSession& session);
   void feel(TouchSession& session, const LiveFrame& frame);
@@ -97,6 +113,9 @@ class LiveFeed {
   std::unique_ptr<LiveSource> source_;
   LiveOptions options_;
   vision::SteadyDepth steady_;
+  /// Null: nothing is remembered.
+  std::unique_ptr<LiveMemory> memory_;
+  Clock::time_point first_arrival_;
   vision::FollowedRange range_;
   std::shared_ptr<const models::Scene> first_;
   Clock::time_point last_arrival_;
@@ -118,6 +137,7 @@ class LiveFeed {
   std::optional<Clock::time_point> old_since_;
   Old old_ = Old::late;
   std::uint64_t arrived_ = 0;
+  std::optional<MemoryStatistics> memory_statistics_;
   /// From the arrival of the newest felt frame to the first force that knows it.
   double newest_latency_s_ = 0.0;
   haptics::LatencyRecorder latencies_;

@@ -70,7 +70,9 @@ class PacedDepths final : public LiveSource {
     newest_ = due->index;
     auto depth = folder_.depth(due->index);
     if (!depth) return std::move(depth).error();
-    return std::optional(LiveFrame{due->number, due->arrival, *std::move(depth)});
+    auto pose = folder_.pose(due->index);
+    if (!pose) return std::move(pose).error();
+    return std::optional(LiveFrame{due->number, due->arrival, *std::move(depth), *pose});
   }
   bool has_ended() const override { return pacer_.has_ended(); }
 

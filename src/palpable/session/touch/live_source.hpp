@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/frame.hpp"
 #include "palpable/core/picture/camera.hpp"
 #include "palpable/core/picture/image.hpp"
 #include "palpable/core/result.hpp"
@@ -28,6 +29,8 @@ struct LiveFrame {
   std::uint64_t number = 0;
   std::chrono::steady_clock::time_point arrival;
   DepthMap depth;
+  /// Where the camera was, as the source states it: a pose, or odometry, which drifts. nullopt: not stated.
+  std::optional<Transform<WorldFrame, CameraFrame>> world_from_camera = {};
 };
 
 class TouchSession;

@@ -34,6 +34,8 @@ Json live_json(const LiveStatistics& live) {
                      {"moving_commands", robot->moving_commands},
                      {"started", robot->is_started},
                      {"picture_age_ms", latency_json(robot->picture_age)}};
+  if (const auto& memory = live.memory)
+    json["memory"] = {{"share", memory->share}, {"map_mib", memory->map_mib}, {"lost", memory->lost}};
   return json;
 }
 

@@ -23,6 +23,15 @@ struct RobotStatistics {
   haptics::LatencySummary picture_age;
 };
 
+/// What a live touch remembers (live_memory.hpp).
+struct MemoryStatistics {
+  /// Share of the newest surface that the camera does not see now.
+  double share = 0.0;
+  double map_mib = 0.0;
+  /// Frames whose place was not found.
+  std::uint64_t lost = 0;
+};
+
 /// How a live touch kept up with its source.
 struct LiveStatistics {
   /// Frames that arrived, and those of them that were never felt.
@@ -36,6 +45,8 @@ struct LiveStatistics {
   double stale_s = std::numeric_limits<double>::quiet_NaN();
   /// Of a robot's camera.
   std::optional<RobotStatistics> robot = {};
+  /// nullopt: nothing is remembered.
+  std::optional<MemoryStatistics> memory;
 };
 
 /// Statistics of a touch without page (docs/cli.md).

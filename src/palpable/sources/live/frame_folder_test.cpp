@@ -144,6 +144,37 @@ TEST(FrameFolder, DoesNotWaitForAPipeThatTookTheFramesPlace) {
   close(depth_writer);
 }
 
+TEST(FrameFolder, ReadsWhereTheCameraWasAndItsIntrinsics) {
+  const auto folder = empty_folder("posed");
+  for (const char* name : {"a", "b", "c"}) write_frame(folder, name, 1000);
+  std::ofstream(folder / "a.pose.txt") << "0 -1 0 0.5\n1 0 0 -2e-1\n0 0 1 3\n0 0 0 1\n";
+  std::ofstream(folder / "b.pose.txt") << "1 0 0 0  0 2 0 0  0 0 1 0  0 0 0 1";
+  std::ofstream(folder / "intrinsics.K.txt") << "600 0 2.5\n0 610 1.5\n0 0 1\n";
+  const auto frames = FrameFolder::open(folder);
+  ASSERT_TRUE(frames) << frames.error().sentence();
+  const auto pose = frames->pose(0);
+  ASSERT_TRUE(pose) << pose.error().sentence();
+  ASSERT_TRUE(*pose);
+  EXPECT_EQ((*pose)->translation_m, (Vec3{0.5, -0.2, 3.0}));
+  EXPECT_EQ((*pose)->rotate({1, 0, 0}), (Vec3{0, 1, 0}));
+  // A scale of 2 is no rotation; and none is stated of the last frame.
+  EXPECT_EQ(frames->pose(1).error().code, ErrorCode::invalid_input);
+  EXPECT_FALSE(frames->pose(2)->has_value());
+  const auto depth = frames->depth(0);
+  ASSERT_TRUE(depth);
+  ASSERT_TRUE(depth->camera);
+  EXPECT_EQ(*depth->camera, (Pinhole{600, 610, 2.5, 1.5, 6, 4}));
+}
+
+TEST(FrameFolder, RefusesIntrinsicsThatAreNone) {
+  const auto folder = empty_folder("intrinsics");
+  write_frame(folder, "a", 1000);
+  for (const char* text : {"600 0 2.5 0 610", "600 0 x 0 610 1.5 0 0 1", "-600 0 2.5 0 610 1.5 0 0 1"}) {
+    std::ofstream(folder / "camera-intrinsics.txt") << text;
+    EXPECT_FALSE(FrameFolder::open(folder)) << text;
+  }
+}
+
 TEST(FrameFolder, RefusesAFrameThatIsTooLargeToKeepUpWith) {
   const auto folder = empty_folder("large");
   ASSERT_TRUE(cv::imwrite((folder / "a.depth.png").string(), cv::Mat(2049, 4096, CV_16U, cv::Scalar(1000))));

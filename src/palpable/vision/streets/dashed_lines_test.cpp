@@ -10,13 +10,13 @@
 namespace palpable::vision {
 namespace {
 
-constexpr int kSide = 200;
+constexpr int kLandSide = 200;
 constexpr double kSlope = 0.3, kAt = 60.0;
 
 /// A map of land on which lines are drawn with fractions of pixels, as maps are.
 class Land {
  public:
-  Land() : canvas_(kSide, kSide, CV_8UC3, cv::Scalar(242, 239, 233)) {}
+  Land() : canvas_(kLandSide, kLandSide, CV_8UC3, cv::Scalar(242, 239, 233)) {}
 
   void line(double x0, double y0, double x1, double y1, Rgb8 colour, int width = 1) {
     constexpr int kBits = 4;
@@ -30,13 +30,13 @@ class Land {
       line(x, at + kSlope * x, x + length, at + kSlope * (x + length), colour);
   }
   CentreLines found(std::vector<Rgb8> of_other = {}) const {
-    Raster<Rgb8> picture(kSide, kSide);
-    for (int y = 0; y < kSide; ++y)
-      for (int x = 0; x < kSide; ++x) {
+    Raster<Rgb8> picture(kLandSide, kLandSide);
+    for (int y = 0; y < kLandSide; ++y)
+      for (int x = 0; x < kLandSide; ++x) {
         const auto c = canvas_.at<cv::Vec3b>(y, x);
         picture(x, y) = {c[0], c[1], c[2]};
       }
-    return dashed_lines(picture, Raster<std::uint8_t>(kSide, kSide), of_other);
+    return dashed_lines(picture, Raster<std::uint8_t>(kLandSide, kLandSide), of_other);
   }
 
  private:

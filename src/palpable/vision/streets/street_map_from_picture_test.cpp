@@ -124,11 +124,11 @@ TEST(StreetMapFromPicture, FindsBlueStreetsOnAMapForTheNight) {
 }
 
 TEST(StreetMapFromPicture, RefusesRampsStripesAndRings) {
-  constexpr int kSide = 300;
+  constexpr int kCleanSide = 300;
   const auto grey = [](auto&& value) {
-    Image image{kSide, kSide, 1, 8, {}};
-    for (int y = 0; y < kSide; ++y)
-      for (int x = 0; x < kSide; ++x) image.samples.push_back(static_cast<float>(value(x, y)));
+    Image image{kCleanSide, kCleanSide, 1, 8, {}};
+    for (int y = 0; y < kCleanSide; ++y)
+      for (int x = 0; x < kCleanSide; ++x) image.samples.push_back(static_cast<float>(value(x, y)));
     return image;
   };
   const Image ramp = grey([](int x, int) { return (x / 12) / 25.0; });

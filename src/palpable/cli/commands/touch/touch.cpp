@@ -158,6 +158,8 @@ void add_touch(Program& program) {
       "nothing is sent to it before");
   options.output_folder("--record-frames", arguments->frames_recording,
                         "Record the pairs of a live stereo camera into this folder, for frames:FOLDER");
+  options.flag("--memory", arguments->memory,
+               "Live source: what left the picture stays under the hand, rougher and named by its age");
   options.output("--record", arguments->recording, {},
                  "Record every tick into this file; the second hand's into FILE-2, and so on");
   options.last_output_writes([arguments](const std::string& file) {

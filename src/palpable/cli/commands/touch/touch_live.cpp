@@ -68,9 +68,11 @@ Result<void> open_live(const TouchArguments& arguments, TouchPlan& plan, const N
   const auto& inputs = arguments.scene.make.inputs;
   const auto address = std::find_if(inputs.begin(), inputs.end(), session::is_live_address);
   if (address == inputs.end()) {
-    if (arguments.frames_recording.empty() && !arguments.start_robot) return {};
+    if (arguments.frames_recording.empty() && !arguments.start_robot && !arguments.memory) return {};
     return Error{ErrorCode::usage, "is for live sources",
-                 arguments.start_robot ? "--start-robot" : "--record-frames"};
+                 arguments.start_robot ? "--start-robot"
+                 : arguments.memory    ? "--memory"
+                                       : "--record-frames"};
   }
   if (inputs.size() > 1)
     return Error{ErrorCode::usage, "a live source is touched alone, without further inputs", *address};
@@ -79,8 +81,9 @@ Result<void> open_live(const TouchArguments& arguments, TouchPlan& plan, const N
                  arguments.keys                   ? "--keys"
                  : arguments.as_published.empty() ? "--route"
                                                   : "--as-published"};
-  const auto options = live_options(plan.make.recipes.relief.relief);
+  auto options = live_options(plan.make.recipes.relief.relief);
   if (!options) return options.error();
+  if (arguments.memory) options->memory = session::Memory::on;
   const auto rig = rig_of(arguments.scene.make.stereo.calibration);
   if (!rig) return rig.error();
   std::string opened = *address;

@@ -38,6 +38,8 @@ struct TouchArguments {
   std::string frames_recording;
   /// Start the robot at once, without a person at a terminal.
   bool start_robot = false;
+  /// A live touch keeps what left the picture.
+  bool memory = false;
   int port = 0;
   bool headless = false;
   bool keys = false;
