@@ -214,8 +214,9 @@ TEST_F(BadInput, AnOutputThatIsAFileBesideAnInputIsRefusedAndKept) {
   std::filesystem::create_directories(path("frames"));
   write_slope(path("frames/0.depth.png"));
   write_slope(path("d.png"));
-  for (const char* name : {"frames/0.pose.txt", "frames/intrinsics.K.txt", "d.json"})
-    write_text(path(name), "{}");
+  write_text(path("frames/0.pose.txt"), "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n");
+  write_text(path("frames/intrinsics.K.txt"), "30 0 15.5\n0 30 11.5\n0 0 1\n");
+  write_text(path("d.json"), "{}");
   write_text(path("frames/depth.json"), R"({"scale": 0.001})");
   std::filesystem::create_symlink("frames/0.pose.txt", path("link"));
   const std::string live = "frames:" + path("frames") + "?loop=1";

@@ -177,8 +177,9 @@ class RobotSource final : public LiveSource, public RobotControl {
       fault_ = invalid_input(depth.error().message, client_->name());
     } else {
       drive_.take_picture(seconds_of(newest.arrival), *depth, newest.message.stamp_s);
-      if (newest.message.stamp_s && odometry_stamp_s_ && *odometry_stamp_s_ >= *newest.message.stamp_s)
-        picture_ages_.record_ns(1e9 * (*odometry_stamp_s_ - *newest.message.stamp_s));
+      // A picture that is newer than the odometry is younger than that can tell.
+      if (newest.message.stamp_s && odometry_stamp_s_)
+        picture_ages_.record_ns(1e9 * std::max(0.0, *odometry_stamp_s_ - *newest.message.stamp_s));
       newest_ = LiveFrame{newest.number, newest.arrival, *std::move(depth)};
     }
     changed_.notify_all();

@@ -8,8 +8,6 @@
 namespace palpable::vision {
 namespace {
 
-constexpr float kNoDepth = kUnknownDepth;
-
 /// Where the ray leaves the block of side `side` that it is in, at least a little beyond `t`.
 double leave_block(Vec3 origin, Vec3 ray, double t, double side) {
   double nearest = t + side * 2.0;
@@ -31,14 +29,14 @@ float first_surface(const SurfaceMap& map, Vec3 origin, Vec3 ray) {
   const double length = norm(ray);
   const double side = map.block_m();
   const double voxel = map.options().voxel_m / length;
-  float before = kNoDepth;
+  float before = kUnknownDepth;
   double before_at = 0.0;
   for (double t = 0.01; t < map.options().far_m;) {
     const Vec3 p = origin + t * ray;
     const BlockPlace block{static_cast<int>(std::floor(p.x / side)), static_cast<int>(std::floor(p.y / side)),
                            static_cast<int>(std::floor(p.z / side))};
     if (!map.has_block(block)) {
-      before = kNoDepth;
+      before = kUnknownDepth;
       t = leave_block(origin, ray, t, side) + 1e-6;
       continue;
     }
@@ -51,14 +49,14 @@ float first_surface(const SurfaceMap& map, Vec3 origin, Vec3 ray) {
     // Distances are truncated, and may be too large along a grazing ray.
     t += here > 0.0F ? std::max(0.5 * voxel, 0.7 * here / length) : voxel;
   }
-  return kNoDepth;
+  return kUnknownDepth;
 }
 
 }  // namespace
 
 MapView view_of(const SurfaceMap& map, const Transform<WorldFrame, CameraFrame>& world_from_camera,
                 const Pinhole& camera, const Known& known) {
-  MapView view{Raster<float>(camera.width, camera.height, kNoDepth),
+  MapView view{Raster<float>(camera.width, camera.height, kUnknownDepth),
                Raster<float>(camera.width, camera.height, 0.0F)};
   for (int y = 0; y < camera.height; ++y)
     for (int x = 0; x < camera.width; ++x) {
