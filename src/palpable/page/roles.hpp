@@ -7,7 +7,7 @@
 
 namespace palpable::page {
 
-/// What becomes of a guest's message.
+/// What the server does with a guest's message.
 enum class Ruling {
   pass,
   /// It is a question, whose answer takes time: passed if it is not asked too often.

@@ -46,7 +46,7 @@ std::optional<std::pair<std::string, std::string>> host_and_port(std::string_vie
 }
 
 /// One camera's address, without options.
-Result<HttpAddress> parse_http(std::string_view address) {
+Result<sources::HttpAddress> parse_http(std::string_view address) {
   const auto usage = [&](std::string message) {
     return Error{ErrorCode::usage, std::move(message), std::string(address)};
   };
@@ -63,8 +63,8 @@ Result<HttpAddress> parse_http(std::string_view address) {
   if (!place) return usage("a camera's address is http://HOST:PORT/PATH");
   std::string target(rest.substr(authority.size()));
   if (!target.starts_with('/')) target.insert(0, 1, '/');
-  return HttpAddress{std::move(place->first), std::move(place->second), std::move(target),
-                     std::string(authority), std::string(address)};
+  return sources::HttpAddress{std::move(place->first), std::move(place->second), std::move(target),
+                              std::string(authority), std::string(address)};
 }
 
 Result<LiveAddress> parse_http_cameras(std::string_view address) {

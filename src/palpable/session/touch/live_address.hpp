@@ -4,6 +4,7 @@
 
 #include "palpable/core/result.hpp"
 #include "palpable/session/robot/robot_drive.hpp"
+#include "palpable/sources/live/http_camera.hpp"
 #include "palpable/sources/live/video_device.hpp"
 
 #include <optional>
@@ -22,22 +23,10 @@ struct FramesAddress {
   bool repeats = false;
 };
 
-/// A camera that sends MJPEG by HTTP.
-struct HttpAddress {
-  std::string host;
-  std::string port = "80";
-  /// The path with its query, as the server is asked for it.
-  std::string target = "/";
-  /// Host and port as the address has them.
-  std::string authority;
-  /// The address, for sentences.
-  std::string shown;
-};
-
 /// One camera that sends pairs, or two.
 struct HttpCameras {
-  HttpAddress left;
-  std::optional<HttpAddress> right;
+  sources::HttpAddress left;
+  std::optional<sources::HttpAddress> right;
 };
 
 /// One camera of this machine that sends pairs, or two.

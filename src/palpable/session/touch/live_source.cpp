@@ -3,7 +3,6 @@
 #include "palpable/session/touch/live_source.hpp"
 
 #include "palpable/session/touch/camera_pairs.hpp"
-#include "palpable/session/touch/http_camera.hpp"
 #include "palpable/session/touch/live_address.hpp"
 #include "palpable/session/touch/matched_source.hpp"
 #include "palpable/session/touch/recorded_pairs.hpp"
@@ -108,8 +107,9 @@ class PacedPairs final : public PairSource {
   Pacer pacer_;
 };
 
-Result<std::unique_ptr<sources::CameraStream>> open_camera(const HttpAddress& address) {
-  return sources::CameraStream::open([address] { return connect_http_camera(address); }, address.shown);
+Result<std::unique_ptr<sources::CameraStream>> open_camera(const sources::HttpAddress& address) {
+  return sources::CameraStream::open([address] { return sources::connect_http_camera(address); },
+                                     address.shown);
 }
 
 Result<std::unique_ptr<sources::CameraStream>> open_camera(const sources::VideoDevice& device) {

@@ -3,13 +3,14 @@
 #include "palpable/sources/picture/photo_depth.hpp"
 
 #include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/text/base64.hpp"
 #include "palpable/sources/picture/exif.hpp"
 #include "palpable/sources/picture/file_marks.hpp"
 #include "palpable/sources/picture/picture.hpp"
 #include "palpable/sources/picture/picture_reply.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -69,26 +70,15 @@ std::optional<double> number(std::optional<std::string_view> text) {
   return value;
 }
 
-std::vector<std::byte> from_base64(std::string_view text) {
-  std::array<int, 256> values{};
-  values.fill(-1);
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  for (std::size_t i = 0; i < kDigits.size(); ++i)
-    values[static_cast<unsigned char>(kDigits[i])] = static_cast<int>(i);
-  std::vector<std::byte> bytes;
-  bytes.reserve(text.size() * 3 / 4);
-  unsigned pending = 0;
-  int bits = 0;
-  for (const char c : text) {
-    const int value = values[static_cast<unsigned char>(c)];
-    if (value < 0) continue;  // line breaks, and the padding at the end
-    pending = (pending << 6U) | static_cast<unsigned>(value);
-    bits += 6;
-    if (bits < 8) continue;
-    bits -= 8;
-    bytes.push_back(static_cast<std::byte>((pending >> static_cast<unsigned>(bits)) & 0xFFU));
-  }
-  return bytes;
+/// Base 64 as XMP has it: with line breaks, and padding or none.
+std::vector<std::byte> from_broken_lines(std::string_view text) {
+  std::string digits;
+  digits.reserve(text.size() + 3);
+  for (const char c : text)
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '+' || c == '/') digits += c;
+  if (digits.size() % 4 == 1) digits.pop_back();
+  digits.append((4 - digits.size() % 4) % 4, '=');
+  return from_base64(digits).value_or(std::vector<std::byte>());
 }
 
 struct Planes {
@@ -156,7 +146,7 @@ Result<std::optional<PhotoDepth>> depth_in_jpeg(std::span<const std::byte> file)
   if (const auto data = property(xml, "GDepth:Data")) {
     const auto units = property(xml, "GDepth:Units");
     // By the specification the unit is metres if none or "m" is stated.
-    return depth_from(from_base64(*data), planes_in(xml, "GDepth"), !units || *units == "m");
+    return depth_from(from_broken_lines(*data), planes_in(xml, "GDepth"), !units || *units == "m");
   }
   if (const auto uri = property(xml, "DepthMap:DepthURI")) {
     const auto item = container_item(file, xml, *uri);

@@ -1,9 +1,9 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/session/touch/http_camera.hpp"
-
+#include "palpable/session/touch/live_address.hpp"
 #include "palpable/session/touch/live_source.hpp"
 #include "palpable/session/touch/test_mjpeg_server.hpp"
+#include "palpable/sources/live/http_camera.hpp"
 
 #include <chrono>
 #include <optional>
@@ -18,7 +18,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-HttpAddress address_of(const std::string& url) {
+sources::HttpAddress address_of(const std::string& url) {
   return std::get<HttpCameras>(*parse_live_address(url)).left;
 }
 
@@ -71,7 +71,7 @@ TEST(HttpCamera, LosesACameraThatFallsSilentOrEnds) {
       if (auto frame = link.next(milliseconds(20)); !frame) return frame.error().message;
     return std::string();
   };
-  auto silent = connect_http_camera(address_of(server->url()), milliseconds(200));
+  auto silent = sources::connect_http_camera(address_of(server->url()), milliseconds(200));
   ASSERT_TRUE(silent);
   const auto first = (*silent)->next(std::chrono::seconds(10));
   ASSERT_TRUE(first && *first);
@@ -79,12 +79,12 @@ TEST(HttpCamera, LosesACameraThatFallsSilentOrEnds) {
   EXPECT_EQ(lost_of(**silent), "has sent nothing for 0.2 s");
   *silent = nullptr;
   server->is_silent = false;
-  const auto ended = connect_http_camera(address_of(server->url()));
+  const auto ended = sources::connect_http_camera(address_of(server->url()));
   ASSERT_TRUE(ended);
   const std::string url = server->url();
   server.reset();
   EXPECT_EQ(lost_of(**ended), "has ended the connection");
-  const auto nobody = connect_http_camera(address_of(url));
+  const auto nobody = sources::connect_http_camera(address_of(url));
   ASSERT_FALSE(nobody);
   EXPECT_NE(nobody.error().message.find("cannot be reached"), std::string::npos) << nobody.error().message;
 }

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/session/touch/http_camera.hpp"
+#include "palpable/sources/live/http_camera.hpp"
 
 #include "palpable/core/net/tcp_stream.hpp"
 #include "palpable/sources/live/multipart_reader.hpp"
@@ -16,14 +16,13 @@
 
 #include <fmt/format.h>
 
-namespace palpable::session {
+namespace palpable::sources {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using sources::CameraFrame;
 using std::chrono::milliseconds;
 
-class HttpCamera final : public sources::CameraLink {
+class HttpCamera final : public CameraLink {
  public:
   HttpCamera(TcpStream stream, const HttpAddress& address, milliseconds silence)
       : stream_(std::move(stream)), silence_(silence) {
@@ -40,8 +39,8 @@ class HttpCamera final : public sources::CameraLink {
       wait_for_any(std::array{stream_.descriptor()}, std::max(left, milliseconds{0}));
       if (auto read = receive(); !read) return std::move(read).error();
       if (auto part = reader_.take())
-        return std::optional(CameraFrame{reader_.parts() - 1, last_picture_, sources::CameraCoding::jpeg, 0,
-                                         0, *std::move(part)});
+        return std::optional(
+            CameraFrame{reader_.parts() - 1, last_picture_, CameraCoding::jpeg, 0, 0, *std::move(part)});
     } while (Clock::now() < deadline);
     return std::optional<CameraFrame>();
   }
@@ -70,7 +69,7 @@ class HttpCamera final : public sources::CameraLink {
 
   TcpStream stream_;
   milliseconds silence_;
-  sources::MultipartReader reader_;
+  MultipartReader reader_;
   std::vector<std::byte> received_;
   Clock::time_point last_byte_ = Clock::now();
   Clock::time_point last_picture_ = Clock::now();
@@ -78,14 +77,12 @@ class HttpCamera final : public sources::CameraLink {
 
 }  // namespace
 
-Result<std::unique_ptr<sources::CameraLink>> connect_http_camera(const HttpAddress& address,
-                                                                 milliseconds silence) {
+Result<std::unique_ptr<CameraLink>> connect_http_camera(const HttpAddress& address, milliseconds silence) {
   constexpr milliseconds kLongest{2000};
   auto stream = TcpStream::connect(address.host, address.port, kLongest);
   // Its message speaks of devices' addresses.
   if (!stream) return invalid_input("cannot be reached: " + stream.error().message);
-  return std::unique_ptr<sources::CameraLink>(
-      std::make_unique<HttpCamera>(*std::move(stream), address, silence));
+  return std::unique_ptr<CameraLink>(std::make_unique<HttpCamera>(*std::move(stream), address, silence));
 }
 
-}  // namespace palpable::session
+}  // namespace palpable::sources
