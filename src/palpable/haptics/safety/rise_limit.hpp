@@ -135,8 +135,9 @@ class RiseLimit {
   void release(const Input& in) noexcept {
     const double goal = root_ * (1.0 - gain_);
     // A spring that stores U at a force f is 2 U / f deep.
-    const double over_m = kReleaseDepth * 2.0 * stored_J_ / norm(spring_N_);
-    release_left_ = std::clamp(release_left_ - in.moved_out_m / over_m, 0.0, 1.0);
+    if (release_left_ >= 1.0) release_over_m_ = kReleaseDepth * 2.0 * stored_J_ / norm(spring_N_);
+    // A hand that moves in again meets the same share at the same depth.
+    release_left_ = std::clamp(release_left_ - in.moved_out_m / release_over_m_, 0.0, 1.0);
     // Stronger forces than the next ones are still on their way to the motors, and the next tick may give
     // more than this one: the hand becomes faster.
     constexpr double kGrowth = 2.0;
@@ -209,6 +210,8 @@ class RiseLimit {
   double input_energy_J_ = 0.0;
   /// The part of a release that is still to come: 1 for a hand that has not moved out, 0 at its end.
   double release_left_ = 0.0;
+  /// The way out over which it ends, m; from where it began.
+  double release_over_m_ = 0.0;
 };
 
 }  // namespace palpable::haptics

@@ -1,6 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The effect of limits on growing forces on the energy of hard impacts.
+#include "palpable/haptics/safety/rise_limit.hpp"
+
 #include "palpable/haptics/law/test_period.hpp"
 #include "palpable/haptics/servo/test_touch.hpp"
 #include "palpable/haptics/tick/tick.hpp"
@@ -155,6 +157,46 @@ TEST(PassivityController, NeverLetsASpringReturnAHandFaster) {
     EXPECT_LE(faster(Passivity::control, Returns::limited), 1.06) << mass_kg;
   }
   EXPECT_GT(without, 1.1);
+}
+
+/// A hand in a spring of 500 N/m whose force the limit may hold back.
+class HandInASpring {
+ public:
+  void move_to(double depth_m) {
+    constexpr double kStiffness_N_per_m = 500.0, kMaxRise_N = 0.3;
+    const double out_m = depth_m_ - depth_m;
+    RiseLimit::Input in;
+    in.stored_J = 0.5 * kStiffness_N_per_m * depth_m * depth_m;
+    in.spring_N = {{0.0, 0.0, kStiffness_N_per_m * depth_m}};
+    in.received_J = written_N_ * out_m;
+    in.moved_out_m = out_m;
+    limit_.account(in);
+    const Vector<DeviceFrame> velocity{{0.0, 0.0, out_m / kT_s}};
+    written_N_ = norm(limit_.limit(in.spring_N, {}, kMaxRise_N, velocity).force_N);
+    depth_m_ = depth_m;
+  }
+  double written_N() const { return written_N_; }
+
+ private:
+  RiseLimit limit_;
+  double depth_m_ = 0.0;
+  double written_N_ = 0.0;
+};
+
+TEST(RiseLimit, AReleaseThatHasBegunComesBackAsTheHandMovesInAgain) {
+  constexpr double kDeep_m = 0.011, kToAndFro_m = 0.0001;
+  HandInASpring hand;
+  for (int n = 1; n <= 8; ++n) hand.move_to(kDeep_m * n / 8.0);
+  EXPECT_LT(hand.written_N(), 3.0) << "the limit holds it back";
+  for (int n = 0; n < 50; ++n) hand.move_to(kDeep_m);
+  EXPECT_NEAR(hand.written_N(), 5.5, 1e-9);
+  // In all twenty times the way over which the release ends.
+  for (int n = 0; n < 100; ++n) {
+    hand.move_to(kDeep_m - kToAndFro_m);
+    hand.move_to(kDeep_m);
+  }
+  for (int n = 0; n < 20; ++n) hand.move_to(kDeep_m);
+  EXPECT_NEAR(hand.written_N(), 5.5, 1e-6);
 }
 
 }  // namespace
