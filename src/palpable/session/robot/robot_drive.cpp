@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace palpable::session {
 namespace {
@@ -18,6 +19,15 @@ double beyond_dead_zone(double share) {
 double speed_that_stops_in(double way_m, double reaction_s, double braking_m_per_s2) {
   const double a = braking_m_per_s2;
   return std::max(0.0, a * (std::sqrt(reaction_s * reaction_s + 2.0 * way_m / a) - reaction_s));
+}
+
+/// A picture of which less is known shows no way.
+constexpr double kLeastKnown = 0.1;
+
+double share_known(const Raster<float>& depth_m) {
+  const auto known = std::count_if(depth_m.values().begin(), depth_m.values().end(),
+                                   [](float z) { return std::isfinite(z); });
+  return depth_m.count() > 0 ? static_cast<double>(known) / static_cast<double>(depth_m.count()) : 0.0;
 }
 
 /// Towards `wanted`: away from zero by at most `most`, to zero at once.
@@ -51,7 +61,7 @@ RobotDrive::RobotDrive(const DriveOptions& options)
     : options_(options), map_(options.shape), vouched_m_(options.shape.radius_m + options.margin_m) {}
 
 bool RobotDrive::start(double t_s) {
-  if (is_old(odometry_at_s_, t_s)) return false;
+  if (is_old(odometry_at_s_, t_s) || is_old(picture_at_s_, t_s)) return false;
   map_.begin(pose_, vouched_m_);
   last_ = {};
   started_ = true;
@@ -77,11 +87,26 @@ RobotPose RobotDrive::pose_at(std::optional<double> stamp_s) const {
   return next == past_.end() ? pose_ : next->second;
 }
 
+bool RobotDrive::is_frozen(const Raster<float>& depth_m) {
+  constexpr double kMoved_m = 0.02, kMoved_rad = 0.02;
+  const bool is_same =
+      last_depth_m_.width() == depth_m.width() && last_depth_m_.height() == depth_m.height() &&
+      std::memcmp(last_depth_m_.data(), depth_m.data(), depth_m.count() * sizeof(float)) == 0;
+  if (is_same)
+    return std::hypot(pose_.x_m - last_depth_pose_.x_m, pose_.y_m - last_depth_pose_.y_m) > kMoved_m ||
+           std::abs(std::remainder(pose_.heading_rad - last_depth_pose_.heading_rad, 2.0 * M_PI)) >
+               kMoved_rad;
+  last_depth_m_ = depth_m;
+  last_depth_pose_ = pose_;
+  return false;
+}
+
 void RobotDrive::take_picture(double t_s, const DepthMap& depth, std::optional<double> stamp_s) {
   // Of an older one the robot may have left the place.
   constexpr double kOldest_s = 0.5;
   if (!depth.camera || !odometry_at_s_) return;
   if (stamp_s && !past_.empty() && past_.back().first - *stamp_s > kOldest_s) return;
+  if (share_known(depth.depth_m) < kLeastKnown || is_frozen(depth.depth_m)) return;
   vouched_m_ = std::max(vouched_m_, map_.nearest_floor_m(*depth.camera));
   map_.add(depth, pose_at(stamp_s));
   picture_at_s_ = t_s;

@@ -75,7 +75,8 @@ class RobotDrive {
  public:
   explicit RobotDrive(const DriveOptions& options);
 
-  /// A person starts; until then, and after stop(), the command is zero. Without odometry it does not start.
+  /// A person starts; until then, and after stop(), the command is zero. Without odometry and pictures that
+  /// are not older than DriveOptions::lost_s it does not start.
   bool start(double t_s);
   void stop() { started_ = false; }
   bool is_started() const { return started_; }
@@ -87,7 +88,9 @@ class RobotDrive {
 
   // `stamp_s`: when it was measured, by the robot's clock; nullopt: about when it arrived.
   void take_odometry(double t_s, const RobotPose& pose, std::optional<double> stamp_s);
-  /// Without a camera, before any odometry, and half a second after the newest odometry it is not used.
+  /// Not used without a camera, before any odometry, and half a second after the newest odometry; if less
+  /// than a tenth of it is known; and if it equals the last one though the robot moved since that came, as
+  /// those of a camera that hangs.
   void take_picture(double t_s, const DepthMap& depth, std::optional<double> stamp_s);
   /// The hand holds the device. Without a call for DriveOptions::lost_s it counts as released.
   void take_hand(double t_s, const DriveHand& hand);
@@ -109,6 +112,7 @@ class RobotDrive {
  private:
   bool is_old(const std::optional<double>& at_s, double t_s) const;
   RobotPose pose_at(std::optional<double> stamp_s) const;
+  bool is_frozen(const Raster<float>& depth_m);
   std::optional<DriveLimit> reason_to_stand(double t_s) const;
 
   DriveOptions options_;
@@ -119,6 +123,9 @@ class RobotDrive {
   /// Of the last two seconds, by the robot's clock.
   std::deque<std::pair<double, RobotPose>> past_;
   double vouched_m_ = 0.0;
+  /// The last picture, and where the robot was when it came first.
+  Raster<float> last_depth_m_;
+  RobotPose last_depth_pose_;
   DriveHand hand_;
   std::optional<double> odometry_at_s_, picture_at_s_, hand_at_s_;
   RobotVelocity last_;

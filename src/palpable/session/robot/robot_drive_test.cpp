@@ -112,6 +112,8 @@ TEST(RobotDrive, GoesNoFasterThanItCanStopBeforeAWall) {
 TEST(RobotDrive, IsZeroBeforeTheStartAndWithoutPicturesOdometryOrHand) {
   RobotDrive drive(options_of_shape());
   EXPECT_FALSE(drive.start(0.0));
+  drive.take_odometry(0.0, {}, 0.0);
+  EXPECT_FALSE(drive.start(0.0)) << "no picture";
   EXPECT_EQ(drive.command(0.0).limit, DriveLimit::not_started);
   RobotDrive started = started_before(2.4);
   ASSERT_NE(held(started, {0.0, 1.0}, 2.4).velocity, RobotVelocity{});
@@ -140,6 +142,34 @@ TEST(RobotDrive, DoesNotUsePicturesThatWereTakenLongAgo) {
   drive.take_hand(3.0, {0.0, 1.0});
   drive.take_picture(3.0, floor_and_wall(2.4), 2.0);
   EXPECT_EQ(drive.command(3.0).limit, DriveLimit::picture_lost);
+}
+
+TEST(RobotDrive, DoesNotTakeAPictureThatStandsStillForOne) {
+  RobotDrive drive = started_before(2.4);
+  ASSERT_GT(held(drive, {0.0, 1.0}, 2.4).velocity.forward_m_per_s, 0.2);
+  // The same picture is sent again and again while the robot goes on.
+  RobotDrive::Command command;
+  double x_m = 0.0;
+  for (double t_s = 1.72; t_s < 2.2; t_s += 0.02) {
+    drive.take_odometry(t_s, {x_m, 0.0, 0.0}, t_s);
+    drive.take_picture(t_s, floor_and_wall(2.4), t_s);
+    drive.take_hand(t_s, {0.0, 1.0});
+    command = drive.command(t_s);
+    x_m += 0.02 * command.velocity.forward_m_per_s;
+  }
+  EXPECT_EQ(command.limit, DriveLimit::picture_lost);
+  EXPECT_LT(x_m, 0.07);
+}
+
+TEST(RobotDrive, StandsWhereItsCameraSeesNothing) {
+  RobotDrive drive = started_before(2.4);
+  ASSERT_GT(held(drive, {0.0, 1.0}, 2.4).velocity.forward_m_per_s, 0.2);
+  DepthMap nothing = floor_and_wall(2.4);
+  for (float& z : nothing.depth_m.values()) z = kUnknownDepth;
+  drive.take_odometry(1.9, {}, 1.9);
+  drive.take_picture(1.9, nothing, 1.9);
+  drive.take_hand(1.9, {0.0, 1.0});
+  EXPECT_EQ(drive.command(1.9).limit, DriveLimit::picture_lost);
 }
 
 TEST(DriveSurface, IsABowlThatRisesTowardsAnObstacle) {

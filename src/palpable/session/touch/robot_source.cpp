@@ -51,10 +51,10 @@ std::string twist_text(const RobotVelocity& velocity) {
 std::string sentence_of(DriveLimit limit) {
   switch (limit) {
     case DriveLimit::picture_lost:
-      return "The robot stands: no picture of its camera has come for a tenth of a second, or none with a "
-             "camera's data.";
+      return "The robot stands: no picture of its camera has come for half a second, or none with a camera's "
+             "data and depth, or the same again and again. Start it again when it sees.";
     case DriveLimit::link_lost:
-      return "The robot stands: its odometry does not come.";
+      return "The robot stands: its odometry does not come. Start it again when it does.";
     case DriveLimit::obstacle:
       return "There is something ahead of the robot, or floor that it has not seen.";
     case DriveLimit::none:
@@ -191,6 +191,10 @@ class RobotSource final : public LiveSource, public RobotControl {
     follow_law();
     const auto [hand, is_released] = hand_now();
     const std::lock_guard lock(mutex_);
+    notice_stall(now);
+    // The robot may still have the command of before the loss.
+    if (is_connected && !std::exchange(was_connected_, is_connected) && has_commanded_) started_at_ = now;
+    was_connected_ = is_connected;
     if (!is_connected) {
       // A start that was asked for before is no start of what comes back.
       asked_ = Asked::nothing;
@@ -204,7 +208,16 @@ class RobotSource final : public LiveSource, public RobotControl {
     const auto command = drive_.command(seconds_of(now));
     tell(command.limit, now);
     send(command.velocity, now);
-    watch_motion(command.velocity, now);
+    watch_motion(now);
+  }
+
+  /// A program that stood still must not go on by itself.
+  void notice_stall(RobotClock::time_point now) {
+    constexpr auto kStall = std::chrono::milliseconds(500);
+    const auto before = std::exchange(ticked_at_, now);
+    if (!before || now - *before < kStall || !drive_.is_started()) return;
+    drive_.stop();
+    notices_.emplace_back("The robot is stopped, since this program stood still: start it again.");
   }
 
   void take_state() {
@@ -295,6 +308,8 @@ class RobotSource final : public LiveSource, public RobotControl {
     }
     if (limit_is_said_ || now - limit_since_ < kLasting) return;
     limit_is_said_ = true;
+    // What was lost for so long does not go on by itself.
+    if (limit == DriveLimit::picture_lost || limit == DriveLimit::link_lost) drive_.stop();
     if (auto words = sentence_of(limit); !words.empty()) notices_.push_back(std::move(words));
   }
 
@@ -304,15 +319,17 @@ class RobotSource final : public LiveSource, public RobotControl {
     if (drive_.is_started()) started_at_ = now;
     if (!started_at_ || now - *started_at_ > kAfter) return;
     has_commanded_ = true;
-    if (client_->publish(0, twist_text(velocity))) ++statistics_.commands;
+    if (!client_->publish(0, twist_text(velocity))) return;
+    published_ = velocity;
+    ++statistics_.commands;
     if (velocity != RobotVelocity{}) ++statistics_.moving_commands;
   }
 
-  void watch_motion(const RobotVelocity& velocity, RobotClock::time_point now) {
+  void watch_motion(RobotClock::time_point now) {
     constexpr auto kLong = std::chrono::milliseconds(1500);
     constexpr double kStill_m_per_s = 0.03;
     const bool moves = std::abs(measured_.forward_m_per_s) > kStill_m_per_s;
-    if (velocity != RobotVelocity{} || !moves || !has_commanded_) {
+    if (published_ != RobotVelocity{} || !moves || !has_commanded_ || !was_connected_) {
       standing_since_ = now;
       said_moving_ = false;
     } else if (now - standing_since_ > kLong && !std::exchange(said_moving_, true)) {
@@ -341,7 +358,10 @@ class RobotSource final : public LiveSource, public RobotControl {
   std::uint64_t last_tick_ = 0;
   DriveLimit limit_ = DriveLimit::none;
   RobotClock::time_point limit_since_, standing_since_;
-  std::optional<RobotClock::time_point> started_at_;
+  std::optional<RobotClock::time_point> started_at_, ticked_at_;
+  bool was_connected_ = true;
+  /// The command that was sent last.
+  RobotVelocity published_;
   std::optional<double> odometry_stamp_s_;
   RobotVelocity measured_;
 

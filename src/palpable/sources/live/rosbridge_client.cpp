@@ -91,17 +91,20 @@ void RosbridgeClient::subscribe(WebSocket& socket) const {
 }
 
 void RosbridgeClient::run(std::shared_ptr<WebSocket> socket) {
+  // At once after a connection that was of use, so that a robot's stop reaches it; then in its time.
+  constexpr milliseconds kAtOnce{10};
   while (!ending_) {
+    milliseconds pause = options_.retry;
     if (socket) {
       Error error = follow(*socket);
       // What was published last, such as a robot's stop, still leaves.
       constexpr milliseconds kLeaving{50};
       socket->close(kLeaving);
-      if (!ending_) lose(std::move(error));
+      if (!ending_ && lose(std::move(error))) pause = kAtOnce;
     }
     socket.reset();
     std::unique_lock lock(mutex_);
-    if (changed_.wait_for(lock, options_.retry, [&] { return ending_.load(); })) return;
+    if (changed_.wait_for(lock, pause, [&] { return ending_.load(); })) return;
     lock.unlock();
     if (auto again = connect()) {
       socket = *std::move(again);
@@ -171,18 +174,22 @@ void RosbridgeClient::refuse(const Error& error) {
   unsaid_notice_ = fmt::format("The server {} {}; such messages are left out.", name_, error.message);
 }
 
-void RosbridgeClient::lose(Error error) {
+/// Whether messages had come.
+bool RosbridgeClient::lose(Error error) {
+  bool was_here = false;
   {
     const std::lock_guard lock(mutex_);
     socket_.reset();
     advertised_.assign(advertised_.size(), false);
-    if (std::exchange(is_here_, false))
+    was_here = std::exchange(is_here_, false);
+    if (was_here)
       unsaid_loss_ =
           fmt::format("The server {} was lost: it {}. It is tried again every second.", name_, error.message);
     error.place = name_;
     lost_ = std::move(error);
   }
   changed_.notify_all();
+  return was_here;
 }
 
 std::optional<RosbridgeClient::Newest> RosbridgeClient::take(std::size_t k) {

@@ -35,7 +35,7 @@ struct RosbridgeOptions {
   std::vector<RosPublication> publications;
   /// The connection counts as lost if nothing comes for this time.
   std::chrono::milliseconds silence{5000};
-  /// How long after a loss the server is tried again.
+  /// How long after a loss the server is tried again; the first time at once, if messages had come.
   std::chrono::milliseconds retry{1000};
   /// More messages in one second end the connection.
   int most_per_s = 2000;
@@ -85,7 +85,7 @@ class RosbridgeClient {
   Error follow(WebSocket& socket);
   void take_in(const std::string& text);
   void keep(RosMessage message, Clock::time_point arrival);
-  void lose(Error error);
+  bool lose(Error error);
   void refuse(const Error& error);
 
   RosbridgeOptions options_;

@@ -101,6 +101,8 @@ TEST_F(RobotTouch, StandsWhenTheHandIsReleasedOrPicturesDoNotComeAndAfterALostLi
   EXPECT_TRUE(held_at(left, [&] { return says("no picture of its camera"); }));
   EXPECT_FALSE(moves());
   robot_.server->set_link({});
+  EXPECT_TRUE(held_at(left, [&] { return !feed_->robot()->statistics().is_started; }));
+  feed_->robot()->request_start();
   EXPECT_TRUE(held_at(left, turns));
   robot_.server->hang_up();
   EXPECT_TRUE(held_at(left, [&] { return !feed_->robot()->statistics().is_started; }));
