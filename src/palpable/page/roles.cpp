@@ -62,6 +62,8 @@ protocol::Ask asked_by(const Guest& guest, protocol::Ask question, std::int64_t 
 }
 
 bool concerns(const Guest& guest, const protocol::Notice& notice, bool is_of_another_guest) {
+  // A guest's own question.
+  if (notice.level == "answer" && guest.probe && notice.probe == guest.probe) return true;
   if (notice.level != "motion")
     return notice.level == "fault" || notice.level == "recovered" || notice.level == "named";
   return guest.probe ? notice.probe == guest.probe : !is_of_another_guest;

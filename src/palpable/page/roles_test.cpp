@@ -58,6 +58,8 @@ TEST(Roles, AGuestReceivesTheNoticesThatConcernIt) {
   }
   EXPECT_TRUE(concerns(kLooker, {"fault", "The device does not answer", {}}, false));
   EXPECT_TRUE(concerns(kToucher, {"motion", "Church.", 7}, true));
+  EXPECT_TRUE(concerns(kToucher, {"answer", "The names have changed: list them anew.", 7}, true));
+  EXPECT_FALSE(concerns(kLooker, {"answer", "The names have changed: list them anew.", 7}, true));
   EXPECT_FALSE(concerns(kToucher, {"motion", "Church.", 0}, false));
   EXPECT_TRUE(concerns(kLooker, {"motion", "Church.", 0}, false));
   EXPECT_FALSE(concerns(kLooker, {"motion", "Church.", 7}, true));

@@ -91,7 +91,7 @@ void TouchHost::edit_names(const Edit& edit) {
 void TouchHost::find(const protocol::Find& find) {
   const auto scene = named_scene();
   const auto seen = words_.names().find(*scene, find);
-  if (!seen) say("answer", describe::capitalised(seen.error().message) + ".");
+  if (!seen) say("answer", describe::capitalised(seen.error().message) + ".", find.probe);
   // Only the hand is pulled.
   if (find.probe != 0) return;
   end_pull();
