@@ -188,14 +188,17 @@ class RobotSource final : public LiveSource, public RobotControl {
   void tick(RobotClock::time_point now) {
     take_state();
     const bool is_connected = client_->is_connected();
+    // It may have come back since the last tick.
+    const std::uint64_t losses = client_->losses();
+    const bool was_lost = std::exchange(losses_, losses) != losses || !is_connected;
     follow_law();
     const auto [hand, is_released] = hand_now();
     const std::lock_guard lock(mutex_);
     notice_stall(now);
     // The robot may still have the command of before the loss.
-    if (is_connected && !std::exchange(was_connected_, is_connected) && has_commanded_) started_at_ = now;
-    was_connected_ = is_connected;
-    if (!is_connected) {
+    const bool had_lost = std::exchange(was_lost_, was_lost);
+    if (is_connected && (was_lost || had_lost) && has_commanded_) started_at_ = now;
+    if (was_lost) {
       // A start that was asked for before is no start of what comes back.
       asked_ = Asked::nothing;
       if (drive_.is_started())
@@ -329,7 +332,7 @@ class RobotSource final : public LiveSource, public RobotControl {
     constexpr auto kLong = std::chrono::milliseconds(1500);
     constexpr double kStill_m_per_s = 0.03;
     const bool moves = std::abs(measured_.forward_m_per_s) > kStill_m_per_s;
-    if (published_ != RobotVelocity{} || !moves || !has_commanded_ || !was_connected_) {
+    if (published_ != RobotVelocity{} || !moves || !has_commanded_ || was_lost_) {
       standing_since_ = now;
       said_moving_ = false;
     } else if (now - standing_since_ > kLong && !std::exchange(said_moving_, true)) {
@@ -359,7 +362,8 @@ class RobotSource final : public LiveSource, public RobotControl {
   DriveLimit limit_ = DriveLimit::none;
   RobotClock::time_point limit_since_, standing_since_;
   std::optional<RobotClock::time_point> started_at_, ticked_at_;
-  bool was_connected_ = true;
+  bool was_lost_ = false;
+  std::uint64_t losses_ = 0;
   /// The command that was sent last.
   RobotVelocity published_;
   std::optional<double> odometry_stamp_s_;

@@ -180,6 +180,7 @@ bool RosbridgeClient::lose(Error error) {
   {
     const std::lock_guard lock(mutex_);
     socket_.reset();
+    ++losses_;
     advertised_.assign(advertised_.size(), false);
     was_here = std::exchange(is_here_, false);
     if (was_here)
@@ -222,6 +223,11 @@ bool RosbridgeClient::publish(std::size_t k, const std::string& message) {
 bool RosbridgeClient::is_connected() const {
   const std::lock_guard lock(mutex_);
   return socket_ != nullptr;
+}
+
+std::uint64_t RosbridgeClient::losses() const {
+  const std::lock_guard lock(mutex_);
+  return losses_;
 }
 
 std::optional<std::string> RosbridgeClient::loss() {

@@ -69,6 +69,8 @@ class RosbridgeClient {
   /// messages still wait for it.
   bool publish(std::size_t k, const std::string& message);
   bool is_connected() const;
+  /// How often the connection was lost: tells of a loss between two calls of is_connected().
+  std::uint64_t losses() const;
   /// Once for each loss, a sentence that says why.
   std::optional<std::string> loss();
   /// Another sentence for the user, if there is a new one: an error that the server states, or the first
@@ -100,6 +102,7 @@ class RosbridgeClient {
   RosVersion version_ = RosVersion::unknown;
   std::vector<std::optional<Newest>> newest_;
   std::vector<std::uint64_t> count_;
+  std::uint64_t losses_ = 0;
   bool came_ = false;
   /// A message came since the last loss.
   bool is_here_ = false;

@@ -77,6 +77,7 @@ TEST(RosbridgeClient, SaysALossOnceAndComesBack) {
   const auto again = (*client)->wait(0, in_ten_seconds());
   ASSERT_TRUE(again && *again);
   EXPECT_EQ((*again)->number, 1U);
+  EXPECT_EQ((*client)->losses(), 1U);
   EXPECT_FALSE((*client)->loss());
 }
 
