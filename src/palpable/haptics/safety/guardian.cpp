@@ -4,9 +4,12 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <new>
 #include <string>
 #include <string_view>
+#include <thread>
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -29,32 +32,77 @@ std::string hexadecimal(const std::vector<std::byte>& bytes) {
 }  // namespace
 
 Result<std::unique_ptr<Guardian>> Guardian::start(const device::ZeroWrite& zero) {
-  const auto program = helper_program("palpable-guardian", "PALPABLE_GUARDIAN", PALPABLE_GUARDIAN_FOLDER);
-  if (!program) return program.error();
+  auto program = helper_program("palpable-guardian", "PALPABLE_GUARDIAN", PALPABLE_GUARDIAN_FOLDER);
+  if (!program) return std::move(program).error();
   auto pipe = make_pipe();
   if (!pipe) return std::move(pipe).error();
   auto& [its, ours] = *pipe;
-  const Descriptor device = passable(Descriptor(::dup(zero.descriptor)));
-  const Descriptor shared = passable(Descriptor(::memfd_create("palpable-beats", MFD_CLOEXEC)));
-  void* memory = ::ftruncate(shared.number(), sizeof(Beats)) == 0
-                     ? ::mmap(nullptr, sizeof(Beats), PROT_READ | PROT_WRITE, MAP_SHARED, shared.number(), 0)
-                     : MAP_FAILED;
-  if (memory == MAP_FAILED) return Error{ErrorCode::failed, "no memory can be shared with the guardian", {}};
-  auto* beats = new (memory) Beats{};
-  const auto process = start_child(
-      *program, {hexadecimal(zero.bytes), std::to_string(kStill_ms), std::to_string(zero.usb_endpoint)},
-      std::array{its.number(), device.number(), shared.number()});
-  std::unique_ptr<Guardian> guardian(new Guardian(std::move(ours), beats, process ? *process : -1));
-  if (!process) return process.error();
+  Descriptor memory = passable(Descriptor(::memfd_create("palpable-beats", MFD_CLOEXEC)));
+  void* mapped =
+      ::ftruncate(memory.number(), sizeof(SharedBeats)) == 0
+          ? ::mmap(nullptr, sizeof(SharedBeats), PROT_READ | PROT_WRITE, MAP_SHARED, memory.number(), 0)
+          : MAP_FAILED;
+  if (mapped == MAP_FAILED) return Error{ErrorCode::failed, "no memory can be shared with the guardian", {}};
+  auto* shared = new (mapped) SharedBeats{};
+  Start start{*std::move(program),
+              {hexadecimal(zero.bytes), std::to_string(kStill_ms), std::to_string(zero.usb_endpoint)},
+              {std::move(its), passable(Descriptor(::dup(zero.descriptor))), std::move(memory)}};
+  std::unique_ptr<Guardian> guardian(new Guardian(std::move(ours), shared, std::move(start)));
+  if (auto started = guardian->start_process(); !started) return std::move(started).error();
   return guardian;
+}
+
+Result<void> Guardian::start_process() {
+  shared_->ready = 0;
+  const auto& [its, device, memory] = start_.descriptors;
+  const auto process = start_child(start_.program, start_.arguments,
+                                   std::array{its.number(), device.number(), memory.number()});
+  if (!process)
+    return Error{
+        ErrorCode::failed, start_.program.string() + " cannot be started: " + process.error().message, {}};
+  process_ = *process;
+  return wait_until_ready();
+}
+
+/// Whatever else is started in its place would let a force stand.
+Result<void> Guardian::wait_until_ready() {
+  constexpr std::chrono::seconds kPatience{2};
+  const auto until = std::chrono::steady_clock::now() + kPatience;
+  const auto none = [&](const char* why) {
+    return Error{ErrorCode::failed, start_.program.string() + " is no guardian of this version: " + why, {}};
+  };
+  while (shared_->ready != kGuardianReady) {
+    if (::waitpid(process_, nullptr, WNOHANG) == process_) {
+      process_ = -1;
+      return none("it ends at once");
+    }
+    if (std::chrono::steady_clock::now() > until) {
+      ::kill(process_, SIGKILL);
+      end_process();
+      return none("it does not answer");
+    }
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+  return {};
+}
+
+Result<void> Guardian::keep_alive() {
+  if (process_ >= 0 && ::waitpid(process_, nullptr, WNOHANG) == 0) return {};
+  process_ = -1;
+  return start_process();
+}
+
+void Guardian::end_process() {
+  if (process_ < 0) return;
+  while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+  process_ = -1;
 }
 
 Guardian::~Guardian() {
   alive_.close();
-  ::munmap(beats_, sizeof(Beats));
-  if (process_ < 0) return;
-  while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
-  }
+  ::munmap(shared_, sizeof(SharedBeats));
+  end_process();
 }
 
 }  // namespace palpable::haptics

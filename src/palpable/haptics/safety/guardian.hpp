@@ -5,10 +5,14 @@
 #include "palpable/core/result.hpp"
 #include "palpable/core/system/child_process.hpp"
 #include "palpable/device/zero_write.hpp"
+#include "palpable/haptics/guardian/shared_beats.hpp"
 
+#include <array>
 #include <atomic>
-#include <cstdint>
+#include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <sys/types.h>
 
@@ -24,7 +28,8 @@ class Guardian {
   /// The guardian looks every 3 ms.
   static constexpr int kStill_ms = 8;
 
-  /// Errors: failed, with the reason, where the helper program is missing or cannot be started.
+  /// Returns when the guardian watches. Errors: failed, with the reason and the helper program, where it is
+  /// missing, cannot be started, or is none: it ends, or does not answer within two seconds.
   static Result<std::unique_ptr<Guardian>> start(const device::ZeroWrite& zero);
   /// The guardian writes zero force and ends; the destructor waits for that. The device must still be open.
   ~Guardian();
@@ -32,19 +37,34 @@ class Guardian {
   Guardian& operator=(const Guardian&) = delete;
 
   /// Called in each tick, after the force was written. From the first call on, stillness counts.
-  void beat() noexcept { beats_->fetch_add(1, std::memory_order_relaxed); }
+  void beat() noexcept { shared_->beats.fetch_add(1, std::memory_order_relaxed); }
+
+  /// Starts the process again if it has ended, for example killed because memory ran out. Errors: as start();
+  /// then nothing guards the device. Any thread but that of beat(), one at a time.
+  Result<void> keep_alive();
 
   pid_t process() const { return process_; }
 
  private:
-  using Beats = std::atomic<std::uint64_t>;
-  Guardian(Descriptor alive, Beats* beats, pid_t process)
-      : alive_(std::move(alive)), beats_(beats), process_(process) {}
+  /// What the process is started with.
+  struct Start {
+    std::filesystem::path program;
+    std::vector<std::string> arguments;
+    /// The pipe's end to read, the device, and the shared memory.
+    std::array<Descriptor, 3> descriptors;
+  };
+  Guardian(Descriptor alive, SharedBeats* shared, Start start)
+      : alive_(std::move(alive)), shared_(shared), start_(std::move(start)) {}
+  Result<void> start_process();
+  Result<void> wait_until_ready();
+  void end_process();
 
   Descriptor alive_;
   /// In memory that is shared with the guardian.
-  Beats* beats_;
-  pid_t process_;
+  SharedBeats* shared_;
+  Start start_;
+  /// -1: none.
+  pid_t process_ = -1;
 };
 
 }  // namespace palpable::haptics

@@ -9,6 +9,8 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <string>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -84,11 +86,34 @@ TEST_F(GuardianTest, WritesZeroAndEndsWithItsOwner) {
   EXPECT_NE(kill(process, 0), 0);
 }
 
-TEST_F(GuardianTest, IsAnErrorWhereItsProgramIsMissing) {
-  setenv("PALPABLE_GUARDIAN", "/no/such/guardian", 1);
+TEST_F(GuardianTest, IsStartedAgainAfterItWasKilled) {
   const auto guardian = Guardian::start(motors->zero_write());
-  unsetenv("PALPABLE_GUARDIAN");
-  EXPECT_FALSE(guardian);
+  ASSERT_TRUE(guardian) << guardian.error().message;
+  ASSERT_TRUE((*guardian)->keep_alive());
+  const pid_t first = (*guardian)->process();
+  kill(first, SIGKILL);
+  siginfo_t ended{};
+  ASSERT_EQ(waitid(P_PID, static_cast<id_t>(first), &ended, WEXITED | WNOWAIT), 0);
+  ASSERT_TRUE((*guardian)->keep_alive());
+  EXPECT_NE((*guardian)->process(), first);
+  motors->write({0.0, 0.0, 2.0});
+  (*guardian)->beat();
+  while (!all_zero()) std::this_thread::yield();
+}
+
+TEST_F(GuardianTest, IsAnErrorWithItsNameWhereItsProgramIsMissingOrAnother) {
+  const std::string hangs = file.string() + ".sh";
+  std::ofstream(hangs) << "#!/bin/sh\nexec sleep 60\n";
+  std::filesystem::permissions(hangs, std::filesystem::perms::owner_all);
+  for (const std::string& wrong :
+       {std::string("/no/such/guardian"), std::string("/tmp"), std::string("/bin/true"), hangs}) {
+    setenv("PALPABLE_GUARDIAN", wrong.c_str(), 1);
+    const auto guardian = Guardian::start(motors->zero_write());
+    unsetenv("PALPABLE_GUARDIAN");
+    ASSERT_FALSE(guardian) << wrong;
+    EXPECT_NE(guardian.error().message.find(wrong), std::string::npos) << guardian.error().message;
+  }
+  std::filesystem::remove(hangs);
 }
 
 }  // namespace

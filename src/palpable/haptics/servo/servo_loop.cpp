@@ -87,6 +87,7 @@ struct ServoLoop::Impl {
   void retire(const HapticScene* old, Scenes& out);
 
   Result<void> start_guardian();
+  void start_threads();
   void serve();
   void tick_once(const Pacer::Wake& wake, double dt_s);
   /// TickPipeline::rehearse() of every probe.
@@ -104,6 +105,8 @@ struct ServoLoop::Impl {
   std::unique_ptr<device::Device> device;
   /// Destroyed before the device is closed.
   std::unique_ptr<Guardian> guardian;
+  /// For devices with motors.
+  std::optional<Watchdog> watchdog;
 
   // From the servo to other threads.
   LatestValue<TouchSample> latest;
@@ -120,6 +123,8 @@ struct ServoLoop::Impl {
   std::atomic<bool> ending{false};
   std::atomic<bool> paused{false};
   std::atomic<bool> recording{false};
+  /// Its guardian was lost, and none can be started.
+  std::atomic<bool> unguarded{false};
 
   // Used by the maintenance thread and the callers, under the mutex.
   mutable std::mutex mutex;
@@ -155,12 +160,17 @@ Result<void> ServoLoop::Impl::start_guardian() {
   return {};
 }
 
+void ServoLoop::Impl::start_threads() {
+  if (device->traits().pushes_back)
+    watchdog.emplace(*device, 1.0 / options.rate_hz, options.realtime_priority);
+  maintenance = std::thread([this] { run_maintenance(); });
+  servo = std::thread([this] { serve(); });
+}
+
 void ServoLoop::Impl::serve() {
   const RunningServo self(*device);
   const double nominal_s = 1.0 / options.rate_hz;
   const bool has_motors = device->traits().pushes_back;
-  std::optional<Watchdog> watchdog;
-  if (has_motors) watchdog.emplace(*device, nominal_s, options.realtime_priority);
   {
     std::string priority = request_priority(options.realtime_priority);
     const std::lock_guard lock(mutex);
@@ -203,7 +213,7 @@ void ServoLoop::Impl::serve() {
 void ServoLoop::Impl::tick_once(const Pacer::Wake& wake, double dt_s) {
   // After a late wake the next one may follow almost immediately. Laws do not support such a short step.
   const double shortest_s = 0.1 / options.rate_hz;
-  tick.set_paused(paused.load(std::memory_order_relaxed));
+  tick.set_paused(paused.load(std::memory_order_relaxed) || unguarded.load(std::memory_order_relaxed));
   counts.ran_s = 1e-9 * static_cast<double>(wake.now_ns - begin_ns);
   const TouchSample& sample = tick.step(counts.ran_s, std::max(dt_s, shortest_s));
   rest.update(sample, dt_s);
@@ -264,6 +274,7 @@ void ServoLoop::Impl::run_maintenance() {
     Scenes old = sweep();
     lock.unlock();
     old.clear();
+    if (guardian) unguarded = !guardian->keep_alive();
     lock.lock();
     if (!maintenance_ending) maintenance_wake.wait_for(lock, kMaintenancePeriod);
   }
@@ -310,9 +321,10 @@ Result<std::unique_ptr<ServoLoop>> ServoLoop::start(std::unique_ptr<device::Devi
   auto impl = std::make_unique<Impl>(std::move(device), std::move(scene), options, std::move(further));
   impl->real_time.memory = options.memory == Memory::lock ? lock_memory() : "not locked (not asked for)";
   if (auto guarded = impl->start_guardian(); !guarded) return std::move(guarded).error();
-  impl->servo = std::thread([&it = *impl] { it.serve(); });
-  impl->maintenance = std::thread([&it = *impl] { it.run_maintenance(); });
-  return std::unique_ptr<ServoLoop>(new ServoLoop(std::move(impl)));
+  // From here on the loop's end joins what runs: the system may give one thread and refuse the next.
+  std::unique_ptr<ServoLoop> loop(new ServoLoop(std::move(impl)));
+  loop->impl_->start_threads();
+  return loop;
 }
 
 void ServoLoop::change(HapticScene scene) {

@@ -86,6 +86,9 @@ class RobotDrive {
   void set_mode(RobotMode mode) { mode_ = mode; }
   RobotMode mode() const { return mode_; }
 
+  /// By its odometry.
+  const RobotPose& pose() const { return pose_; }
+
   // `stamp_s`: when it was measured, by the robot's clock; nullopt: about when it arrived.
   void take_odometry(double t_s, const RobotPose& pose, std::optional<double> stamp_s);
   /// Not used without a camera, before any odometry, and half a second after the newest odometry; if less

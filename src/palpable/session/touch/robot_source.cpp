@@ -3,6 +3,7 @@
 #include "palpable/session/touch/robot_source.hpp"
 
 #include "palpable/session/robot/drive_surface.hpp"
+#include "palpable/session/robot/motion_watch.hpp"
 #include "palpable/session/touch/touch_session.hpp"
 #include "palpable/sources/live/rosbridge_client.hpp"
 #include "palpable/sources/live/rosbridge_picture.hpp"
@@ -329,16 +330,11 @@ class RobotSource final : public LiveSource, public RobotControl {
   }
 
   void watch_motion(RobotClock::time_point now) {
-    constexpr auto kLong = std::chrono::milliseconds(1500);
-    constexpr double kStill_m_per_s = 0.03;
-    const bool moves = std::abs(measured_.forward_m_per_s) > kStill_m_per_s;
-    if (published_ != RobotVelocity{} || !moves || !has_commanded_ || was_lost_) {
-      standing_since_ = now;
-      said_moving_ = false;
-    } else if (now - standing_since_ > kLong && !std::exchange(said_moving_, true)) {
-      drive_.stop();
-      notices_.emplace_back("The robot moves, though it is told to stand: use its own emergency stop.");
-    }
+    const auto words = watch_.look(seconds_of(now), published_, measured_.forward_m_per_s, drive_.pose(),
+                                   has_commanded_ && !was_lost_);
+    if (!words) return;
+    drive_.stop();
+    notices_.emplace_back(*words);
   }
 
   std::unique_ptr<RosbridgeClient> client_;
@@ -356,11 +352,10 @@ class RobotSource final : public LiveSource, public RobotControl {
   bool has_failed_ = false;
   bool touches_ = false;
   bool said_battery_ = false;
-  bool said_moving_ = false;
   bool limit_is_said_ = false;
   std::uint64_t last_tick_ = 0;
   DriveLimit limit_ = DriveLimit::none;
-  RobotClock::time_point limit_since_, standing_since_;
+  RobotClock::time_point limit_since_;
   std::optional<RobotClock::time_point> started_at_, ticked_at_;
   bool was_lost_ = false;
   std::uint64_t losses_ = 0;
@@ -368,6 +363,7 @@ class RobotSource final : public LiveSource, public RobotControl {
   RobotVelocity published_;
   std::optional<double> odometry_stamp_s_;
   RobotVelocity measured_;
+  MotionWatch watch_;
 
   /// Guards what follows.
   mutable std::mutex mutex_;

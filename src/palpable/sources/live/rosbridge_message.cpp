@@ -182,6 +182,10 @@ Result<RosBody> odometry_in(const RosJson& message) {
   };
   for (const auto& value : {px, py, x, y, z, w, forward, turning})
     if (!is_plausible(value)) return invalid_input("sends odometry that is none");
+  // Zeros of a robot that does not know how it stands are no turn.
+  constexpr double kOff = 0.1;
+  if (std::abs(*x * *x + *y * *y + *z * *z + *w * *w - 1.0) > kOff)
+    return invalid_input("sends odometry with an orientation that is no unit quaternion");
   const double yaw_rad = std::atan2(2.0 * (*w * *z + *x * *y), 1.0 - 2.0 * (*y * *y + *z * *z));
   return RosBody(RosOdometry{*px, *py, yaw_rad, *forward, *turning});
 }

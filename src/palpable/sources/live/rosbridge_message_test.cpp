@@ -154,7 +154,11 @@ TEST(RosbridgeMessage, IsRefusedInOneClauseIfItIsNone) {
       {picture("0", "2", flat.c_str()), "a picture that"},
       {picture("1", "3", flat.c_str()), "less of a picture"},
       {ros_published("/t", R"({"height":1,"width":1,"K":[0,0,0,0,0,0,0,0,1]})"), "a camera that is none"},
-      {ros_published("/t", R"({"pose":1,"twist":{}})"), "odometry that is none"}};
+      {ros_published("/t", R"({"pose":1,"twist":{}})"), "odometry that is none"},
+      {ros_published("/t",
+                     R"({"pose":{"pose":{"position":{"x":1,"y":2},"orientation":{"x":0,"y":0,"z":0,"w":0}}},)"
+                     R"("twist":{"twist":{"linear":{"x":0},"angular":{"z":0}}}})"),
+       "no unit quaternion"}};
   for (const auto& [text, part] : kCases)
     EXPECT_NE(refusal_of(text).find(part), std::string::npos)
         << text.substr(0, 80) << ": " << refusal_of(text);

@@ -1,0 +1,22 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+namespace palpable::haptics {
+
+/// The memory that a servo and its guardian process share.
+struct SharedBeats {
+  /// Counts the servo's ticks.
+  std::atomic<std::uint64_t> beats{0};
+  /// kGuardianReady from when the guardian watches.
+  std::atomic<std::uint64_t> ready{0};
+};
+
+/// To be changed with SharedBeats, the arguments or the descriptors of the guardian, so that another
+/// version's is refused.
+inline constexpr std::uint64_t kGuardianReady = 0x50414c5047443031;
+
+}  // namespace palpable::haptics
