@@ -209,7 +209,9 @@ TEST(Replay, GivesTheRecordedPositionsAgainAndIsStaleAfterThem) {
     EXPECT_EQ(reading.position, tick_number(n).device_position);
     EXPECT_EQ(reading.buttons, 2U);
   }
+  EXPECT_EQ((*device)->fault(), "");
   EXPECT_EQ((*device)->read().status, Status::stale);
+  EXPECT_EQ((*device)->fault(), "the recording has ended");
 }
 
 TEST(Replay, GivesEveryPositionOfARecordingThatIsLongerThanItReadsAhead) {

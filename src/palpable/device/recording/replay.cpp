@@ -70,6 +70,7 @@ Reading ReplayDevice::read() noexcept {
   if (const auto reading = ahead_.take()) return last_ = *reading;
   Reading ended = last_;
   ended.status = Status::stale;
+  if (all_read) has_ended_.store(true, std::memory_order_relaxed);
   if (!all_read || !last_.recorded) {
     ended.recorded.reset();
     return ended;
@@ -77,6 +78,10 @@ Reading ReplayDevice::read() noexcept {
   // The recorded time goes on: the clock of whoever replays it is at another time.
   ended.recorded = RecordedTime{last_.recorded->t_s + period_s_, period_s_, 0};
   return last_ = ended;
+}
+
+std::string ReplayDevice::fault() const {
+  return has_ended_.load(std::memory_order_relaxed) ? "the recording has ended" : std::string();
 }
 
 Reading recorded_reading(const TouchSample& tick) noexcept {

@@ -30,6 +30,8 @@ class ReplayDevice final : public Device {
   Reading read() noexcept override;
   void write(Vector<DeviceFrame>) noexcept override {}
   void stop() noexcept override {}
+  /// That the recording has ended, as soon as it has.
+  std::string fault() const override;
 
  private:
   void read_ahead();
@@ -46,6 +48,7 @@ class ReplayDevice final : public Device {
   const Recording* piece_ = nullptr;
   std::size_t next_ = 0;
   std::atomic<bool> ending_{false};
+  std::atomic<bool> has_ended_{false};
   std::thread thread_;
 };
 

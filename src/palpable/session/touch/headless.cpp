@@ -116,7 +116,8 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
       if (options.on_missed) options.on_missed(missed);
     for (const auto& event : session.take_events()) {
       if (const std::string words = news.of(event); !words.empty() && options.on_device)
-        options.on_device(words, event.kind == haptics::TouchEvent::Kind::fault);
+        options.on_device(words, event.kind == haptics::TouchEvent::Kind::fault ||
+                                     event.kind == haptics::TouchEvent::Kind::recovered);
       if (options.on_event) options.on_event(event, *session.scene());
     }
     std::this_thread::sleep_until(before + kLook);

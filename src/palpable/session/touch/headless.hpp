@@ -34,9 +34,9 @@ struct HeadlessOptions {
   /// Called for each sentence about changes due to the device's limits, at the start and with each better
   /// scene, and about the live source, by its thread; may be empty.
   std::function<void(const std::string&)> on_notice;
-  /// Called for each sentence about a hand's device: what the person does next, that it does not answer (then
-  /// `is_fault`), that it answers again, and what its clutch does; may be empty.
-  std::function<void(const std::string& sentence, bool is_fault)> on_device;
+  /// Called for each sentence about a hand's device: what the person does next, that it does not answer and
+  /// that it answers again (then `tells_of_force`), and what its clutch does; may be empty.
+  std::function<void(const std::string& sentence, bool tells_of_force)> on_device;
   /// Called for each missed deadline; may be empty.
   std::function<void(const haptics::MissedDeadline&)> on_missed;
   /// Called for each event, with the touched scene, shortly after it happened; may be empty.

@@ -67,7 +67,8 @@ TEST(TouchHeadless, SaysThatItsDeviceIsSilentAndThatItAnswersAgain) {
   options.device_url = "2diy:" + board.path();
   std::vector<std::string> notices;
   // It is silent until that is said: for a fixed time on a busy machine it could be taken for failed.
-  options.on_device = [&](const std::string& notice, bool) {
+  options.on_device = [&](const std::string& notice, bool tells_of_force) {
+    EXPECT_TRUE(tells_of_force) << notice;
     notices.push_back(notice);
     board.inject(device::VirtualTwoDiy::Fault::none);
   };

@@ -32,9 +32,14 @@ void let_speak(session::HeadlessOptions& headless, Console& console) {
     console.note(session::words_of(pose));
     speech->say(voice::Importance::news, session::words_of(pose));
   };
-  headless.on_device = [speech, &console](const std::string& sentence, bool is_fault) {
+  // That the force is back must not wait behind, or give way to, that it is off.
+  headless.on_device = [speech, &console](const std::string& sentence, bool tells_of_force) {
     console.note(sentence);
-    speech->say(is_fault ? voice::Importance::fault : voice::Importance::news, sentence);
+    speech->say(tells_of_force ? voice::Importance::fault : voice::Importance::news, sentence);
+  };
+  headless.on_notice = [speech, &console](const std::string& sentence) {
+    console.note(sentence);
+    speech->say(voice::Importance::news, sentence);
   };
   headless.on_event = [speech](const haptics::TouchEvent& event, const models::Scene& scene) {
     using Kind = haptics::TouchEvent::Kind;
@@ -44,6 +49,13 @@ void let_speak(session::HeadlessOptions& headless, Console& console) {
                        scene.materials[event.value].name != models::Material{}.name;
     if (named) speech->say(voice::Importance::label, scene.materials[event.value].name);
   };
+}
+
+/// Why there is no touch, for those who hear.
+void speak_last(const Error& error) {
+  auto speaker = voice::open_speaker();
+  if (!speaker || !(*speaker)->say(error.sentence())) return;
+  (*speaker)->finish();
 }
 
 }  // namespace
@@ -67,7 +79,10 @@ Result<Answer> touch_without_page(const TouchArguments& arguments, const TouchPl
   if (arguments.speak) let_speak(headless, console);
   const auto notes = [&console](const Note& note) { console.note(note); };
   const auto statistics = session::touch_headless(maker_of(plan, notes), headless, console.work());
-  if (!statistics) return statistics.error();
+  if (!statistics) {
+    if (arguments.speak && statistics.error().code != ErrorCode::interrupted) speak_last(statistics.error());
+    return statistics.error();
+  }
   return answer_of(*statistics);
 }
 
