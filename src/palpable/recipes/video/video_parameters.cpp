@@ -9,12 +9,13 @@ std::vector<Parameter> parameters_of(FollowingOptions& o) {
            &o.most_frames,
            {0, 1},
            "",
-           "Share of the frames that must share points with the next one"},
+           "Share of the frames that must share points with both of the next two"},
           {"times_least",
            &o.times_least,
            {1, 20},
            "",
-           "Points that they must share, in points that a pose needs"}};
+           "Points that they must share, in points that a pose needs"},
+          {"bridge", &o.bridge, {1, 20}, "", "Frames matched on each side of a gap between them"}};
 }
 
 std::vector<Parameter> parameters_of(VideoSurfaceOptions& o) {

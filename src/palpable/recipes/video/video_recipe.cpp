@@ -4,6 +4,7 @@
 
 #include "palpable/core/numbers/quantile.hpp"
 #include "palpable/recipes/solid/fused_depth_recipe.hpp"
+#include "palpable/recipes/video/video_tracks.hpp"
 #include "palpable/vision/image/luma.hpp"
 #include "palpable/vision/motion/depth/rolled_pictures.hpp"
 #include "palpable/vision/motion/tracks/rolling_shutter.hpp"
@@ -33,8 +34,6 @@ struct Frames {
   VideoFigures figures;
   // The one in which a length is known; -1 = none.
   int of_length = -1;
-  // Whether they were taken at equal times, as points that can be followed show.
-  bool are_of_video = true;
   // Those without rolling shutter, where there is one.
   std::vector<VideoFrame> corrected;
 };
@@ -97,25 +96,6 @@ Result<Frames> frames_of(const std::vector<VideoFrame>& given, const VideoRecipe
         fmt::format("{} of {} frames were left out: {} blurred, {} the same as the one before.",
                     usable->blurred + usable->copies, used, usable->blurred, usable->copies));
   return out;
-}
-
-// Whether most frames share enough points with the next one.
-bool are_followed(const std::vector<vision::PointTrack>& tracks, int frames, const VideoRecipe& recipe) {
-  const std::vector<int> shared = shared_points(tracks, frames);
-  const int least = recipe.following.times_least * recipe.motion.least_points;
-  const auto good = std::count_if(shared.begin(), shared.end(), [&](int count) { return count >= least; });
-  return static_cast<double>(good) >= recipe.following.most_frames * (frames - 1);
-}
-
-Result<std::vector<vision::PointTrack>> tracks_of(Frames& frames, const VideoRecipe& recipe,
-                                                  const Work& work) {
-  auto tracks = vision::track_points(frames.greys, recipe.tracks, work);
-  if (!tracks || are_followed(*tracks, static_cast<int>(frames.greys.size()), recipe)) return tracks;
-  frames.notes.emplace_back(
-      "The pictures were taken far apart: their points were matched, which takes longer than following "
-      "them.");
-  frames.are_of_video = false;
-  return vision::match_photos(frames.greys, recipe.photos, work);
 }
 
 VideoReconstruction reconstruction_of(const Frames& frames, const CameraMotion& motion,
@@ -310,23 +290,28 @@ void remove_rolling_shutter(Frames& frames, const CameraMotion& motion, const Wo
 
 Result<CameraMotion> motion_of(Frames& frames, const vision::VideoCamera& camera, const VideoRecipe& recipe,
                                const Work& work) {
-  const auto tracks = tracks_of(frames, recipe, work);
-  if (!tracks) return tracks.error();
+  const auto found = tracks_of_video(frames.greys, recipe, work);
+  if (!found) return found.error();
+  const std::vector<vision::PointTrack>& tracks = found->tracks;
+  if (!found->are_followed)
+    frames.notes.emplace_back(
+        "The pictures were taken far apart: their points were matched, which takes longer than following "
+        "them.");
   const int count = static_cast<int>(frames.greys.size());
-  for (const int cut : cuts_in(*tracks, count, recipe.advice))
+  for (const int cut : cuts_in(tracks, count, recipe.advice))
     frames.figures.cuts.push_back(frames.frames[static_cast<std::size_t>(cut)]->number);
-  std::vector<int> shared = shared_points(*tracks, count);
+  std::vector<int> shared = shared_points(tracks, count);
   frames.figures.followed_points = quantile_of(shared, 0.5);
   vision::BatchMotionOptions batch = recipe.motion;
-  if (!frames.are_of_video) batch.rolling_shutter = 0;
+  if (!found->are_followed) batch.rolling_shutter = 0;
   const std::vector<int> numbers = numbers_of(frames);
   auto motion = recipe.motion_method == VideoMotion::filter
-                    ? vision::motion_by_filter(*tracks, count, camera, recipe.filter, work)
-                    : vision::motion_from_tracks(*tracks, numbers, camera, batch, work);
+                    ? vision::motion_by_filter(tracks, count, camera, recipe.filter, work)
+                    : vision::motion_from_tracks(tracks, numbers, camera, batch, work);
   if (!motion) return motion;
   const auto& size = frames.greys.front();
   const auto seen =
-      vision::without_rolling_shutter(*tracks, motion->readout, size.width(), size.height(), numbers);
+      vision::without_rolling_shutter(tracks, motion->readout, size.width(), size.height(), numbers);
   frames.figures.moving_points = vision::moving_points(seen, *motion, recipe.moving).share();
   remove_rolling_shutter(frames, *motion, work);
   return motion;

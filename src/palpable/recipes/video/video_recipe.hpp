@@ -47,10 +47,13 @@ enum class VideoSurface {
 
 /// When points are followed from frame to frame; if this fails, they are matched between pictures instead.
 struct FollowingOptions {
-  /// Share of the frames that must share enough points with the next one, 0 … 1.
+  /// Share of the frames that must share enough points with both of the next two, 0 … 1.
   double most_frames = 0.8;
   /// Enough points are this many times as many as a frame's pose needs, 1 … 20.
   int times_least = 3;
+  /// Where a frame shares fewer with the one before, so many frames on each side of the gap are matched, 1 …
+  /// 20.
+  int bridge = 3;
 };
 std::vector<Parameter> parameters_of(FollowingOptions& options);
 

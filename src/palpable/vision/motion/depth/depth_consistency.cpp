@@ -1,8 +1,11 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include "palpable/core/numbers/disjoint_sets.hpp"
 #include "palpable/vision/motion/depth/multi_view_depth.hpp"
 
 #include <cmath>
+#include <span>
+#include <vector>
 
 namespace palpable::vision {
 namespace {
@@ -55,13 +58,31 @@ float agreed_depth(const Neighbours& neighbours, std::size_t count, std::size_t 
   return kept ? static_cast<float>(sum / (agreeing + 1)) : kUnknownDepth;
 }
 
+// Makes surfaces of fewer than `least` pixels unknown.
+void remove_small_patches(Raster<float>& depth, double least, double tolerance) {
+  const auto width = static_cast<std::size_t>(depth.width());
+  const std::span<float> values = depth.values();
+  DisjointSets surfaces(values.size());
+  const auto join_if_equal = [&](std::size_t a, std::size_t b) {
+    if (std::abs(values[a] - values[b]) < tolerance * values[a]) surfaces.join(a, b);
+  };
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i % width != 0) join_if_equal(i - 1, i);
+    if (i >= width) join_if_equal(i - width, i);
+  }
+  std::vector<int> sizes(values.size(), 0);
+  for (std::size_t i = 0; i < values.size(); ++i) ++sizes[surfaces.find(i)];
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (sizes[surfaces.find(i)] < least) values[i] = kUnknownDepth;
+}
+
 }  // namespace
 
 std::vector<Parameter> parameters_of(ConsistencyOptions& o) {
-  return {
-      {"tolerance", &o.tolerance, {0.0005, 0.1}, "", "Depths that differ by a smaller share agree"},
-      {"least_agreeing", &o.least_agreeing, {1, 16}, "", "Other maps that must agree with a pixel"},
-      {"least_uncontested", &o.least_uncontested, {0, 16}, "", "The same where no map has another depth"}};
+  return {{"tolerance", &o.tolerance, {0.0005, 0.1}, "", "Depths that differ by a smaller share agree"},
+          {"least_agreeing", &o.least_agreeing, {1, 16}, "", "Other maps that must agree with a pixel"},
+          {"least_uncontested", &o.least_uncontested, {0, 16}, "", "The same where no map has another depth"},
+          {"least_patch", &o.least_patch, {0, 0.01}, "", "Share of the picture that a surface must cover"}};
 }
 
 Result<std::vector<PosedDepthMap>> consistent_depth(std::span<const PosedDepthMap> maps,
@@ -77,6 +98,7 @@ Result<std::vector<PosedDepthMap>> consistent_depth(std::span<const PosedDepthMa
         for (int x = 0; x < depth.width(); ++x)
           depth(x, y) = agreed_depth(neighbours, maps.size(), self, x, y, depth(x, y), options);
     });
+    remove_small_patches(depth, options.least_patch * static_cast<double>(depth.count()), options.tolerance);
   }
   return out;
 }

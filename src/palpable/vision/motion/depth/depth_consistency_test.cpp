@@ -78,5 +78,26 @@ TEST(DepthConsistency, NeedsSoManyMapsThatSeeThePlace) {
   EXPECT_NEAR((*one)[0].depth.depth_m(1, 12), 2.0, 1e-6);
 }
 
+// Four pixels of the same depth in otherwise unknown maps, such as plain surroundings, beside a large wall.
+TEST(DepthConsistency, RemovesSmallPatchesThatAgreeByChance) {
+  auto maps = wall_from(3);
+  for (std::size_t k = 0; k < 3; ++k)
+    for (int y = 0; y < 24; ++y)
+      for (int x = 0; x < 12; ++x) maps[k].depth.depth_m(x, y) = kUnknownDepth;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (const int y : {10, 11})
+      for (const int x : {6, 7}) maps[k].depth.depth_m(x - static_cast<int>(k), y) = 2.0F;
+  const auto with_patch = [&](double share) {
+    const auto out = consistent_depth(maps, {.least_patch = share}, {});
+    return out && !std::isnan((*out)[0].depth.depth_m(6, 10));
+  };
+  constexpr double kPixels = 32 * 24;
+  EXPECT_TRUE(with_patch(4 / kPixels));
+  EXPECT_FALSE(with_patch(5 / kPixels));
+  const auto out = consistent_depth(maps, {.least_patch = 5 / kPixels}, {});
+  ASSERT_TRUE(out);
+  EXPECT_NEAR((*out)[0].depth.depth_m(20, 12), 2.0, 1e-6);
+}
+
 }  // namespace
 }  // namespace palpable::vision

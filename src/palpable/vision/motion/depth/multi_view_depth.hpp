@@ -70,11 +70,15 @@ struct ConsistencyOptions {
   /// The same where no other map has another depth, as at the borders of the pictures, which few maps show, 0
   /// … 16.
   int least_uncontested = 1;
+  /// Surfaces of fewer pixels than this share of the picture become unknown, 0 … 0.01: in plain surroundings
+  /// a few pixels agree by chance. Neighbours belong to one surface if their depths agree.
+  double least_patch = 0.0003;
 };
 std::vector<Parameter> parameters_of(ConsistencyOptions& options);
 
-/// Keeps only the pixels on which enough other maps agree, with the mean of the agreeing depths; all others
-/// become unknown. Errors: usage for options out of range; interrupted.
+/// Keeps only the pixels on which enough other maps agree, with the mean of the agreeing depths, and which
+/// are no small patches (Hirschmüller 2008, "peak filtering"); all others become unknown. Errors: usage for
+/// options out of range; interrupted.
 Result<std::vector<PosedDepthMap>> consistent_depth(std::span<const PosedDepthMap> maps,
                                                     const ConsistencyOptions& options, const Work& work);
 
