@@ -3,6 +3,7 @@
 #include "palpable/device/inverse3/inverse3_messages.hpp"
 
 #include "palpable/core/text/plain_text.hpp"
+#include "palpable/device/transport/vendor_text.hpp"
 
 #include <cmath>
 
@@ -56,12 +57,9 @@ InverseJson parsed(std::string_view message) {
   return json;
 }
 
-/// Names are shown, spoken and recorded, so they are short texts.
+/// The name is a text that can be shown.
 bool can_be_shown(const InverseJson& name) {
-  constexpr std::size_t kLongestName = 64;
-  if (!name.is_string()) return false;
-  const auto& text = name.get_ref<const std::string&>();
-  return !text.empty() && text.size() <= kLongestName && is_utf8(text) && plain_name(text) == text;
+  return name.is_string() && palpable::device::can_be_shown(name.get_ref<const std::string&>());
 }
 
 InverseJson as_json(Vec3 v) { return {{"x", v.x}, {"y", v.y}, {"z", v.z}}; }

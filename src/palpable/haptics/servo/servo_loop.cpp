@@ -160,7 +160,10 @@ void ServoLoop::Impl::serve() {
   const double nominal_s = 1.0 / options.rate_hz;
   const bool has_motors = device->traits().pushes_back;
   std::optional<Watchdog> watchdog;
-  if (has_motors) watchdog.emplace(*device, nominal_s, options.realtime_priority);
+  if (has_motors) {
+    watchdog.emplace(*device, nominal_s, options.realtime_priority);
+    tick.watch_cuts(watchdog->cut_flag());
+  }
   {
     std::string priority = request_priority(options.realtime_priority);
     const std::lock_guard lock(mutex);
@@ -182,7 +185,6 @@ void ServoLoop::Impl::serve() {
     before_ns = wake.now_ns;
     if (wake.periods > 1) note_missed(wake);
     swap_scenes();
-    if (watchdog && watchdog->take_cut()) tick.note_cut_force();
     const double dt_s = 1e-9 * static_cast<double>(period_ns);
     counts.rested_s += resting ? dt_s : 0.0;
     counts.rest_ticks += resting ? 1 : 0;

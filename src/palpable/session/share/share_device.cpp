@@ -47,6 +47,7 @@ class Follower {
           event->kind == Event::fault && event->value == static_cast<std::uint32_t>(device::Status::fault);
       if (is_device) tell("The device has failed: " + loop_.device_fault() + ".");
       if (event->kind == Event::not_finite) tell("The force is off: the surface gave an invalid value.");
+      if (event->kind == Event::motors_warm) tell("The motors are warm: the greatest force is reduced.");
       if (event->kind == Event::recovered && failed_) tell("The device answers again.");
       failed_ = is_device || (failed_ && event->kind != Event::recovered);
     }
