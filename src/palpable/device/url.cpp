@@ -30,7 +30,7 @@ Result<DeviceUrl> DeviceUrl::parse(std::string_view url) {
   parsed.url_ = url;
   const auto colon = url.find(':');
   if (colon == std::string_view::npos && !url.empty())
-    return usage("a device is named by a scheme and a colon, such as sim: or " + std::string(url) + ":");
+    return usage("a device is named by a scheme and a colon: write " + public_url(url) + ":");
   if (colon == std::string_view::npos || colon == 0)
     return usage("a device is named by a scheme and a colon, such as sim: or pointer:");
   parsed.scheme_ = url.substr(0, colon);

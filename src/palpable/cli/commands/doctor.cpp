@@ -12,6 +12,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <thread>
 
 #include <arpa/inet.h>
@@ -147,12 +148,17 @@ Finding device_rules() {
     std::error_code ignored;
     for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
       if (entry.path().filename().string().find("palpable") == std::string::npos) continue;
-      finding.found = fmt::format("device rules are installed: {}", entry.path().string());
-      return finding;
+      const std::string file = entry.path().string();
+      std::ifstream stream(file);
+      const std::string rules{std::istreambuf_iterator<char>(stream), {}};
+      finding.found = fmt::format("device rules are installed: {}", file);
+      if (rules.find(device::kRules) != std::string::npos) return finding;
+      finding.found = fmt::format("the device rules in {} are not those of this version", file);
     }
   }
   finding.state = Finding::State::wanted;
-  finding.found = "no device rules are installed; the pointer and the simulated hand need none";
+  if (finding.found.empty())
+    finding.found = "no device rules are installed; the pointer and the simulated hand need none";
   finding.advice = fmt::format(
       "for a device on a serial port or USB (2diy:, falcon:, forcedimension:, touch:), write the rules that "
       "palpable "

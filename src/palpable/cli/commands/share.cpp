@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/ask_to_hold.hpp"
 #include "palpable/cli/command.hpp"
-#include "palpable/cli/commands/touch/ask_to_hold.hpp"
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/haptics/safety/zero_force.hpp"
 #include "palpable/haptics/servo/signal_thread.hpp"

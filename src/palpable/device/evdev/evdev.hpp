@@ -4,7 +4,7 @@
 
 #include "palpable/device/device.hpp"
 #include "palpable/device/evdev/event_port.hpp"
-#include "palpable/device/transport/motor_heat.hpp"
+#include "palpable/device/motor_heat.hpp"
 
 #include <atomic>
 #include <memory>

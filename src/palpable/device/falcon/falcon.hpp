@@ -4,8 +4,8 @@
 
 #include "palpable/device/device.hpp"
 #include "palpable/device/falcon/falcon_link.hpp"
+#include "palpable/device/motor_heat.hpp"
 #include "palpable/device/transport/fresh_reading.hpp"
-#include "palpable/device/transport/motor_heat.hpp"
 #include "palpable/device/zero_write.hpp"
 
 #include <memory>

@@ -27,7 +27,7 @@ void FalconLink::exchange() noexcept {
     const auto reply = replies_.take(std::span(packet).first(count).subspan(UsbTransfers::kStatus_bytes));
     if (reply) follow(*reply);
   }
-  if (!awaited_ || now_s_ - sent_s_ >= kPatience_s) send();
+  if (!awaited_ || now_s_ - sent_s_ >= kResend_s) send();
 }
 
 bool FalconLink::is_plausible(const FalconReply& reply) const noexcept {

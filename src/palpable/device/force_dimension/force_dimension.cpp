@@ -102,6 +102,7 @@ Reading ForceDimension::read() noexcept {
       if (dhd_.dhdGetButton(k, number_) == 1) buttons |= 1U << static_cast<unsigned>(k);
     fresh_.renew_plausible({theirs.y, theirs.z, theirs.x}, buttons, Status::ok);
   }
+  is_silent_ = fresh_.age_s() > FreshReading::kStale_s;
   // One that takes no forces any more is as one that is silent.
   if (refused_s_ > FreshReading::kStale_s) fresh_.rest();
   return fresh_.now(refused_s_ > FreshReading::kSilent_s);
@@ -117,9 +118,9 @@ void ForceDimension::stop() noexcept { dhd_.dhdSetForce(0.0, 0.0, 0.0, number_);
 
 std::string ForceDimension::fault() const {
   const std::string why = vendor_text(dhd_.dhdErrorGetLastStr(), {});
-  const std::string what = refused_s_ > FreshReading::kSilent_s
-                               ? "the " + traits_.name + " takes no forces any more"
-                               : FreshReading::silence_of(traits_.name);
+  const bool refuses = !is_silent_ && refused_s_ > FreshReading::kSilent_s;
+  const std::string what =
+      refuses ? "the " + traits_.name + " takes no forces any more" : FreshReading::silence_of(traits_.name);
   return what + (why.empty() ? "" : " (" + why + ")");
 }
 

@@ -4,8 +4,8 @@
 
 #include "palpable/device/device.hpp"
 #include "palpable/device/force_dimension/dhd_functions.hpp"
+#include "palpable/device/motor_heat.hpp"
 #include "palpable/device/transport/fresh_reading.hpp"
-#include "palpable/device/transport/motor_heat.hpp"
 
 #include <atomic>
 #include <memory>
@@ -58,6 +58,8 @@ class ForceDimension final : public Device {
   FreshReading fresh_;
   /// For how long it has refused forces.
   std::atomic<double> refused_s_{0.0};
+  /// No position has come.
+  std::atomic<bool> is_silent_{false};
 };
 
 /// Opens `forcedimension:INDEX?initialise=yes&max-force=N&library=FILE`; without an index the first device.

@@ -4,8 +4,8 @@
 
 #include "palpable/device/device.hpp"
 #include "palpable/device/inverse3/inverse3_messages.hpp"
+#include "palpable/device/motor_heat.hpp"
 #include "palpable/device/transport/fresh_reading.hpp"
-#include "palpable/device/transport/motor_heat.hpp"
 
 #include <cstdint>
 #include <memory>

@@ -45,8 +45,23 @@ bool is_on(const InverseJson& setting) {
   return truth_in(setting).value_or(false) || truth_in(member(setting, "enabled")).value_or(false);
 }
 
-/// Null for a message that is none, or that is nested too deeply.
+/// Whether a text may be nested more deeply than a state is. Brackets in its strings count too: no name has
+/// so many.
+bool is_deep(std::string_view message) {
+  int depth = 0;
+  for (const char c : message) {
+    depth += c == '[' || c == '{' ? 1 : 0;
+    depth -= c == ']' || c == '}' ? 1 : 0;
+    if (depth > kDeepest) return true;
+  }
+  return false;
+}
+
+/// Null for a message that is none, that is nested too deeply, or too long: the driver's thread cannot send
+/// zero while it parses.
 InverseJson parsed(std::string_view message) {
+  constexpr std::size_t kLongestParsed_bytes = 65536;
+  if (message.size() > kLongestParsed_bytes || is_deep(message)) return {};
   bool too_deep = false;
   const auto watch_depth = [&](int depth, InverseJson::parse_event_t, InverseJson&) {
     too_deep = too_deep || depth > kDeepest;

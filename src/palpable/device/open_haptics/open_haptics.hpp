@@ -4,10 +4,10 @@
 
 #include "palpable/core/system/hand_off.hpp"
 #include "palpable/device/device.hpp"
+#include "palpable/device/motor_heat.hpp"
 #include "palpable/device/open_haptics/hd_functions.hpp"
 #include "palpable/device/transport/force_hand_off.hpp"
 #include "palpable/device/transport/fresh_reading.hpp"
-#include "palpable/device/transport/motor_heat.hpp"
 
 #include <atomic>
 #include <memory>

@@ -123,7 +123,8 @@ TEST_F(TouchDevice, NeverGetsItsForceBackInOneStep) {
     // A tick's force rises by 0.3 N from zero, and is zero while the reading is not good.
     wanted_N = reading.status == Status::ok ? std::min(3.0, wanted_N + 0.3) : 0.0;
     (*device)->write({{wanted_N, 0.0, 0.0}});
-    for (unsigned call = 0, calls = random() % 100 == 0 ? random() % 12 : 1; call < calls; ++call) {
+    const int calls = random() % 100 == 0 ? static_cast<int>(random() % 12) : 1;
+    for (int call = 0; call < calls; ++call) {
       bench_.call();
       EXPECT_LE(motors().x, before.x + 0.3 + 1e-9) << k;
       before = motors();

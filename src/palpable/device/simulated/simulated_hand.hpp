@@ -3,9 +3,9 @@
 #pragma once
 
 #include "palpable/device/device.hpp"
+#include "palpable/device/motor_heat.hpp"
 #include "palpable/device/simulated/hand_script.hpp"
 #include "palpable/device/simulated/motor_file.hpp"
-#include "palpable/device/transport/motor_heat.hpp"
 #include "palpable/device/zero_write.hpp"
 
 #include <array>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "palpable/device/device.hpp"
+#include "palpable/device/motor_heat.hpp"
 #include "palpable/device/transport/fresh_reading.hpp"
-#include "palpable/device/transport/motor_heat.hpp"
 #include "palpable/device/transport/serial_port.hpp"
 #include "palpable/device/two_diy/two_diy_wire.hpp"
 #include "palpable/device/zero_write.hpp"

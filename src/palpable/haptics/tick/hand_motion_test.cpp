@@ -5,7 +5,7 @@
 #include "palpable/haptics/tick/test_loop.hpp"
 
 #include <cmath>
-#include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -65,7 +65,7 @@ TEST(MotorHeat, LowersTheForceOfAHandThatPressesForLong) {
   again.tick = std::make_unique<TickPipeline>(again.device, again.program, warm, again.events);
   again.device.reading.position.v.z = -0.004;
   again.run(1000);
-  EXPECT_LT(norm(again.written()), 1.1);
+  EXPECT_LT(norm(again.written()), 1.2);
   EXPECT_GT(norm(before), 2.9);
 }
 

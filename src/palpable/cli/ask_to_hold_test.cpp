@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/cli/commands/touch/ask_to_hold.hpp"
+#include "palpable/cli/ask_to_hold.hpp"
 
 #include "palpable/core/system/child_process.hpp"
 

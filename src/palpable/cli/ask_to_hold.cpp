@@ -1,8 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/cli/commands/touch/ask_to_hold.hpp"
+#include "palpable/cli/ask_to_hold.hpp"
 
-#include "palpable/cli/commands/say_aloud.hpp"
+#include "palpable/cli/say_aloud.hpp"
 
 #include <poll.h>
 #include <unistd.h>
