@@ -127,5 +127,19 @@ TEST(CommandLine, DoctorNamesItsChecks) {
                                               "device-rules", "modem-manager"}));
 }
 
+TEST(CommandLine, DoctorPrintsTheRulesOfTheDocuments) {
+  std::ifstream file(PALPABLE_SAMPLES "/../docs/devices.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  const Outcome outcome = palpable({"doctor", "--rules"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(page, HasSubstr("```text\n" + outcome.out + "```"));
+}
+
+TEST(CommandLine, ListsWhatToDoForEachKindOfDevice) {
+  const auto listed = palpable({"devices", "--json"}).json();
+  for (const auto& kind : listed["devices"])
+    EXPECT_NE(kind["available"].get<bool>(), !kind["advice"].get<std::string>().empty()) << kind.dump();
+}
+
 }  // namespace
 }  // namespace palpable::test

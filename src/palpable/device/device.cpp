@@ -20,15 +20,17 @@ struct Range {
   double most;
 };
 
-/// May be unknown (NaN).
-constexpr Range kMeasured[]{{"mass (kg)", &Traits::mass_kg, 1e-6, 100.0},
-                            {"damping (N·s/m)", &Traits::damping_Ns_per_m, 0.0, 1e4},
-                            {"friction (N)", &Traits::coulomb_friction_N, 0.0, 250.0},
-                            {"resolution (m)", &Traits::position_resolution_m, 0.0, 0.1},
-                            {"inertia (kg·m²)", &Traits::inertia_kg_m2, 0.0, 10.0},
-                            {"rotational damping (N·m·s)", &Traits::rotational_damping_Nm_s, 0.0, 100.0},
-                            {"rate (Hz)", &Traits::rate_hz, 1e-3, 1e6}};
 constexpr double kLeastForce_N = 1e-6, kMostForce_N = 250.0, kMostTorque_Nm = 100.0;
+/// May be unknown (NaN).
+constexpr Range kMeasured[]{
+    {"continuous force (N)", &Traits::continuous_force_N, kLeastForce_N, kMostForce_N},
+    {"mass (kg)", &Traits::mass_kg, 1e-6, 100.0},
+    {"damping (N·s/m)", &Traits::damping_Ns_per_m, 0.0, 1e4},
+    {"friction (N)", &Traits::coulomb_friction_N, 0.0, 250.0},
+    {"resolution (m)", &Traits::position_resolution_m, 0.0, 0.1},
+    {"inertia (kg·m²)", &Traits::inertia_kg_m2, 0.0, 10.0},
+    {"rotational damping (N·m·s)", &Traits::rotational_damping_Nm_s, 0.0, 100.0},
+    {"rate (Hz)", &Traits::rate_hz, 1e-3, 1e6}};
 constexpr double kLeastSize_m = 1e-6, kMostSize_m = 100.0;
 constexpr int kMostDelay = 10'000;
 

@@ -25,6 +25,9 @@ struct Traits {
   /// Greatest force of each written force, above 0: what the device can give, or what a hand may be exposed
   /// to.
   double max_force_N = 3.0;
+  /// Force that the motors can hold for ever without getting too hot; greater ones only for a while
+  /// (haptics::HeatBudget). NaN: max_force_N for ever.
+  double continuous_force_N = std::numeric_limits<double>::quiet_NaN();
   double mass_kg = std::numeric_limits<double>::quiet_NaN();
   double damping_Ns_per_m = std::numeric_limits<double>::quiet_NaN();
   double coulomb_friction_N = std::numeric_limits<double>::quiet_NaN();
@@ -82,6 +85,9 @@ struct Reading {
   std::optional<RecordedTime> recorded = std::nullopt;
   /// The hand moves the device without touching: as in a pause, no force is wanted.
   bool clutched = false;
+  /// The device has given no new position since the last reading, so the position of that one is repeated: it
+  /// does not say that the hand stands still.
+  bool is_repeated = false;
 };
 
 /// A force-feedback device or a substitute. It is opened by open_device() and closed by its destructor, which

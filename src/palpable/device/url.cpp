@@ -5,6 +5,7 @@
 #include "palpable/core/text/number_text.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <utility>
@@ -28,9 +29,13 @@ Result<DeviceUrl> DeviceUrl::parse(std::string_view url) {
   DeviceUrl parsed;
   parsed.url_ = url;
   const auto colon = url.find(':');
+  if (colon == std::string_view::npos && !url.empty())
+    return usage("a device is named by a scheme and a colon: write " + public_url(url) + ":");
   if (colon == std::string_view::npos || colon == 0)
     return usage("a device is named by a scheme and a colon, such as sim: or pointer:");
   parsed.scheme_ = url.substr(0, colon);
+  std::ranges::transform(parsed.scheme_, parsed.scheme_.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   std::string_view rest = url.substr(colon + 1);
   const auto question = rest.find('?');
   parsed.path_ = rest.substr(0, question);
@@ -56,13 +61,20 @@ Result<int> DeviceUrl::path_number(int most) const {
   return static_cast<int>(*number);
 }
 
-double DeviceUrl::take_number(const std::string& name, double otherwise, double least, double most) {
+std::optional<std::string> DeviceUrl::extract(const std::string& name) {
+  known_ += (known_.empty() ? "" : ", ") + name;
   const auto option = options_.extract(name);
-  if (option.empty()) return otherwise;
-  const std::string& text = option.mapped();
-  const auto number = finite_number(text);
+  if (option.empty()) return std::nullopt;
+  if (option.mapped().empty()) fail(name + " is given without a value");
+  return option.mapped();
+}
+
+double DeviceUrl::take_number(const std::string& name, double otherwise, double least, double most) {
+  const auto text = extract(name);
+  if (!text) return otherwise;
+  const auto number = finite_number(*text);
   if (number && *number >= least && *number <= most) return *number;
-  fail(name + " must be a number from " + shown(least) + " to " + shown(most) + ", not \"" + text + "\"");
+  fail(name + " must be a number from " + shown(least) + " to " + shown(most) + ", not \"" + *text + "\"");
   return otherwise;
 }
 
@@ -74,25 +86,27 @@ int DeviceUrl::take_count(const std::string& name, int otherwise, int least, int
 }
 
 std::string DeviceUrl::take_word(const std::string& name, const std::vector<std::string>& allowed) {
-  const auto option = options_.extract(name);
-  if (option.empty()) return allowed.front();
-  if (std::find(allowed.begin(), allowed.end(), option.mapped()) != allowed.end()) return option.mapped();
+  const auto text = extract(name);
+  if (!text) return allowed.front();
+  if (std::find(allowed.begin(), allowed.end(), *text) != allowed.end()) return *text;
   std::string list = allowed.front();
   for (std::size_t i = 1; i < allowed.size(); ++i) list += ", " + allowed[i];
-  fail(name + " must be one of " + list + ", not \"" + option.mapped() + "\"");
+  fail(name + " must be one of " + list + ", not \"" + *text + "\"");
   return allowed.front();
 }
 
-std::string DeviceUrl::take_text(const std::string& name) {
-  const auto option = options_.extract(name);
-  return option.empty() ? std::string() : option.mapped();
-}
+std::string DeviceUrl::take_text(const std::string& name) { return extract(name).value_or(std::string()); }
 
-Result<void> DeviceUrl::finish() const {
-  if (!first_error_.empty()) return Error{ErrorCode::usage, first_error_, public_url(url_)};
+Result<void> DeviceUrl::finish() {
+  const auto usage = [&](std::string message) {
+    return Error{ErrorCode::usage, std::move(message), public_url(url_)};
+  };
+  if (!first_error_.empty()) return usage(first_error_);
   if (!options_.empty())
-    return Error{ErrorCode::usage, scheme_ + ": has no option " + options_.begin()->first, public_url(url_)};
-  return {};
+    return usage(scheme_ + ": has no option " + options_.begin()->first +
+                 (known_.empty() ? " (it has none)" : " (known: " + known_ + ")"));
+  is_valid_ = true;
+  return only_check_ ? Result<void>(usage("is only checked")) : Result<void>{};
 }
 
 void DeviceUrl::fail(std::string message) {

@@ -5,6 +5,7 @@
 #include "palpable/core/result.hpp"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,16 +34,28 @@ class DeviceUrl {
   std::string take_word(const std::string& name, const std::vector<std::string>& allowed);
   /// The option as text; empty if it is not given.
   std::string take_text(const std::string& name);
-  /// The error if a value was invalid or an option is left. Call it before using the values.
-  Result<void> finish() const;
+  /// The error if a value was invalid or an option is left. Call it before using the values, and before
+  /// anything is opened.
+  Result<void> finish();
+
+  /// From now on finish() returns an error in any case, so that a driver's open() opens nothing.
+  void check_only() { only_check_ = true; }
+  /// finish() was called, and found nothing wrong.
+  bool is_valid() const { return is_valid_; }
 
  private:
+  /// The text of an option, which is not empty; nullopt if it is not given.
+  std::optional<std::string> extract(const std::string& name);
   void fail(std::string message);
 
   std::string url_;
   std::string scheme_;
   std::string path_;
   std::map<std::string, std::string> options_;
+  /// The names that were asked for: the options that there are.
+  std::string known_;
+  bool only_check_ = false;
+  bool is_valid_ = false;
   std::string first_error_;
 };
 

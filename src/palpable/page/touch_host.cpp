@@ -299,7 +299,7 @@ void TouchHost::take_notices() {
                                     fault.empty() ? "The device does not answer: its force is off" : fault));
     } else if (event.kind == Kind::recovered && device) {
       say("recovered", session_.said_of(event.probe, "The device answers again"));
-    } else if (const auto words = session_.button_words(event); !words.empty()) {
+    } else if (const auto words = session_.event_words(event); !words.empty()) {
       say("info", words);
     } else if (event.kind == Kind::not_finite) {
       say("fault", "The law gave a force that is not a number: the force is off");

@@ -16,9 +16,11 @@ Result<Answer> devices() {
                                       {"name", kind.name},
                                       {"description", kind.description},
                                       {"available", kind.available},
-                                      {"note", kind.note}});
-    answer.text += fmt::format("{:16}{}: {}\n", kind.url, kind.name, kind.description);
-    if (!kind.available) answer.text += fmt::format("{:16}Not available here: {}.\n", "", kind.note);
+                                      {"note", kind.note},
+                                      {"advice", kind.advice}});
+    answer.text += fmt::format("{:15} {}: {}\n", kind.url, kind.name, kind.description);
+    if (!kind.available)
+      answer.text += fmt::format("{:16}Not available here: {}. To do: {}.\n", "", kind.note, kind.advice);
   }
   return answer;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/device/drivers/open.hpp"
+#include "palpable/device/drivers/udev_rules.hpp"
 #include "palpable/haptics/servo/hand_measurement.hpp"
 #include "palpable/haptics/servo/kept_rate.hpp"
 #include "palpable/haptics/servo/servo_loop.hpp"
@@ -11,6 +12,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <thread>
 
 #include <arpa/inet.h>
@@ -146,14 +148,22 @@ Finding device_rules() {
     std::error_code ignored;
     for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
       if (entry.path().filename().string().find("palpable") == std::string::npos) continue;
-      finding.found = fmt::format("device rules are installed: {}", entry.path().string());
-      return finding;
+      const std::string file = entry.path().string();
+      std::ifstream stream(file);
+      const std::string rules{std::istreambuf_iterator<char>(stream), {}};
+      finding.found = fmt::format("device rules are installed: {}", file);
+      if (rules.find(device::kRules) != std::string::npos) return finding;
+      finding.found = fmt::format("the device rules in {} are not those of this version", file);
     }
   }
   finding.state = Finding::State::wanted;
-  finding.found = "no device rules are installed; the pointer and the simulated hand need none";
-  finding.advice =
-      "for a device on a serial port or USB (2diy:, falcon:), install the rules in docs/devices.md";
+  if (finding.found.empty())
+    finding.found = "no device rules are installed; the pointer and the simulated hand need none";
+  finding.advice = fmt::format(
+      "for a device on a serial port or USB (2diy:, falcon:, forcedimension:, touch:), write the rules that "
+      "palpable "
+      "doctor --rules prints to {}, and plug the device in again",
+      device::kRulesFile);
   return finding;
 }
 
@@ -167,7 +177,9 @@ Finding modem_manager() {
     if (name != "ModemManager") continue;
     finding.state = Finding::State::wanted;
     finding.found = "ModemManager runs; it disturbs devices on serial ports when they are plugged in";
-    finding.advice = "install the rule in docs/devices.md, or stop it: systemctl stop ModemManager";
+    finding.advice = fmt::format(
+        "write the rules that palpable doctor --rules prints to {}, or stop it: systemctl stop ModemManager",
+        device::kRulesFile);
   }
   return finding;
 }
@@ -178,10 +190,12 @@ Finding found_devices() {
   Finding finding{"devices", Finding::State::good, {}, {}};
   std::string missing;
   for (const device::DeviceKind& kind : device::list_devices()) {
-    if (kind.available)
+    if (kind.available) {
       finding.found += (finding.found.empty() ? "available: " : ", ") + kind.url;
-    else
-      missing += fmt::format("{}{} ({})", missing.empty() ? "" : "; ", kind.url, kind.note);
+      continue;
+    }
+    missing += fmt::format("{}{} ({})", missing.empty() ? "" : "; ", kind.url, kind.note);
+    finding.advice += fmt::format("{}for {} {}", finding.advice.empty() ? "" : "; ", kind.url, kind.advice);
   }
   if (!missing.empty()) finding.found += "; not available: " + missing;
   return finding;
@@ -237,8 +251,19 @@ Result<Answer> examine_hand(const std::string& device_url, Console& console) {
   return answer;
 }
 
-Result<Answer> examine(const std::string& hand_on_device, Console& console) {
-  if (!hand_on_device.empty()) return examine_hand(hand_on_device, console);
+struct DoctorArguments {
+  std::string hand_on_device;
+  bool rules = false;
+};
+
+Result<Answer> examine(const DoctorArguments& arguments, Console& console) {
+  if (!arguments.hand_on_device.empty()) return examine_hand(arguments.hand_on_device, console);
+  if (arguments.rules) {
+    Answer answer;
+    answer.json = {{"rules", device::kRules}, {"file", device::kRulesFile}};
+    answer.text = device::kRules;
+    return answer;
+  }
   Answer answer;
   answer.json["version"] = PALPABLE_VERSION;
   answer.json["findings"] = Json::array();
@@ -262,13 +287,16 @@ Result<Answer> examine(const std::string& hand_on_device, Console& console) {
 }  // namespace
 
 void add_doctor(Program& program) {
-  const auto hand_on_device = std::make_shared<std::string>();
+  const auto arguments = std::make_shared<DoctorArguments>();
   Options options =
       add_command(program, "doctor", "Check how well this machine can render a touch, with advice",
                   "  palpable doctor\n"
+                  "  palpable doctor --rules | sudo tee /etc/udev/rules.d/60-palpable.rules\n"
                   "  palpable doctor --measure-hand sim:?script=hold",
-                  [hand_on_device](Console& console) { return examine(*hand_on_device, console); });
-  options.text("--measure-hand", *hand_on_device,
+                  [arguments](Console& console) { return examine(*arguments, console); });
+  options.flag("--rules", arguments->rules,
+               "Instead, print the system's rules that let the logged-in user open devices");
+  options.text("--measure-hand", arguments->hand_on_device,
                "Instead, measure the damping that the hand adds to this device (8 s)");
 }
 

@@ -1,5 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/ask_to_hold.hpp"
 #include "palpable/cli/command.hpp"
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/haptics/safety/zero_force.hpp"
@@ -54,8 +55,11 @@ Result<Answer> share(const ShareArguments& arguments, Console& console) {
   };
   options.on_news = [&console](const std::string& sentence) { console.note(sentence); };
   std::optional<Result<haptics::ServoStatistics>> ended;
-  haptics::run_beside_signals(options.servo.realtime_priority - 1,
-                              [&] { ended.emplace(session::share_device(options, console.work())); });
+  haptics::run_beside_signals(options.servo.realtime_priority - 1, [&] {
+    if (const auto words = device::hold_words(options.device_url); !words.empty())
+      ask_to_hold(Speech::off, console)(words);
+    ended.emplace(session::share_device(options, console.work()));
+  });
   if (!*ended) return ended->error();
   const haptics::ServoStatistics& servo = **ended;
   Answer answer;

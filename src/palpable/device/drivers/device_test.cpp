@@ -30,6 +30,11 @@ TEST(OpenDevice, NamesWhatIsWrongWithAnAddress) {
   }
   EXPECT_NE(error_of("sim:?mass=99").sentence().find("0.01 to 5"), std::string::npos);
   EXPECT_NE(error_of("sim:?delay=1.5").sentence().find("whole number"), std::string::npos);
+  EXPECT_NE(error_of("sim:?mas=1").message.find("known: mass, damping"), std::string::npos);
+  EXPECT_NE(error_of("2diy").message.find("2diy:"), std::string::npos);
+  EXPECT_EQ(error_of("sim:?motors=").message, "motors is given without a value");
+  EXPECT_NE(error_of("pointer:/dev/input/mouse0").message.find("takes no name"), std::string::npos);
+  EXPECT_NE(error_of("touch:?library=nowhere.so").message.find("nowhere.so is not there"), std::string::npos);
   EXPECT_EQ(error_of("replay:/nowhere/at/all").code, ErrorCode::invalid_input);
 }
 
@@ -40,6 +45,16 @@ TEST(OpenDevice, ChecksTheAddressOfAnotherComputerBeforeItConnects) {
        {std::string("remote:"), std::string("remote:desk.local"), whole + "&speed=1",
         std::string("remote:desk.local:0?token=x"), whole.substr(0, whole.size() - 1)})
     EXPECT_FALSE(check_device_url(url)) << url;
+}
+
+TEST(OpenDevice, ChecksOptionsWithoutOpeningAnything) {
+  for (const auto* url : {"2diy:/nowhere?variant=v1", "FALCON:?max-force=2", "touch:?library=/nowhere.so",
+                          "forcedimension:", "inverse3:?continuous-force=1", "evdev:", "sim:", "pointer:"})
+    EXPECT_TRUE(check_device_url(url)) << url;
+  for (const auto* url :
+       {"2diy:?variant=v9", "falcon:?max-force=a", "touch:?lib=x",
+        "forcedimension:?initialise=", "inverse3:?port=0", "evdev:?size-mm=1", "sim:?mass=nan"})
+    EXPECT_EQ(check_device_url(url).error().code, ErrorCode::usage) << url;
 }
 
 TEST(OpenDevice, NamesADriverWithoutItsColon) {

@@ -21,54 +21,104 @@
 namespace palpable::device {
 namespace {
 
-/// One line per driver: a new one is added only here.
+/// One entry per driver: a new one is added only here.
 struct Driver {
   std::string_view scheme;
   Result<std::unique_ptr<Device>> (*open)(DeviceUrl&, const OpenOptions&);
   std::string_view name;
   std::string_view description;
   bool is_virtual = false;
+  /// How the handle is held while the device is opened, as a sentence without a full stop; empty: anyhow.
+  std::string_view hold = {};
+  /// What to do if there is none.
+  std::string_view advice = {};
   /// Where devices of this kind may be plugged in, or why none can be; null if it needs none.
   Result<std::vector<std::string>> (*ports)() = nullptr;
-  /// Checks path and options of a URL without opening it; null if only open() does.
+  /// Checks path and options of a URL without opening it; null if open() does it first.
   Result<void> (*check)(DeviceUrl&) = nullptr;
 };
 
 Result<std::vector<std::string>> serial_ports() { return two_diy_ports(); }
-Result<std::vector<std::string>> joysticks() { return evdev_ports(); }
 Result<std::vector<std::string>> remote_ports() {
   return Error{ErrorCode::device, "needs the address that palpable share prints at the other computer", {}};
 }
 
 constexpr std::array kDrivers{
-    Driver{"pointer", open_pointer, "pointer", "The page's mouse, finger, pen or arrow keys; no motors.",
-           true},
-    Driver{"sim", open_simulated_hand, "simulated hand",
-           "A simulated hand on a simulated device; it explores by itself.", true},
-    Driver{"replay", open_replay, "replay", "Replays the movements of a recording: replay:FILE.", true},
-    Driver{"2diy", open_two_diy, "Haply 2DIY",
-           "A planar device on a serial port; hold its handle at home when a touch begins.", false,
-           serial_ports},
-    Driver{"falcon", open_falcon, "Novint Falcon",
-           "By its USB packets, with its maker's firmware in a file; pull the grip out and push it in when a "
-           "touch begins.",
-           false, falcon_ports},
+    Driver{.scheme = "pointer",
+           .open = open_pointer,
+           .name = "pointer",
+           .description = "The page's mouse, finger, pen or arrow keys; no motors.",
+           .is_virtual = true},
+    Driver{.scheme = "sim",
+           .open = open_simulated_hand,
+           .name = "simulated hand",
+           .description = "A simulated hand on a simulated device; it explores by itself.",
+           .is_virtual = true},
+    Driver{.scheme = "replay",
+           .open = open_replay,
+           .name = "replay",
+           .description = "Replays the movements of a recording: replay:FILE.",
+           .is_virtual = true},
+    Driver{.scheme = "2diy",
+           .open = open_two_diy,
+           .name = "Haply 2DIY",
+           .description = "A planar device on a serial port; hold its handle at home when a touch begins.",
+           .hold = "Hold the handle of the 2DIY at its home: stretched away from the motors, or, of variant "
+                   "v1, folded "
+                   "against them, and of variant 2018 with the inner links apart on one line",
+           .advice = "plug in its USB cable, or name its port: 2diy:/dev/ttyACM0",
+           .ports = serial_ports},
+    Driver{.scheme = "falcon",
+           .open = open_falcon,
+           .name = "Novint Falcon",
+           .description =
+               "By its USB packets, with its maker's firmware in a file; pull the grip out and push it in "
+               "when a touch begins.",
+           .advice = "plug in its USB cable and its power supply",
+           .ports = falcon_ports},
+    Driver{.scheme = "forcedimension",
+           .open = open_force_dimension,
+           .name = "Force Dimension",
+           .description =
+               "An omega, delta or sigma, or a Novint Falcon, by the vendor's library libdhd; the handle "
+               "moves by itself when a touch begins.",
+           .hold = "Let go of the handle of the Force Dimension device: it moves by itself",
+           .advice = "plug it in, and install the vendor's SDK (forcedimension.com), which has libdhd.so, or "
+                     "name that "
+                     "file: forcedimension:?library=FILE",
+           .ports = force_dimension_ports},
+    Driver{.scheme = "inverse3",
+           .open = open_inverse3,
+           .name = "Haply Inverse3",
+           .description = "Through its maker's service; hold the handle in the middle when a touch begins.",
+           .hold = "Hold the handle of the Inverse3 where the middle of the scene shall be",
+           .advice = "plug it in, and install and start its maker's service (haply.co), or name its port: "
+                     "inverse3:?port=10001",
+           .ports = inverse3_ports},
     Driver{
-        "forcedimension", open_force_dimension, "Force Dimension",
-        "An omega, delta or sigma, or a Novint Falcon, by the vendor's library libdhd; the handle moves by "
-        "itself when a touch begins.",
-        false, force_dimension_ports},
-    Driver{"inverse3", open_inverse3, "Haply Inverse3",
-           "Through its maker's service; hold the handle in the middle when a touch begins.", false,
-           inverse3_ports},
-    Driver{"touch", open_open_haptics, "3D Systems Touch, Phantom",
-           "By the vendor's library libHD; put the stylus into its well when a touch begins.", false,
-           open_haptics_ports},
-    Driver{"evdev", open_evdev, "joystick or gamepad",
-           "With force feedback, in the plane; gamepads only rumble.", false, joysticks},
-    Driver{"remote", open_remote, "device of another computer",
-           "Where palpable share serves it: remote:HOST:PORT?token=…, as printed there.", false, remote_ports,
-           check_remote},
+        .scheme = "touch",
+        .open = open_open_haptics,
+        .name = "3D Systems Touch, Phantom",
+        .description = "By the vendor's library libHD; put the stylus into its well when a touch begins.",
+        .hold =
+            "Put the stylus of the 3D Systems device into its well, and take it out when the touch has begun",
+        .advice =
+            "plug it in, and install the vendor's OpenHaptics and device driver (3dsystems.com), which have "
+            "libHD.so, or name that file: touch:?library=FILE",
+        .ports = open_haptics_ports},
+    Driver{.scheme = "evdev",
+           .open = open_evdev,
+           .name = "joystick or gamepad",
+           .description = "With force feedback, in the plane; gamepads only rumble.",
+           .advice = "plug in one with force feedback",
+           .ports = evdev_ports},
+    Driver{.scheme = "remote",
+           .open = open_remote,
+           .name = "device of another computer",
+           .description = "Where palpable share serves it: remote:HOST:PORT?token=…, as printed there.",
+           .advice = "run palpable share at the other computer",
+           .ports = remote_ports,
+           .check = check_remote},
 };
 
 Result<const Driver*> driver_of(const DeviceUrl& url) {
@@ -87,7 +137,10 @@ Result<void> check_device_url(std::string_view url) {
   if (!parsed) return std::move(parsed).error();
   const auto driver = driver_of(*parsed);
   if (!driver) return driver.error();
-  return (*driver)->check == nullptr ? Result<void>{} : (*driver)->check(*parsed);
+  if ((*driver)->check != nullptr) return (*driver)->check(*parsed);
+  parsed->check_only();
+  const auto refused = (*driver)->open(*parsed, {});
+  return parsed->is_valid() ? Result<void>{} : Result<void>(refused.error());
 }
 
 Result<void> check_together(const std::vector<std::string>& urls) {
@@ -121,6 +174,12 @@ bool is_virtual_device(std::string_view url) {
   return driver && (*driver)->is_virtual;
 }
 
+std::string hold_words(std::string_view url) {
+  const auto parsed = DeviceUrl::parse(url);
+  const auto driver = parsed ? driver_of(*parsed) : Result<const Driver*>(parsed.error());
+  return driver ? std::string((*driver)->hold) : std::string();
+}
+
 Result<std::unique_ptr<Device>> open_device(std::string_view url, const OpenOptions& options) {
   auto parsed = DeviceUrl::parse(url);
   if (!parsed) return std::move(parsed).error();
@@ -143,6 +202,7 @@ std::vector<DeviceKind> list_devices() {
                           std::string(driver.name),
                           std::string(driver.description),
                           true,
+                          {},
                           {}};
     const auto ports = driver.ports == nullptr ? Result(std::vector<std::string>{""}) : driver.ports();
     if (ports && !ports->empty()) {
@@ -155,6 +215,7 @@ std::vector<DeviceKind> list_devices() {
     kinds.push_back(kind);
     kinds.back().available = false;
     kinds.back().note = ports ? "none is plugged in" : ports.error().message;
+    kinds.back().advice = driver.advice;
   }
   return kinds;
 }

@@ -23,8 +23,8 @@ Result<std::unique_ptr<Device>> open_device(std::string_view url, const OpenOpti
 /// again themselves (remote:).
 std::function<Result<std::unique_ptr<Device>>()> reopener(const std::string& url, double rate_hz);
 
-/// Checks that a URL is well formed and names a known kind of device, and the address of a device at another
-/// computer, without opening it, so that errors are reported before long computations. Errors: usage.
+/// Checks that a URL is well formed, and its options, without opening anything, so that errors are reported
+/// before long computations. Errors: usage.
 Result<void> check_device_url(std::string_view url);
 
 /// Checks that the devices of several hands can be open at the same time: no real one twice, no `pointer:`
@@ -33,6 +33,10 @@ Result<void> check_together(const std::vector<std::string>& urls);
 
 /// Whether a URL names a device without real motors: a simulation, the pointer, a recording.
 bool is_virtual_device(std::string_view url);
+
+/// How the handle must be held while this device is opened, as one sentence without a full stop; empty if
+/// anyhow.
+std::string hold_words(std::string_view url);
 
 /// A kind of device that can be opened, for `palpable devices`.
 struct DeviceKind {
@@ -44,6 +48,8 @@ struct DeviceKind {
   /// Whether one can be opened on this machine now; if not, `note` gives the reason.
   bool available = true;
   std::string note;
+  /// And this is what to do about it, without a capital letter and a full stop.
+  std::string advice;
 };
 std::vector<DeviceKind> list_devices();
 

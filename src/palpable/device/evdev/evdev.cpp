@@ -8,11 +8,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
 #include <system_error>
 #include <utility>
+
+#include <unistd.h>
 
 namespace palpable::device {
 namespace {
@@ -41,6 +44,7 @@ EvdevDevice::EvdevDevice(std::unique_ptr<EventPort> port, const EvdevOptions& op
   traits_.degrees_of_freedom = 2;
   traits_.workspace_m = {options.size_m, options.size_m, 0.05};
   traits_.max_force_N = options.max_force_N;
+  traits_.continuous_force_N = continuous_force(options.continuous_force_N, traits_.max_force_N);
   traits_.pushes_back = can.has_constant_force;
   const int steps = std::min(can.range[0][1] - can.range[0][0], can.range[1][1] - can.range[1][0]);
   traits_.position_resolution_m = options.size_m / std::max(1, steps);
@@ -50,18 +54,32 @@ EvdevDevice::EvdevDevice(std::unique_ptr<EventPort> port, const EvdevOptions& op
   effect_.id = -1;
   effect_.replay.length = kEffectLasts_ms;
   effect_.type = can.has_constant_force ? FF_CONSTANT : FF_RUMBLE;
+  // The kernel reports changes only.
+  take_current();
 }
 
 EvdevDevice::~EvdevDevice() { send({}); }
 
+void EvdevDevice::take_current() noexcept {
+  std::array<input_event, 18> events{};
+  const std::size_t count = port_->current(events);
+  for (std::size_t k = 0; k < count; ++k) take(events[k]);
+}
+
 void EvdevDevice::take(const input_event& event) noexcept {
+  if (event.type == EV_SYN && event.code == SYN_DROPPED) {
+    lost_events_ = true;
+  } else if (event.type == EV_SYN && event.code == SYN_REPORT && std::exchange(lost_events_, false)) {
+    take_current();
+  }
+  if (lost_events_) return;
   const auto& range = port_->abilities().range;
   if (event.type == EV_ABS && event.code == ABS_X)
     reading_.position.v.x = in_workspace(event.value, range[0], options_.size_m);
   // The kernel's Y grows towards the user.
   if (event.type == EV_ABS && event.code == ABS_Y)
     reading_.position.v.y = -in_workspace(event.value, range[1], options_.size_m);
-  const unsigned first = port_->abilities().has_constant_force ? BTN_JOYSTICK : BTN_GAMEPAD;
+  const auto first = static_cast<unsigned>(port_->abilities().first_button());
   if (event.type != EV_KEY || event.code < first || event.code >= first + 16U) return;
   const std::uint32_t bit = 1U << (event.code - first);
   reading_.buttons = event.value != 0 ? reading_.buttons | bit : reading_.buttons & ~bit;
@@ -116,13 +134,21 @@ std::string EvdevDevice::fault() const {
   return "the " + traits_.name + (port_->lost() ? " was unplugged" : " takes no forces any more");
 }
 
-std::vector<std::string> evdev_ports() {
+Result<std::vector<std::string>> evdev_ports() {
   std::vector<std::string> ports;
+  int forbidden = 0;
   std::error_code none;
   for (const auto& entry : std::filesystem::directory_iterator("/dev/input", none)) {
     const std::string path = entry.path().string();
-    if (entry.path().filename().string().starts_with("event") && open_event_port(path)) ports.push_back(path);
+    if (!entry.path().filename().string().starts_with("event")) continue;
+    if (open_event_port(path)) ports.push_back(path);
+    forbidden += ::access(path.c_str(), R_OK | W_OK) != 0 && errno == EACCES ? 1 : 0;
   }
+  if (ports.empty() && forbidden > 0)
+    return Error{ErrorCode::device,
+                 "none of those that may be opened, and " + std::to_string(forbidden) +
+                     " input devices may not: join the group input and log in again",
+                 "evdev"};
   std::ranges::sort(ports);
   return ports;
 }
@@ -131,15 +157,17 @@ Result<std::unique_ptr<Device>> open_evdev(DeviceUrl& url, const OpenOptions& op
   constexpr double kMillimetre = 1e-3;
   EvdevOptions wanted;
   wanted.max_force_N = url.take_number("max-force", wanted.max_force_N, 0.1, 40.0);
+  wanted.continuous_force_N = take_continuous_force(url);
   wanted.size_m = kMillimetre * url.take_number("size-mm", wanted.size_m / kMillimetre, 10.0, 1000.0);
   wanted.rate_hz = options.rate_hz;
   if (auto valid = url.finish(); !valid) return std::move(valid).error();
   std::string path = url.path();
   if (path.empty()) {
     const auto ports = evdev_ports();
-    if (ports.empty())
-      return Error{ErrorCode::device, "no joystick or gamepad with force feedback may be opened", "evdev"};
-    path = ports.front();
+    if (!ports) return ports.error();
+    if (ports->empty())
+      return Error{ErrorCode::device, "no joystick or gamepad with force feedback is plugged in", "evdev"};
+    path = ports->front();
   }
   auto port = open_event_port(path);
   if (!port) return std::move(port).error();

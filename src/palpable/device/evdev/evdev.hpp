@@ -4,6 +4,7 @@
 
 #include "palpable/device/device.hpp"
 #include "palpable/device/evdev/event_port.hpp"
+#include "palpable/device/motor_heat.hpp"
 
 #include <atomic>
 #include <memory>
@@ -18,6 +19,8 @@ struct OpenOptions;
 struct EvdevOptions {
   /// The greatest force of the device's motors, N, 0.1 to 40: the kernel states none.
   double max_force_N = 2.0;
+  /// What the motors can hold for ever, N, 0.1 to 40; kNoForce_N: an assumption (continuous_force()).
+  double continuous_force_N = kNoForce_N;
   /// Width and height of the workspace, metres, 0.01 to 1: the way of the stick's grip.
   double size_m = 0.10;
   /// Rate of the servo, Hz.
@@ -45,6 +48,7 @@ class EvdevDevice final : public Device {
 
  private:
   void take(const input_event& event) noexcept;
+  void take_current() noexcept;
   bool send(Vec3 force_N) noexcept;
 
   std::unique_ptr<EventPort> port_;
@@ -52,6 +56,8 @@ class EvdevDevice final : public Device {
   Traits traits_;
   ff_effect effect_{};
   Reading reading_;
+  /// Since the kernel said that it lost events: what follows until the next report is incomplete.
+  bool lost_events_ = false;
   double since_effect_s_ = kEffect_s;
   bool pushes_ = false;
   /// For how long it has refused effects.
@@ -64,6 +70,6 @@ class EvdevDevice final : public Device {
 Result<std::unique_ptr<Device>> open_evdev(DeviceUrl& url, const OpenOptions& options);
 
 /// The event devices with axes and force feedback that may be opened, sorted.
-std::vector<std::string> evdev_ports();
+Result<std::vector<std::string>> evdev_ports();
 
 }  // namespace palpable::device

@@ -47,6 +47,20 @@ TEST(Evdev, ReadsItsAxesInTheWorkspace) {
   EXPECT_NEAR(stick.ticks(1, {}).position.v.x, -0.05, 1e-12);
 }
 
+TEST(Evdev, ReadsWhatItsEventsDidNotSay) {
+  auto held = std::make_unique<VirtualJoystick>(true);
+  held->overflow(EV_ABS, ABS_Y, 0);
+  EXPECT_NEAR(EvdevDevice(std::move(held), EvdevOptions{}).read().position.v.y, 0.05, 1e-12);
+
+  Stick stick;
+  stick.port->happen(EV_KEY, BTN_JOYSTICK, 1);
+  EXPECT_EQ(stick.ticks(1, {}).buttons, 1U);
+  stick.port->overflow(EV_KEY, BTN_JOYSTICK, 0);
+  const Reading reading = stick.ticks(1, {});
+  EXPECT_EQ(reading.buttons, 0U);
+  EXPECT_NEAR(reading.position.v.x, 0.0, 1e-4);
+}
+
 TEST(Evdev, PushesInEveryDirection) {
   Stick stick;
   for (int k = 0; k < 16; ++k) {

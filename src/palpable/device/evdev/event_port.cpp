@@ -55,6 +55,26 @@ class KernelEventPort final : public EventPort {
     return bytes > 0 ? static_cast<std::size_t>(bytes) / sizeof(input_event) : 0;
   }
 
+  std::size_t current(std::span<input_event> events) noexcept override {
+    constexpr int kButtons = 16;
+    std::size_t count = 0;
+    const auto put = [&](int type, int code, int value) {
+      events[count] = {};
+      events[count].type = static_cast<std::uint16_t>(type);
+      events[count].code = static_cast<std::uint16_t>(code);
+      events[count++].value = value;
+    };
+    for (const int axis : {ABS_X, ABS_Y}) {
+      input_absinfo now{};
+      if (::ioctl(descriptor_.number(), EVIOCGABS(axis), &now) >= 0) put(EV_ABS, axis, now.value);
+    }
+    std::array<unsigned char, KEY_CNT / 8 + 1> keys{};
+    if (::ioctl(descriptor_.number(), EVIOCGKEY(keys.size()), keys.data()) < 0) return count;
+    for (int button = can_.first_button(); button < can_.first_button() + kButtons; ++button)
+      put(EV_KEY, button, has_bit(keys, static_cast<unsigned>(button)) ? 1 : 0);
+    return count;
+  }
+
   bool upload(ff_effect& effect) noexcept override {
     if (::ioctl(descriptor_.number(), EVIOCSFF, &effect) >= 0) return true;
     if (errno == ENODEV) lost_ = true;
@@ -84,8 +104,8 @@ Result<std::unique_ptr<EventPort>> open_event_port(const std::string& path) {
   if (descriptor.number() < 0) {
     const int failure = errno;
     return Error{ErrorCode::device,
-                 failure == EACCES ? "permission denied; the group input has it, or install the device rule"
-                                   : std::system_category().message(failure),
+                 failure == EACCES ? "may not be opened: join the group input and log in again"
+                                   : "cannot be opened: " + std::system_category().message(failure),
                  path};
   }
   EventAbilities can = abilities_of(descriptor.number());

@@ -22,6 +22,9 @@ struct EventAbilities {
   bool has_axes = false;
   bool has_constant_force = false;
   bool has_rumble = false;
+
+  /// The code of the first button.
+  int first_button() const noexcept { return has_constant_force ? BTN_JOYSTICK : BTN_GAMEPAD; }
 };
 
 /// The kernel's event device, or a double of it. No function waits, allocates or throws after it was opened.
@@ -35,6 +38,9 @@ class EventPort {
   virtual const EventAbilities& abilities() const noexcept = 0;
   /// Copies events that have happened to the start of `events` and returns their number.
   virtual std::size_t read(std::span<input_event> events) noexcept = 0;
+  /// Writes the present values of the axes X and Y and of the first sixteen buttons as events and returns
+  /// their number, at most 18; 0 if they cannot be read.
+  virtual std::size_t current(std::span<input_event> events) noexcept = 0;
   /// Uploads an effect, or changes it if its id is not -1, and stores its id. False if the device refuses it.
   virtual bool upload(ff_effect& effect) noexcept = 0;
   virtual bool play(int effect_id, bool on) noexcept = 0;

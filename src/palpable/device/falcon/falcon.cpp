@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/device/falcon/falcon.hpp"
 
+#include "palpable/core/system/thread_priority.hpp"
 #include "palpable/device/falcon/falcon_firmware.hpp"
 #include "palpable/device/open_options.hpp"
 #include "palpable/device/transport/libusb_transfers.hpp"
@@ -45,6 +46,7 @@ Traits falcon_traits(const FalconOptions& options) {
   traits.name = "Novint Falcon";
   traits.workspace_m = falcon::kWorkspace_m;
   traits.max_force_N = std::min(options.max_force_N, greatest_falcon_force_N());
+  traits.continuous_force_N = continuous_force(options.continuous_force_N, traits.max_force_N);
   // One count of one arm at the middle, where a radian moves the grip by about 100 mm.
   constexpr double kLever_m = 0.1;
   traits.position_resolution_m = kFalconCount_rad * kLever_m;
@@ -64,6 +66,7 @@ Falcon::Falcon(std::unique_ptr<UsbTransfers> usb, const FalconOptions& options, 
       until_s_(usb_->now_s()) {
   if (!options.own_thread) return;
   thread_ = std::thread([this] {
+    static_cast<void>(request_priority(kForcePriority));
     while (!ending_.load(std::memory_order_relaxed)) link_.exchange();
   });
 }
@@ -105,6 +108,7 @@ void Falcon::exchange_a_period() noexcept {
 Reading Falcon::read() noexcept {
   if (!thread_.joinable()) exchange_a_period();
   fresh_.pass();
+  if (link_.forces.notice_taken_back()) fresh_.rest();
   if (FalconLink::State state; link_.states.take(state))
     fresh_.renew(state.place_m - falcon::kCentre_m, state.buttons,
                  state.homed ? Status::ok : Status::not_ready);
@@ -147,6 +151,7 @@ Result<std::unique_ptr<Device>> open_falcon(DeviceUrl& url, const OpenOptions& o
   FalconOptions wanted;
   wanted.firmware = url.take_text("firmware");
   wanted.max_force_N = url.take_number("max-force", wanted.max_force_N, 0.1, 40.0);
+  wanted.continuous_force_N = take_continuous_force(url);
   wanted.rate_hz = options.rate_hz;
   if (auto valid = url.finish(); !valid) return std::move(valid).error();
   const auto index = url.path_number(kMostFalcons);

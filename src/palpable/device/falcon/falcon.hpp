@@ -4,6 +4,7 @@
 
 #include "palpable/device/device.hpp"
 #include "palpable/device/falcon/falcon_link.hpp"
+#include "palpable/device/motor_heat.hpp"
 #include "palpable/device/transport/fresh_reading.hpp"
 #include "palpable/device/zero_write.hpp"
 
@@ -22,6 +23,8 @@ struct FalconOptions {
   std::string firmware;
   /// Greatest force, N, 0.1 to 40; never above what the motors can hold everywhere in the workspace.
   double max_force_N = 40.0;
+  /// What the motors can hold for ever, N, 0.1 to 40; kNoForce_N: an assumption (continuous_force()).
+  double continuous_force_N = kNoForce_N;
   /// Rate of the servo, Hz.
   double rate_hz = 1000.0;
   /// Else read() exchanges the packets of the past period in the servo's thread: for tests in simulated time.

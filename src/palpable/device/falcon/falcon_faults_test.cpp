@@ -8,6 +8,9 @@
 namespace palpable::device {
 namespace {
 
+/// Ticks after a fault until the touch goes on: the driver rests for 25 of them.
+constexpr int kRests = 50;
+
 using Fault = VirtualFalcon::Fault;
 
 /// A Falcon that gets a fault at random instants while it pushes, and recovers each time.
@@ -45,7 +48,7 @@ TEST_P(FalconWithAFault, IsFreeWithinTenMillisecondsAndPushesAgainAfterwards) {
     ASSERT_LE(free_after_s(20), 0.010) << time;
     EXPECT_NE(device_->read().status, Status::ok);
     falcon_->inject(Fault::none);
-    EXPECT_EQ(ticks(20).status, Status::ok);
+    EXPECT_EQ(ticks(kRests).status, Status::ok);
   }
 }
 
@@ -75,7 +78,7 @@ TEST_F(FalconFaults, AfterAStallOfTheLineTheFirstCommandIsZero) {
     falcon_->on_step = [&] {
       if (falcon_->commands() == before + 1) first = std::abs(falcon_->motors()[0]);
     };
-    EXPECT_EQ(ticks(20, {1.0, 0.0, 0.0}).status, Status::ok);
+    EXPECT_EQ(ticks(kRests, {1.0, 0.0, 0.0}).status, Status::ok);
     falcon_->on_step = nullptr;
     EXPECT_EQ(first, 0) << length;
   }

@@ -27,7 +27,7 @@ void FalconLink::exchange() noexcept {
     const auto reply = replies_.take(std::span(packet).first(count).subspan(UsbTransfers::kStatus_bytes));
     if (reply) follow(*reply);
   }
-  if (!awaited_ || now_s_ - sent_s_ >= kPatience_s) send();
+  if (!awaited_ || now_s_ - sent_s_ >= kResend_s) send();
 }
 
 bool FalconLink::is_plausible(const FalconReply& reply) const noexcept {
@@ -70,11 +70,11 @@ std::array<int, 3> FalconLink::words_for(Vec3 force_N) const noexcept {
 }
 
 void FalconLink::send() noexcept {
-  auto taken = forces.take(now_s_ - last_s_);
-  last_s_ = now_s_;
   const bool homed = homed_.load(std::memory_order_relaxed);
-  taken.valid = taken.valid && homed && heard_ && has_place_ && now_s_ - heard_s_ < kPatience_s &&
-                !stuck_.load(std::memory_order_relaxed);
+  const auto taken =
+      forces.take(now_s_ - last_s_, homed && heard_ && has_place_ && now_s_ - heard_s_ < kPatience_s &&
+                                        !stuck_.load(std::memory_order_relaxed));
+  last_s_ = now_s_;
   FalconCommand command;
   command.lights =
       homed ? FalconCommand::kGreen : static_cast<std::uint8_t>(FalconCommand::kRed | FalconCommand::kHoming);

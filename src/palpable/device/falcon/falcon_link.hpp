@@ -20,8 +20,10 @@ namespace palpable::device {
 /// reply for kPatience_s, where the arms do not determine the place, and after an encoder stood still.
 class FalconLink {
  public:
-  /// Without a reply for this long the next command is sent all the same.
+  /// Without a reply for this long there is no force.
   static constexpr double kPatience_s = 0.004;
+  /// A command without a reply for this long is sent again, so that one lost reply ends no force.
+  static constexpr double kResend_s = 0.002;
 
   struct State {
     /// In the linkage's frame.

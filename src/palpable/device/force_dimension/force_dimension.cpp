@@ -3,6 +3,7 @@
 #include "palpable/device/force_dimension/force_dimension.hpp"
 
 #include "palpable/device/open_options.hpp"
+#include "palpable/device/transport/vendor_text.hpp"
 #include "palpable/device/url.hpp"
 
 #include <algorithm>
@@ -38,25 +39,21 @@ std::string lower(std::string text) {
   return text;
 }
 
-std::string text_of(const char* text) { return text == nullptr ? std::string() : std::string(text); }
-
 Error library_error(const DhdFunctions& dhd, const std::string& what) {
-  const std::string why = text_of(dhd.dhdErrorGetLastStr());
+  const std::string why = vendor_text(dhd.dhdErrorGetLastStr(), {});
   return {ErrorCode::device, why.empty() ? what : what + " (" + why + ")", "forcedimension"};
 }
 
 Traits traits_of(const DhdFunctions& dhd, char number, const ForceDimensionOptions& options) {
   Traits traits;
-  traits.name = text_of(dhd.dhdGetSystemName(number));
-  if (traits.name.empty()) traits.name = "Force Dimension device";
+  traits.name = vendor_text(dhd.dhdGetSystemName(number), "Force Dimension device");
   const std::string name = lower(traits.name);
   const auto known = std::ranges::find_if(
       kWorkspaces, [&](const auto& each) { return name.find(each.name) != std::string::npos; });
   traits.workspace_m = known == kWorkspaces.end() ? kUnknownWorkspace_m : known->size_m;
-  const double stated_N = dhd.dhdGetMaxForce(number);
-  const double limit_N =
-      std::isfinite(stated_N) && stated_N > 0.0 ? stated_N : ForceDimension::kUnknownForce_N;
+  const double limit_N = vendor_force_N(dhd.dhdGetMaxForce(number), ForceDimension::kUnknownForce_N);
   traits.max_force_N = options.max_force_N > 0.0 ? std::min(options.max_force_N, limit_N) : limit_N;
+  traits.continuous_force_N = options.continuous_force_N;
   traits.delay_samples = 1;
   traits.rate_hz = options.rate_hz;
   return traits;
@@ -105,19 +102,26 @@ Reading ForceDimension::read() noexcept {
       if (dhd_.dhdGetButton(k, number_) == 1) buttons |= 1U << static_cast<unsigned>(k);
     fresh_.renew_plausible({theirs.y, theirs.z, theirs.x}, buttons, Status::ok);
   }
-  return fresh_.now(false);
+  is_silent_ = fresh_.age_s() > FreshReading::kStale_s;
+  // One that takes no forces any more is as one that is silent.
+  if (refused_s_ > FreshReading::kStale_s) fresh_.rest();
+  return fresh_.now(refused_s_ > FreshReading::kSilent_s);
 }
 
 void ForceDimension::write(Vector<DeviceFrame> force_N) noexcept {
   const Vec3 force = fresh_.allowed(force_N.v);
-  dhd_.dhdSetForce(force.z, force.x, force.y, number_);
+  const bool refused = is_error(dhd_.dhdSetForce(force.z, force.x, force.y, number_));
+  refused_s_ = refused ? refused_s_ + 1.0 / traits_.rate_hz : 0.0;
 }
 
 void ForceDimension::stop() noexcept { dhd_.dhdSetForce(0.0, 0.0, 0.0, number_); }
 
 std::string ForceDimension::fault() const {
-  const std::string why = text_of(dhd_.dhdErrorGetLastStr());
-  return FreshReading::silence_of(traits_.name) + (why.empty() ? "" : " (" + why + ")");
+  const std::string why = vendor_text(dhd_.dhdErrorGetLastStr(), {});
+  const bool refuses = !is_silent_ && refused_s_ > FreshReading::kSilent_s;
+  const std::string what =
+      refuses ? "the " + traits_.name + " takes no forces any more" : FreshReading::silence_of(traits_.name);
+  return what + (why.empty() ? "" : " (" + why + ")");
 }
 
 Result<std::vector<std::string>> force_dimension_ports() {
@@ -132,6 +136,7 @@ Result<std::unique_ptr<Device>> open_force_dimension(DeviceUrl& url, const OpenO
   ForceDimensionOptions wanted;
   wanted.initialise = url.take_word("initialise", {"yes", "no"}) == "yes";
   wanted.max_force_N = url.take_number("max-force", 0.0, 0.1, 40.0);
+  wanted.continuous_force_N = take_continuous_force(url);
   wanted.rate_hz = options.rate_hz;
   const std::string file = url.take_text("library");
   if (auto valid = url.finish(); !valid) return std::move(valid).error();

@@ -4,8 +4,10 @@
 
 #include "palpable/device/device.hpp"
 #include "palpable/device/force_dimension/dhd_functions.hpp"
+#include "palpable/device/motor_heat.hpp"
 #include "palpable/device/transport/fresh_reading.hpp"
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,6 +24,9 @@ struct ForceDimensionOptions {
   bool initialise = true;
   /// Greatest force, N, 0.1 to 40; 0: the device's own limit as the library states it, else kUnknownForce_N.
   double max_force_N = 0.0;
+  /// What the motors can hold for ever, N, 0.1 to 40; kNoForce_N: the greatest force, which its maker states
+  /// as a continuous one.
+  double continuous_force_N = kNoForce_N;
   /// Rate of the servo, Hz.
   double rate_hz = 1000.0;
 };
@@ -51,6 +56,10 @@ class ForceDimension final : public Device {
   char number_;
   Traits traits_;
   FreshReading fresh_;
+  /// For how long it has refused forces.
+  std::atomic<double> refused_s_{0.0};
+  /// No position has come.
+  std::atomic<bool> is_silent_{false};
 };
 
 /// Opens `forcedimension:INDEX?initialise=yes&max-force=N&library=FILE`; without an index the first device.

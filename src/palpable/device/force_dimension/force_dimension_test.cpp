@@ -5,8 +5,10 @@
 #include "palpable/core/system/allocations.hpp"
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/device/transport/shared_library.hpp"
+#include "palpable/device/transport/vendor_text.hpp"
 #include "palpable/device/virtual/moved_handle.hpp"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -138,6 +140,17 @@ TEST_F(ForceDimensionDevice, NamesWhatIsWrongWithItsAddress) {
   EXPECT_EQ(open("&initialise=perhaps").error().code, ErrorCode::usage);
   const auto other = open_device("forcedimension:3?library=" PALPABLE_VIRTUAL_DHD, {});
   EXPECT_NE(other.error().message.find("there is no device 3"), std::string::npos);
+}
+
+TEST(VendorsLibrary, HasNamesThatCanBeShownAndForcesThatADeviceHas) {
+  EXPECT_EQ(vendor_text("omega.3", "x"), "omega.3");
+  for (const char* text : {static_cast<const char*>(nullptr), "", "\033[31mred", "om\xff", "two\nlines"})
+    EXPECT_EQ(vendor_text(text, "a device"), "a device");
+  EXPECT_EQ(vendor_text(std::string(65, 'x').c_str(), "a device"), "a device");
+  for (const double stated_N : {0.0, -5.0, 1e9, static_cast<double>(NAN)})
+    EXPECT_EQ(vendor_force_N(stated_N, 8.0), 8.0);
+  EXPECT_EQ(vendor_force_N(12.0, 8.0), 12.0);
+  EXPECT_EQ(vendor_force_N(200.0, 8.0), 40.0);
 }
 
 TEST(VendorsLibrary, IsNamedIfItIsMissingOrOfAnotherKind) {

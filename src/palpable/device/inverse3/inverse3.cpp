@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/device/inverse3/inverse3.hpp"
 
+#include "palpable/core/system/thread_priority.hpp"
+#include "palpable/device/inverse3/inverse3_socket.hpp"
 #include "palpable/device/open_options.hpp"
 #include "palpable/device/transport/force_hand_off.hpp"
 #include "palpable/device/url.hpp"
@@ -10,7 +12,6 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -29,7 +30,6 @@ namespace beast = boost::beast;
 namespace websocket = boost::beast::websocket;
 using InverseClock = std::chrono::steady_clock;
 
-constexpr std::size_t kLongestMessage_bytes = 1U << 20U;
 constexpr auto kFirstState = std::chrono::seconds(2);
 /// How often the driver looks whether a force must be taken back while the service does not answer.
 constexpr auto kLook = std::chrono::milliseconds(1);
@@ -47,56 +47,11 @@ std::string ending_of(beast::error_code error) {
   return closed ? "closed the connection" : "breaks the connection's protocol (" + error.message() + ")";
 }
 
-/// Connects to a port of this machine. A program that accepts no connection is not waited for any longer.
-beast::error_code connect_within(asio::io_context& context, asio::ip::tcp::socket& socket, std::uint16_t port,
-                                 std::chrono::milliseconds longest) {
-  std::optional<beast::error_code> outcome;
-  socket.async_connect({asio::ip::address_v4::loopback(), port},
-                       [&](beast::error_code error) { outcome = error; });
-  context.run_for(longest);
-  const bool in_time = outcome.has_value();
-  if (!in_time) {
-    beast::error_code ignored;
-    socket.close(ignored);
-    context.run();
-  }
-  context.restart();
-  return in_time ? *outcome : beast::error_code(asio::error::timed_out);
-}
-
 double seconds_between(InverseClock::time_point from, InverseClock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
 }
 
 }  // namespace
-
-/// Sends one command over a connection of its own and waits for it to be read, a fifth of a second at most: a
-/// broken connection takes no zero force any more, and the service may hold the last one. False: not read.
-bool send_anew(std::uint16_t port, const std::string& command) {
-  asio::io_context context;
-  websocket::stream<asio::ip::tcp::socket> socket(context);
-  beast::flat_buffer buffer;
-  // The list of devices, and the answer: a connection that is closed before may take the command along.
-  int awaited = 2;
-  std::function<void()> read = [&] {
-    socket.async_read(buffer, [&](beast::error_code error, std::size_t) {
-      if (!error && --awaited > 0) return read();
-      context.stop();
-    });
-  };
-  socket.next_layer().async_connect({asio::ip::address_v4::loopback(), port}, [&](beast::error_code failed) {
-    if (failed) return;
-    socket.read_message_max(kLongestMessage_bytes);
-    socket.async_handshake("localhost:" + std::to_string(port), "/", [&](beast::error_code refused) {
-      if (refused) return;
-      socket.text(true);
-      socket.async_write(asio::buffer(command), [](beast::error_code, std::size_t) {});
-      read();
-    });
-  });
-  context.run_for(std::chrono::milliseconds(200));
-  return awaited == 0;
-}
 
 /// The connection and its thread. Handlers run in that thread only.
 class Inverse3::Link {
@@ -124,6 +79,7 @@ class Inverse3::Link {
   /// How the connection was lost, once it is.
   const std::string& ending() const { return ending_; }
   /// Whether the service sends, but no position.
+  bool is_ready() const { return said_ready_.load(std::memory_order_relaxed); }
   bool sends_no_position() const { return since_position_.load(std::memory_order_relaxed) > 0; }
 
  private:
@@ -153,6 +109,7 @@ class Inverse3::Link {
   std::optional<Vec3> position_m_;
   bool calibrated_ = true;
   bool ready_ = true;
+  std::atomic<bool> said_ready_{true};
   bool first_ = true;
   Heard heard_ = Heard::nothing;
   /// Written before `lost`, which orders it for other threads.
@@ -190,7 +147,7 @@ void Inverse3::Link::connect(beast::error_code& error) {
   limits.handshake_timeout = kFirstState;
   limits.idle_timeout = websocket::stream_base::none();
   socket_.set_option(limits);
-  socket_.read_message_max(kLongestMessage_bytes);
+  socket_.read_message_max(kLongestInverse3Message_bytes);
   socket_.text(true);
 }
 
@@ -215,7 +172,10 @@ Result<Inverse3::Link::State> Inverse3::Link::start() {
   while (may_answer() && InverseClock::now() < until) context_.run_for(std::chrono::milliseconds(20));
   if (!position_m_) return Error{ErrorCode::device, no_position(), kInversePlace, Reason::device_silent};
   watch();
-  thread_ = std::thread([this] { context_.run(); });
+  thread_ = std::thread([this] {
+    static_cast<void>(request_priority(kForcePriority));
+    context_.run();
+  });
   return State{*position_m_, calibrated_ && ready_};
 }
 
@@ -227,7 +187,7 @@ std::string Inverse3::Link::no_position() const {
     case Heard::nothing:
       return other + "opens no WebSocket within 2 s";
     case Heard::web_socket:
-      return other + "sends nothing within 2 s";
+      return other + "sends no message within 2 s";
     case Heard::other:
       return other + "sends something else than a list of devices";
     case Heard::list:
@@ -272,6 +232,7 @@ void Inverse3::Link::follow(const Inverse3State& state) {
   }
   calibrated_ = state.calibrated.value_or(calibrated_);
   ready_ = state.ready.value_or(ready_);
+  said_ready_ = calibrated_ && ready_;
   if (!position_m_) heard_ = state.position_m ? Heard::far_away : Heard::device;
   if (!state.position_m || norm(*state.position_m) > kFarthestInverse_m) return;
   position_m_ = *state.position_m;
@@ -282,10 +243,10 @@ void Inverse3::Link::follow(const Inverse3State& state) {
 
 void Inverse3::Link::send() {
   const auto now = InverseClock::now();
-  in_flight_ = forces.take(seconds_between(last_take_, now));
+  in_flight_ =
+      forces.take(seconds_between(last_take_, now),
+                  calibrated_ && ready_ && seconds_between(placed_, now) < ForceHandOff::kUnwritten_s);
   last_take_ = now;
-  in_flight_.valid =
-      in_flight_.valid && calibrated_ && ready_ && seconds_between(placed_, now) < ForceHandOff::kUnwritten_s;
   const Vec3 force = in_flight_.valid ? in_flight_.command : Vec3{};
   command_ = inverse3_command(device_id_, force, options_.form, std::exchange(first_, false));
   writing_ = true;
@@ -335,6 +296,7 @@ Inverse3::Inverse3(std::unique_ptr<Link> link, const Inverse3Options& options)
   // About the reach of its arms around the middle; no hardware has confirmed it.
   traits_.workspace_m = {0.16, 0.12, 0.12};
   traits_.max_force_N = options.max_force_N;
+  traits_.continuous_force_N = continuous_force(options.continuous_force_N, traits_.max_force_N);
   traits_.delay_samples = 2;
   traits_.rate_hz = options.rate_hz;
 }
@@ -352,6 +314,7 @@ Inverse3::~Inverse3() = default;
 
 Reading Inverse3::read() noexcept {
   fresh_.pass();
+  if (link_->forces.notice_taken_back()) fresh_.rest();
   if (Link::State state; link_->states.take(state)) {
     const Vec3 moved = state.position_m - centre_m_;
     fresh_.renew_plausible({moved.x, moved.z, -moved.y}, 0, state.ready ? Status::ok : Status::not_ready);
@@ -372,6 +335,13 @@ std::string Inverse3::fault() const {
   return "the service of the Inverse3 does not answer any more";
 }
 
+std::string Inverse3::guidance() const {
+  return link_->is_ready()
+             ? std::string()
+             : "Calibrate the Inverse3 in its maker's program: there is no force until its service says "
+               "that it is calibrated and ready";
+}
+
 Result<std::vector<std::string>> inverse3_ports() {
   asio::io_context context;
   asio::ip::tcp::socket socket(context);
@@ -385,6 +355,7 @@ Result<std::unique_ptr<Device>> open_inverse3(DeviceUrl& url, const OpenOptions&
   wanted.device_id = url.path();
   wanted.port = static_cast<std::uint16_t>(url.take_count("port", wanted.port, 1, 65535));
   wanted.max_force_N = url.take_number("max-force", wanted.max_force_N, 0.1, 40.0);
+  wanted.continuous_force_N = take_continuous_force(url);
   const std::string form = url.take_word("form", {"both", "vector", "values"});
   wanted.form = form == "vector"   ? Inverse3Form::vector
                 : form == "values" ? Inverse3Form::values

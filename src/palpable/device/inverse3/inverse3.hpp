@@ -4,6 +4,7 @@
 
 #include "palpable/device/device.hpp"
 #include "palpable/device/inverse3/inverse3_messages.hpp"
+#include "palpable/device/motor_heat.hpp"
 #include "palpable/device/transport/fresh_reading.hpp"
 
 #include <cstdint>
@@ -22,6 +23,8 @@ struct Inverse3Options {
   std::uint16_t port = 10001;
   /// N, 0.1 to 40.
   double max_force_N = 8.0;
+  /// What the motors can hold for ever, N, 0.1 to 40; kNoForce_N: an assumption (continuous_force()).
+  double continuous_force_N = kNoForce_N;
   Inverse3Form form = Inverse3Form::both;
   /// Rate of the servo, Hz.
   double rate_hz = 1000.0;
@@ -42,6 +45,7 @@ class Inverse3 final : public Device {
   void write(Vector<DeviceFrame> force_N) noexcept override;
   void stop() noexcept override;
   std::string fault() const override;
+  std::string guidance() const override;
 
  private:
   class Link;

@@ -3,6 +3,7 @@
 #include "palpable/device/inverse3/inverse3_messages.hpp"
 
 #include "palpable/core/text/plain_text.hpp"
+#include "palpable/device/transport/vendor_text.hpp"
 
 #include <cmath>
 
@@ -44,8 +45,23 @@ bool is_on(const InverseJson& setting) {
   return truth_in(setting).value_or(false) || truth_in(member(setting, "enabled")).value_or(false);
 }
 
-/// Null for a message that is none, or that is nested too deeply.
+/// Whether a text may be nested more deeply than a state is. Brackets in its strings count too: no name has
+/// so many.
+bool is_deep(std::string_view message) {
+  int depth = 0;
+  for (const char c : message) {
+    depth += c == '[' || c == '{' ? 1 : 0;
+    depth -= c == ']' || c == '}' ? 1 : 0;
+    if (depth > kDeepest) return true;
+  }
+  return false;
+}
+
+/// Null for a message that is none, that is nested too deeply, or too long: the driver's thread cannot send
+/// zero while it parses.
 InverseJson parsed(std::string_view message) {
+  constexpr std::size_t kLongestParsed_bytes = 65536;
+  if (message.size() > kLongestParsed_bytes || is_deep(message)) return {};
   bool too_deep = false;
   const auto watch_depth = [&](int depth, InverseJson::parse_event_t, InverseJson&) {
     too_deep = too_deep || depth > kDeepest;
@@ -56,12 +72,9 @@ InverseJson parsed(std::string_view message) {
   return json;
 }
 
-/// Names are shown, spoken and recorded, so they are short texts.
+/// The name is a text that can be shown.
 bool can_be_shown(const InverseJson& name) {
-  constexpr std::size_t kLongestName = 64;
-  if (!name.is_string()) return false;
-  const auto& text = name.get_ref<const std::string&>();
-  return !text.empty() && text.size() <= kLongestName && is_utf8(text) && plain_name(text) == text;
+  return name.is_string() && palpable::device::can_be_shown(name.get_ref<const std::string&>());
 }
 
 InverseJson as_json(Vec3 v) { return {{"x", v.x}, {"y", v.y}, {"z", v.z}}; }

@@ -171,7 +171,7 @@ TEST(Inverse3Device, IsNotThereForTheReasonThatIsToldAtTheStart) {
     const std::string told = told_at_first(fault);
     EXPECT_NE(told.find(part), std::string::npos) << told;
   };
-  holds(InverseFault::silent, "it sends nothing within 2 s");
+  holds(InverseFault::silent, "it sends no message within 2 s");
   holds(InverseFault::garbage, "it sends something else than a list of devices");
   holds(InverseFault::nested, "it sends something else than a list of devices");
   holds(InverseFault::huge, "it sends a message of more than a megabyte");
@@ -259,6 +259,16 @@ TEST(Inverse3Messages, NameNoDeviceOrFilterThatCannotBeShown) {
   std::string many = R"({"inverse3":[{"device_id":"1","config":{)";
   for (int k = 0; k < 100; ++k) many += '"' + std::to_string(k) + "\":true,";
   EXPECT_EQ(parse_inverse3_state(many + R"("z":true}}]})", "")->filters.size(), 8U);
+}
+
+TEST(Inverse3Messages, AreNotParsedIfThatTakesLong) {
+  const auto with = [](const std::string& more) {
+    return parse_inverse3_state(R"({"inverse3":[{"device_id":"1","more":)" + more + "}]}", "");
+  };
+  EXPECT_TRUE(with('"' + std::string(60'000, ' ') + '"'));
+  EXPECT_FALSE(with('"' + std::string(70'000, ' ') + '"'));
+  EXPECT_TRUE(with("[[[1]]]"));
+  EXPECT_FALSE(with(std::string(1000, '[') + std::string(1000, ']')));
 }
 
 TEST(Inverse3Messages, AreRefusedIfTheyAreNoState) {

@@ -47,6 +47,7 @@ inline constexpr unsigned kModel = 0x2501;
 inline constexpr unsigned kUsableWorkspace = 0x2551;
 inline constexpr unsigned kCalibrationStyles = 0x2555;
 inline constexpr unsigned kNominalMaxForce = 0x2603;
+inline constexpr unsigned kNominalMaxContinuousForce = 0x2604;
 inline constexpr unsigned kCurrentForce = 0x2700;
 inline constexpr unsigned kForceOutput = 0x4000;
 inline constexpr unsigned kCalibrationOk = 0x5000;

@@ -3,12 +3,14 @@
 #include "palpable/device/open_haptics/open_haptics.hpp"
 
 #include "palpable/device/open_options.hpp"
+#include "palpable/device/transport/vendor_text.hpp"
 #include "palpable/device/url.hpp"
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace palpable::device {
@@ -24,20 +26,16 @@ constexpr double kFarthestTouch_m = 0.6;
 constexpr auto kPatience = std::chrono::milliseconds(20);
 /// Of the library's thread.
 constexpr double kCallPeriod_s = 0.001;
-/// Calls between two looks at the calibration while it is missing.
+/// Calls between two looks at the calibration: it may be lost during a touch.
 constexpr int kCalibrationPause = 100;
-
-std::string text_or(const char* text, std::string otherwise) {
-  return text == nullptr || *text == '\0' ? std::move(otherwise) : std::string(text);
-}
 
 bool stops_the_loop(unsigned code) noexcept {
   return code != 0 && (code < hd::kFirstForceError || code > hd::kLastForceError);
 }
 
 Error opening_error(const HdFunctions& functions, const std::string& what, unsigned code) {
-  return {ErrorCode::device, what + " (" + text_or(functions.hdGetErrorString(code), "no reason given") + ")",
-          "touch"};
+  return {ErrorCode::device,
+          what + " (" + vendor_text(functions.hdGetErrorString(code), "no reason given") + ")", "touch"};
 }
 
 /// Both corners of the usable workspace, millimetres; {0} if the library states none.
@@ -50,21 +48,30 @@ std::array<double, 6> usable_workspace_mm(const HdFunctions& functions) {
   return is_box ? corners : std::array<double, 6>{};
 }
 
+/// A force that the library states, N; nullopt if it states none.
+std::optional<double> stated_force(const HdFunctions& functions, unsigned what) {
+  double force_N = 0.0;
+  functions.hdGetDoublev(what, &force_N);
+  functions.hdGetError();
+  return force_N > 0.0 && std::isfinite(force_N) ? std::optional(force_N) : std::nullopt;
+}
+
 }  // namespace
 
 OpenHaptics::OpenHaptics(const HdFunctions& hd, unsigned handle, const OpenHapticsOptions& options)
     : hd_(hd), handle_(handle), fresh_(1.0 / options.rate_hz) {
   hd_.hdMakeCurrentDevice(handle_);
-  traits_.name = text_or(hd_.hdGetString(hd::kModel), "3D Systems device");
+  traits_.name = vendor_text(hd_.hdGetString(hd::kModel), "3D Systems device");
   const auto box = usable_workspace_mm(hd_);
   const Vec3 size_mm{box[3] - box[0], box[4] - box[1], box[5] - box[2]};
   traits_.workspace_m = size_mm.x > 0.0 ? kMetres * size_mm : kUnknownTouchWorkspace_m;
   centre_mm_ = {0.5 * (box[0] + box[3]), 0.5 * (box[1] + box[4]), 0.5 * (box[2] + box[5])};
-  double stated_N = 0.0;
-  hd_.hdGetDoublev(hd::kNominalMaxForce, &stated_N);
-  hd_.hdGetError();
-  const double limit_N = std::isfinite(stated_N) && stated_N > 0.0 ? stated_N : kUnknownForceLimit_N;
+  const double limit_N =
+      vendor_force_N(stated_force(hd_, hd::kNominalMaxForce).value_or(0.0), kUnknownForceLimit_N);
   traits_.max_force_N = options.max_force_N > 0.0 ? std::min(options.max_force_N, limit_N) : limit_N;
+  const double stated_N = stated_force(hd_, hd::kNominalMaxContinuousForce).value_or(kNoForce_N);
+  traits_.continuous_force_N = continuous_force(
+      options.continuous_force_N > 0.0 ? options.continuous_force_N : stated_N, traits_.max_force_N);
   // One tick until the library's thread takes the force, one until its next frame writes it.
   traits_.delay_samples = 2;
   traits_.rate_hz = options.rate_hz;
@@ -104,7 +111,7 @@ unsigned OpenHaptics::on_call(void* self) {
 }
 
 bool OpenHaptics::is_calibrated() noexcept {
-  if (calibrated_ || --until_calibration_check_ > 0) return calibrated_;
+  if (--until_calibration_check_ > 0) return calibrated_;
   until_calibration_check_ = kCalibrationPause;
   const unsigned state = hd_.hdCheckCalibration();
   calibrated_ = state == hd::kCalibrationOk;
@@ -129,8 +136,7 @@ void OpenHaptics::exchange() noexcept {
   hd_.hdGetIntegerv(hd::kButtons, &buttons);
   state.buttons = static_cast<std::uint32_t>(buttons);
 
-  auto taken = forces_.take(kCallPeriod_s);
-  taken.valid = taken.valid && state.calibrated;
+  const auto taken = forces_.take(kCallPeriod_s, state.calibrated);
   const Vec3 force = taken.valid ? taken.command : Vec3{};
   const std::array<double, 3> written{force.x, force.y, force.z};
   hd_.hdSetDoublev(hd::kCurrentForce, written.data());
@@ -147,6 +153,7 @@ void OpenHaptics::exchange() noexcept {
 
 Reading OpenHaptics::read() noexcept {
   fresh_.pass();
+  if (forces_.notice_taken_back()) fresh_.rest();
   if (states_.take(state_)) {
     const Vec3 position = kMetres * (state_.position_mm - centre_mm_);
     if (is_finite(position) && norm(position) < kFarthestTouch_m)
@@ -162,7 +169,13 @@ void OpenHaptics::stop() noexcept { forces_.cut(); }
 std::string OpenHaptics::fault() const {
   const unsigned code = error_.load(std::memory_order_relaxed);
   if (code == 0) return FreshReading::silence_of(traits_.name);
-  return "the " + traits_.name + " failed (" + text_or(hd_.hdGetErrorString(code), "no reason given") + ")";
+  return "the " + traits_.name + " failed (" + vendor_text(hd_.hdGetErrorString(code), "no reason given") +
+         ")";
+}
+
+std::string OpenHaptics::guidance() const {
+  return calibrated_ ? std::string()
+                     : "Put the stylus into its well: there is no force until the device has its calibration";
 }
 
 Result<std::vector<std::string>> open_haptics_ports() {
@@ -174,6 +187,7 @@ Result<std::unique_ptr<Device>> open_open_haptics(DeviceUrl& url, const OpenOpti
   OpenHapticsOptions wanted;
   wanted.name = url.path();
   wanted.max_force_N = url.take_number("max-force", 0.0, 0.1, 40.0);
+  wanted.continuous_force_N = take_continuous_force(url);
   wanted.rate_hz = options.rate_hz;
   const std::string file = url.take_text("library");
   if (auto valid = url.finish(); !valid) return std::move(valid).error();

@@ -4,6 +4,7 @@
 
 #include "palpable/core/system/hand_off.hpp"
 #include "palpable/device/device.hpp"
+#include "palpable/device/motor_heat.hpp"
 #include "palpable/device/open_haptics/hd_functions.hpp"
 #include "palpable/device/transport/force_hand_off.hpp"
 #include "palpable/device/transport/fresh_reading.hpp"
@@ -23,6 +24,9 @@ struct OpenHapticsOptions {
   std::string name;
   /// Greatest force, N, 0.1 to 40; 0: the device's own limit as the library states it.
   double max_force_N = 0.0;
+  /// What the motors can hold for ever, N, 0.1 to 40; kNoForce_N: the device's own as the library states it,
+  /// else an assumption.
+  double continuous_force_N = kNoForce_N;
   /// Rate of the servo, Hz.
   double rate_hz = 1000.0;
 };
@@ -41,6 +45,7 @@ class OpenHaptics final : public Device {
   void write(Vector<DeviceFrame> force_N) noexcept override;
   void stop() noexcept override;
   std::string fault() const override;
+  std::string guidance() const override;
 
  private:
   /// From the library's thread to the servo's.
@@ -65,8 +70,9 @@ class OpenHaptics final : public Device {
   /// The last error that stopped the loop, 0 for none.
   std::atomic<unsigned> error_{0};
 
+  // The library's thread writes it.
+  std::atomic<bool> calibrated_{false};
   // The library's thread only.
-  bool calibrated_ = false;
   int until_calibration_check_ = 0;
 
   // The servo's thread only.

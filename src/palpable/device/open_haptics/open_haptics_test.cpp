@@ -8,6 +8,7 @@
 #include "palpable/device/virtual/moved_handle.hpp"
 
 #include <chrono>
+#include <random>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -100,8 +101,37 @@ TEST_F(TouchDevice, IsFreeAfterFiveCallsWithoutTheServo) {
   EXPECT_NE(motors(), Vec3{});
   for (int k = 0; k < 5; ++k) bench_.call();
   EXPECT_EQ(motors(), Vec3{});
-  ticks(**device, 1, {0.5, 0.0, 0.0});
+  // It does not come back at once: the tick learns of it, so that its force begins from zero.
+  for (int k = 0; k < 25; ++k) {
+    EXPECT_EQ(ticks(**device, 1, {0.5, 0.0, 0.0}).status, Status::stale) << k;
+    EXPECT_EQ(motors(), Vec3{}) << k;
+  }
+  EXPECT_EQ(ticks(**device, 2, {0.5, 0.0, 0.0}).status, Status::ok);
   EXPECT_NE(motors(), Vec3{});
+}
+
+TEST_F(TouchDevice, NeverGetsItsForceBackInOneStep) {
+  const auto device = open();
+  ASSERT_TRUE(device);
+  // A call without the servo, and bursts of them, at random.
+  std::mt19937 random(4);
+  Vec3 before;
+  int rests = 0;
+  double wanted_N = 0.0;
+  for (int k = 0; k < 5000; ++k) {
+    const Reading reading = (*device)->read();
+    // A tick's force rises by 0.3 N from zero, and is zero while the reading is not good.
+    wanted_N = reading.status == Status::ok ? std::min(3.0, wanted_N + 0.3) : 0.0;
+    (*device)->write({{wanted_N, 0.0, 0.0}});
+    const int calls = random() % 100 == 0 ? static_cast<int>(random() % 12) : 1;
+    for (int call = 0; call < calls; ++call) {
+      bench_.call();
+      EXPECT_LE(motors().x, before.x + 0.3 + 1e-9) << k;
+      before = motors();
+    }
+    rests += reading.status == Status::ok ? 0 : 1;
+  }
+  EXPECT_GT(rests, 100);
 }
 
 TEST_F(TouchDevice, TakesNoForceOfBeforeACut) {
@@ -124,8 +154,14 @@ TEST_F(TouchDevice, GetsNoForceBeforeItIsCalibrated) {
   // By the well: encoders are never reset at an unknown place.
   EXPECT_EQ(bench_.updated_by(), hd::kInkwell);
   inject(LibraryFault::none);
+  EXPECT_FALSE((*device)->guidance().empty());
   EXPECT_EQ(ticks(**device, 102, {0.5, 0.0, 0.0}).status, Status::ok);
   EXPECT_NE(motors(), Vec3{});
+  EXPECT_TRUE((*device)->guidance().empty());
+  // Lost in the middle of a touch.
+  inject(LibraryFault::uncalibrated);
+  EXPECT_EQ(ticks(**device, 102, {0.5, 0.0, 0.0}).status, Status::not_ready);
+  EXPECT_EQ(motors(), Vec3{});
 }
 
 TEST_F(TouchDevice, HasFailedAfterHalfASecondAndSaysSo) {

@@ -60,6 +60,9 @@ void PointerDevice::follow(Vec3 place_m) noexcept {
 
 Result<std::unique_ptr<Device>> open_pointer(DeviceUrl& url, const OpenOptions& options) {
   if (auto valid = url.finish(); !valid) return std::move(valid).error();
+  if (!url.path().empty())
+    return Error{ErrorCode::usage, "there is only one pointer, the page's: pointer: takes no name",
+                 "pointer"};
   if (options.pointer == nullptr)
     return Error{ErrorCode::usage,
                  "needs the page: without one there is no pointer (sim: explores by itself)", "pointer"};

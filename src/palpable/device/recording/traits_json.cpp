@@ -22,8 +22,11 @@ struct TraitNumber {
 };
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+/// Recordings from before it was known do not have it.
+constexpr std::string_view kContinuous = "continuous_force_N";
 constexpr TraitNumber kTraitNumbers[]{
     {"max_force_N", &Traits::max_force_N, kUnbounded},
+    {kContinuous, &Traits::continuous_force_N, kUnknown},
     {"mass_kg", &Traits::mass_kg, kUnknown},
     {"damping_Ns_per_m", &Traits::damping_Ns_per_m, kUnknown},
     {"coulomb_friction_N", &Traits::coulomb_friction_N, kUnknown},
@@ -43,6 +46,7 @@ Traits traits_from(const Json& json) {
   const auto& work = json.at("workspace_m");
   traits.workspace_m = {work.at(0).get<double>(), work.at(1).get<double>(), work.at(2).get<double>()};
   for (const TraitNumber& number : kTraitNumbers) {
+    if (number.name == kContinuous && !json.contains(kContinuous)) continue;
     const auto& value = json.at(std::string(number.name));
     traits.*number.value = value.is_null() ? number.if_null : value.get<double>();
   }

@@ -38,6 +38,8 @@ Reading RemoteDevice::read() noexcept {
 void RemoteDevice::write_surface(const LocalSurface& surface) noexcept {
   LocalSurface stamped = surface;
   stamped.read_at_s = newest_.read_at_s;
+  // The other computer's own loop begins its force from zero; here nothing does.
+  exchange_->surfaces.notice_taken_back();
   exchange_->surfaces.put(stamped);
 }
 

@@ -22,6 +22,7 @@ Traits traits_of(const HandOptions& options) {
   traits.degrees_of_freedom = options.degrees_of_freedom;
   traits.workspace_m = options.script.workspace_m;
   traits.max_force_N = options.max_force_N;
+  traits.continuous_force_N = options.continuous_force_N;
   traits.mass_kg = options.device_mass_kg;
   traits.damping_Ns_per_m = options.device_damping_Ns_per_m;
   traits.coulomb_friction_N = options.device_friction_N;
@@ -167,6 +168,7 @@ Result<std::unique_ptr<Device>> open_simulated_hand(DeviceUrl& url, const OpenOp
   hand.resolution_m = 1e-6 * url.take_number("resolution-um", 1e6 * hand.resolution_m, 0.0, 1000.0);
   hand.delay_samples = url.take_count("delay", 0, 0, SimulatedHand::kMostDelay);
   hand.max_force_N = url.take_number("max-force", hand.max_force_N, 0.1, 40.0);
+  hand.continuous_force_N = take_continuous_force(url);
   hand.degrees_of_freedom = url.take_word("dof", {"3", "2"}) == "2" ? 2 : 3;
   hand.has_torque = url.take_number("torque", 0.0, 0.0, 1.0) > 0.0;
   hand.max_torque_Nm = url.take_number("max-torque", hand.max_torque_Nm, 0.001, 5.0);

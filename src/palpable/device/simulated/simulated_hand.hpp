@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/device/device.hpp"
+#include "palpable/device/motor_heat.hpp"
 #include "palpable/device/simulated/hand_script.hpp"
 #include "palpable/device/simulated/motor_file.hpp"
 #include "palpable/device/zero_write.hpp"
@@ -29,6 +30,8 @@ struct HandOptions {
   /// Delay in ticks from writing a force until it acts at the motor, 0 ... 8.
   int delay_samples = 0;
   double max_force_N = 3.3;
+  /// What the motors can hold for ever, N, 0.1 to 40; kNoForce_N: the greatest force.
+  double continuous_force_N = kNoForce_N;
   double rate_hz = 1000.0;
   int degrees_of_freedom = 3;
   /// The handle rotates and takes torques. The hand holds it upright and tilts it slowly in both directions.

@@ -10,12 +10,15 @@
 namespace palpable::device {
 
 /// The reading of a device whose positions come over a connection: it is stale, and the force zero, when no
-/// plausible position has come for kStale_s; after kSilent_s the device has failed. Servo's thread only; no
-/// allocation but in silence_of().
+/// plausible position has come for kStale_s; after kSilent_s the device has failed. After a silence it stays
+/// stale for kRest_s more: until the force of the tick has ramped down too, so that it then rises from zero
+/// and does not come back at once. Servo's thread only; no allocation but in silence_of().
 class FreshReading {
  public:
   static constexpr double kStale_s = 0.007;
   static constexpr double kSilent_s = 0.5;
+  /// Longer than a tick's ramp to zero (haptics::TickOptions::ramp_down_s).
+  static constexpr double kRest_s = 0.025;
 
   /// `period_s`: of the servo's ticks; `stale_s`, `silent_s`: as above, for a slower connection. Not ready
   /// until renew().
@@ -52,15 +55,22 @@ class FreshReading {
     age_s_ = 0.0;
     begun_ = true;
   }
+  /// The driver has taken a force back by itself: stale for kRest_s.
+  void rest() noexcept { rest_s_ = kRest_s; }
   /// Since the last position, or the beginning.
   double age_s() const noexcept { return age_s_; }
   const Reading& reading() const noexcept { return reading_; }
 
   /// The reading of this tick; `failed`: the device is known to have failed.
   const Reading& now(bool failed) noexcept {
+    const bool is_stale = age_s_ > stale_s_;
+    if (is_stale) rest();
+    const bool rests = rest_s_ > 0.0 && last_ == Status::ok;
+    if (!is_stale) rest_s_ -= period_s_;
     reading_.status = failed || age_s_ > silent_s_ ? Status::fault
-                      : age_s_ > stale_s_          ? Status::stale
+                      : is_stale || rests          ? Status::stale
                                                    : last_;
+    reading_.is_repeated = age_s_ > 0.0;
     return reading_;
   }
   /// The force that the device may make after this reading: none unless it is good.
@@ -83,6 +93,7 @@ class FreshReading {
   double stale_s_;
   double silent_s_;
   double age_s_ = 0.0;
+  double rest_s_ = 0.0;
   Reading reading_;
   Status last_ = Status::not_ready;
   bool begun_ = false;

@@ -44,9 +44,20 @@ Result<std::unique_ptr<SerialPort>> SerialPort::open(const std::string& path) {
   if (::isatty(descriptor.number()) != 1) return Error{ErrorCode::device, "is not a serial port", path};
   if (::flock(descriptor.number(), LOCK_EX | LOCK_NB) != 0) return not_opened(path, EBUSY);
   ::ioctl(descriptor.number(), TIOCEXCL);
+  auto before = std::make_unique<termios>();
+  if (::tcgetattr(descriptor.number(), before.get()) != 0) return not_opened(path, errno);
   if (!make_raw(descriptor.number())) return not_opened(path, errno);
   ::tcflush(descriptor.number(), TCIOFLUSH);
-  return std::unique_ptr<SerialPort>(new SerialPort(std::move(descriptor)));
+  return std::unique_ptr<SerialPort>(new SerialPort(std::move(descriptor), std::move(before)));
+}
+
+SerialPort::SerialPort(Descriptor descriptor, std::unique_ptr<termios> before)
+    : descriptor_(std::move(descriptor)), before_(std::move(before)) {}
+
+SerialPort::~SerialPort() {
+  ::ioctl(descriptor(), TIOCNXCL);
+  before_->c_cflag &= ~static_cast<tcflag_t>(HUPCL);
+  ::tcsetattr(descriptor(), TCSANOW, before_.get());
 }
 
 std::size_t SerialPort::read(std::span<std::byte> bytes) noexcept {

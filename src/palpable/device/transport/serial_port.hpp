@@ -11,16 +11,22 @@
 #include <span>
 #include <string>
 
+struct termios;
+
 namespace palpable::device {
 
 /// A serial port in raw mode (8 data bits, no flow control) that only this program uses. Neither read() nor
-/// write() waits, allocates, locks or throws. The state of its modem lines is left as it is when it is
-/// closed.
+/// write() waits, allocates, locks or throws. When it is closed, its settings are those of before, and
+/// its modem lines are left as they are.
 class SerialPort {
  public:
   /// Errors (device): not there, permission denied (with the group that has it), used by another program, not
   /// a serial port.
   static Result<std::unique_ptr<SerialPort>> open(const std::string& path);
+
+  ~SerialPort();
+  SerialPort(const SerialPort&) = delete;
+  SerialPort& operator=(const SerialPort&) = delete;
 
   /// Copies bytes that have arrived to the start of `bytes` and returns their number; 0 if none has.
   std::size_t read(std::span<std::byte> bytes) noexcept;
@@ -38,9 +44,10 @@ class SerialPort {
   int descriptor() const noexcept { return descriptor_.number(); }
 
  private:
-  explicit SerialPort(Descriptor descriptor) : descriptor_(std::move(descriptor)) {}
+  SerialPort(Descriptor descriptor, std::unique_ptr<termios> before);
 
   Descriptor descriptor_;
+  std::unique_ptr<termios> before_;
   std::atomic<bool> lost_{false};
 };
 

@@ -40,16 +40,28 @@ std::vector<std::string> files_named(const std::vector<std::string>& names) {
   return files;
 }
 
+/// The processor that this program was compiled for, as libraries state it.
+constexpr Elf64_Half own_machine() {
+#if defined(__aarch64__)
+  return EM_AARCH64;
+#else
+  return EM_X86_64;
+#endif
+}
+
 /// Why a file cannot be a library; empty if it may be one. The system's loader maps what the headers state
 /// and is killed by a file that ends before.
 std::string fault_of(const std::string& path) {
   std::error_code none;
+  if (!fs::exists(path, none)) return "is not there";
   if (!fs::is_regular_file(path, none)) return "is no regular file";
   std::ifstream file(path, std::ios::binary);
+  if (!file) return "may not be read";
   Elf64_Ehdr head{};
   file.read(reinterpret_cast<char*>(&head), sizeof head);
   if (!file || std::memcmp(head.e_ident, ELFMAG, SELFMAG) != 0 || head.e_ident[EI_CLASS] != ELFCLASS64)
     return "is no library of this machine";
+  if (head.e_machine != own_machine()) return "is for another kind of processor";
   const auto size = fs::file_size(path, none);
   file.seekg(static_cast<std::streamoff>(head.e_phoff));
   for (int k = 0; k < head.e_phnum; ++k) {
@@ -74,13 +86,15 @@ Result<SharedLibrary> SharedLibrary::open(const std::string& file, const std::ve
   if (file.empty()) std::ranges::copy(files_named(names), std::back_inserter(found));
   std::string reason;
   for (const std::string& name : found) {
-    const bool is_file = name.find('/') != std::string::npos;
+    const bool is_file = !file.empty() || name.find('/') != std::string::npos;
     if (const std::string fault = is_file ? fault_of(name) : ""; !fault.empty()) {
       reason = name + " " + fault;
       continue;
     }
     // NOLINTNEXTLINE(concurrency-mt-unsafe): dlerror() is kept for each thread
-    if (void* handle = ::dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE); handle != nullptr)
+    if (void* handle = ::dlopen(is_file ? fs::absolute(name).c_str() : name.c_str(),
+                                RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+        handle != nullptr)
       return SharedLibrary(handle, name);
     const std::string why = one_line(::dlerror());  // NOLINT(concurrency-mt-unsafe)
     // A name that the system does not find is no reason, a file that it cannot load is.

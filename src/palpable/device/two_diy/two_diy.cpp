@@ -58,13 +58,14 @@ double greatest_force_N(const TwoDiyVariant& variant) {
   return force_N;
 }
 
-Traits traits_of(const TwoDiyVariant& variant, double rate_hz) {
+Traits traits_of(const TwoDiyVariant& variant, double rate_hz, double continuous_force_N) {
   Traits traits;
   traits.name = "Haply 2DIY " + std::string(variant.name);
   traits.degrees_of_freedom = 2;
   // Its plane has no depth; scenes are scaled by width and height only.
   traits.workspace_m = {variant.size.x, variant.size.y, 0.05};
   traits.max_force_N = greatest_force_N(variant);
+  traits.continuous_force_N = continuous_force(continuous_force_N, traits.max_force_N);
   // One count of the coarser encoder at the outer end of both links.
   const float counts = std::min(variant.joints[0].counts_per_turn, variant.joints[1].counts_per_turn);
   traits.position_resolution_m = (variant.linkage.inner_m + variant.linkage.outer_m) * 2.0 *
@@ -111,18 +112,19 @@ double off_by(std::array<float, 2> angles_deg, double first_deg, double second_d
 
 }  // namespace
 
-TwoDiy::TwoDiy(std::unique_ptr<SerialPort> port, const TwoDiyVariant& variant, double rate_hz)
+TwoDiy::TwoDiy(std::unique_ptr<SerialPort> port, const TwoDiyVariant& variant, const Traits& traits)
     : port_(std::move(port)),
       variant_(variant),
-      traits_(traits_of(variant, rate_hz)),
-      period_s_(1.0 / rate_hz),
+      traits_(traits),
+      period_s_(1.0 / traits.rate_hz),
       fresh_(period_s_) {}
 
 Result<std::unique_ptr<TwoDiy>> TwoDiy::open(const std::string& path, const TwoDiyVariant& variant,
-                                             double rate_hz) {
+                                             double rate_hz, double continuous_force_N) {
   auto port = SerialPort::open(path);
   if (!port) return std::move(port).error();
-  std::unique_ptr<TwoDiy> device(new TwoDiy(*std::move(port), variant, rate_hz));
+  std::unique_ptr<TwoDiy> device(
+      new TwoDiy(*std::move(port), variant, traits_of(variant, rate_hz, continuous_force_N)));
   SerialPort& line = *device->port_;
   line.write(reset_message());
   line.write(setup_message(variant));
@@ -262,6 +264,7 @@ Result<std::unique_ptr<Device>> open_two_diy(DeviceUrl& url, const OpenOptions& 
   std::vector<std::string> names;
   for (const auto& variant : kTwoDiyVariants) names.emplace_back(variant.name);
   const std::string name = url.take_word("variant", names);
+  const double continuous_force_N = take_continuous_force(url);
   if (auto valid = url.finish(); !valid) return std::move(valid).error();
   std::string path = url.path();
   if (path.empty()) {
@@ -275,7 +278,7 @@ Result<std::unique_ptr<Device>> open_two_diy(DeviceUrl& url, const OpenOptions& 
     path = ports[0];
   }
   const auto variant = std::ranges::find(kTwoDiyVariants, name, &TwoDiyVariant::name);
-  auto device = TwoDiy::open(path, *variant, options.rate_hz);
+  auto device = TwoDiy::open(path, *variant, options.rate_hz, continuous_force_N);
   if (!device) return std::move(device).error();
   return std::unique_ptr<Device>(*std::move(device));
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/device/device.hpp"
+#include "palpable/device/motor_heat.hpp"
 #include "palpable/device/transport/fresh_reading.hpp"
 #include "palpable/device/transport/serial_port.hpp"
 #include "palpable/device/two_diy/two_diy_wire.hpp"
@@ -31,7 +32,7 @@ class TwoDiy final : public Device, public Guardable {
   /// Sets the board up: the handle must be at home. Errors (device): several answers in a row are not those
   /// of a board near its home, or other bytes come.
   static Result<std::unique_ptr<TwoDiy>> open(const std::string& path, const TwoDiyVariant& variant,
-                                              double rate_hz);
+                                              double rate_hz, double continuous_force_N = kNoForce_N);
   ~TwoDiy() override;
 
   const Traits& traits() const noexcept override { return traits_; }
@@ -42,7 +43,7 @@ class TwoDiy final : public Device, public Guardable {
   std::optional<ZeroWrite> zero_write() const override;
 
  private:
-  TwoDiy(std::unique_ptr<SerialPort> port, const TwoDiyVariant& variant, double rate_hz);
+  TwoDiy(std::unique_ptr<SerialPort> port, const TwoDiyVariant& variant, const Traits& traits);
   /// Takes the first answer. False if it is not near the angles at home, or no handle has its angles.
   bool begin(std::array<float, 2> first_deg) noexcept;
   /// Takes one of the next. False if it cannot follow the last one.

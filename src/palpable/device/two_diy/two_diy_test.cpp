@@ -21,6 +21,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <termios.h>
 #include <unistd.h>
 
 namespace palpable::device {
@@ -207,6 +208,24 @@ bool asks_for_angles(const OtherPort::Bytes& received) {
 
 TEST(TwoDiyPort, IsRefusedIfItOnlyEchoes) {
   expect_refused([](const OtherPort::Bytes& received) { return received; });
+}
+
+TEST(TwoDiyPort, HasItsSettingsBackWhenItIsClosed) {
+  OtherPort port([](const OtherPort::Bytes&) { return OtherPort::Bytes{}; });
+  // Held open, since a terminal that nobody has open forgets its settings.
+  const Descriptor held(::open(port.path().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC));
+  const auto echoes = [&held] {
+    termios settings{};
+    EXPECT_EQ(::tcgetattr(held.number(), &settings), 0);
+    return (settings.c_lflag & ECHO) != 0;
+  };
+  ASSERT_TRUE(echoes());
+  {
+    const auto line = SerialPort::open(port.path());
+    ASSERT_TRUE(line);
+    EXPECT_FALSE(echoes());
+  }
+  EXPECT_TRUE(echoes());
 }
 
 TEST(TwoDiyPort, IsRefusedIfItSendsRandomBytesAllTheTime) {

@@ -25,6 +25,7 @@ constexpr unsigned kModel = 0x2501;
 constexpr unsigned kUsableWorkspace = 0x2551;
 constexpr unsigned kCalibrationStyles = 0x2555;
 constexpr unsigned kNominalMaxForce = 0x2603;
+constexpr unsigned kNominalMaxContinuousForce = 0x2604;
 constexpr unsigned kCurrentForce = 0x2700;
 constexpr unsigned kForceOutput = 0x4000;
 constexpr unsigned kCalibrationOk = 0x5000;
@@ -133,6 +134,8 @@ void hdGetDoublev(unsigned what, double* values) {
     std::memcpy(values, kCorners.data(), sizeof kCorners);
   } else if (what == hd::kNominalMaxForce) {
     *values = 3.3;
+  } else if (what == hd::kNominalMaxContinuousForce) {
+    *values = 0.88;
   } else if (what == hd::kPosition) {
     const auto measured_m = device.sensor.measure(device.handle, device.fault);
     if (!measured_m) return fail(kDeviceFault);

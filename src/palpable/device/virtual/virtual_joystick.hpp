@@ -35,6 +35,15 @@ class VirtualJoystick final : public EventPort {
     waiting_ = 0;
     return count;
   }
+  std::size_t current(std::span<input_event> events) noexcept override {
+    if (lost_) return 0;
+    std::size_t count = 0;
+    const auto put = [&](int type, int code, int value) { events[count++] = event_of(type, code, value); };
+    put(EV_ABS, ABS_X, axes_[0]);
+    put(EV_ABS, ABS_Y, axes_[1]);
+    for (int k = 0; k < 16; ++k) put(EV_KEY, can_.first_button() + k, static_cast<int>(buttons_ >> k & 1U));
+    return count;
+  }
   bool upload(ff_effect& effect) noexcept override {
     if (lost_ || refuses_) return false;
     if (effect.id == -1) effect.id = 3;
@@ -55,11 +64,17 @@ class VirtualJoystick final : public EventPort {
   std::function<void(const ff_effect&)> on_upload;
 
   void happen(int type, int code, int value) {
-    input_event event{};
-    event.type = static_cast<std::uint16_t>(type);
-    event.code = static_cast<std::uint16_t>(code);
-    event.value = value;
-    queue_.at(waiting_++) = event;
+    hold(type, code, value);
+    queue_.at(waiting_++) = event_of(type, code, value);
+  }
+  /// A change whose event is lost, with all that wait, because the reader was too slow.
+  void overflow(int type, int code, int value) {
+    hold(type, code, value);
+    waiting_ = 0;
+    queue_.at(waiting_++) = event_of(EV_SYN, SYN_DROPPED, 0);
+    // What is left of the report that the loss began in.
+    queue_.at(waiting_++) = event_of(EV_ABS, ABS_X, can_.range[0][0]);
+    queue_.at(waiting_++) = event_of(EV_SYN, SYN_REPORT, 0);
   }
   void pass_millisecond() { left_ms_ = std::max(0, left_ms_ - 1); }
   /// What the motors do now: the force's share of the greatest one, in our axes.
@@ -79,9 +94,26 @@ class VirtualJoystick final : public EventPort {
   void refuse(bool refuses = true) { refuses_ = refuses; }
 
  private:
+  static input_event event_of(int type, int code, int value) {
+    input_event event{};
+    event.type = static_cast<std::uint16_t>(type);
+    event.code = static_cast<std::uint16_t>(code);
+    event.value = value;
+    return event;
+  }
+  void hold(int type, int code, int value) {
+    if (type == EV_ABS && (code == ABS_X || code == ABS_Y)) axes_[code == ABS_X ? 0 : 1] = value;
+    const int button = code - can_.first_button();
+    if (type != EV_KEY || button < 0 || button >= 16) return;
+    const std::uint32_t bit = 1U << button;
+    buttons_ = value != 0 ? buttons_ | bit : buttons_ & ~bit;
+  }
+
   EventAbilities can_;
   std::array<input_event, 64> queue_{};
   std::size_t waiting_ = 0;
+  std::array<int, 2> axes_{0, 127};
+  std::uint32_t buttons_ = 0;
   ff_effect effect_{};
   int left_ms_ = 0;
   int uploads_ = 0;

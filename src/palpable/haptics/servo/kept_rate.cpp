@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/servo/kept_rate.hpp"
 
+#include "palpable/core/system/thread_priority.hpp"
 #include "palpable/haptics/servo/pacing.hpp"
-#include "palpable/haptics/servo/real_time.hpp"
 #include "palpable/haptics/servo/servo_loop.hpp"
 
 #include <algorithm>

@@ -7,10 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include <pthread.h>
-#include <sched.h>
 #include <sys/mman.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -19,17 +16,6 @@
 #endif
 
 namespace palpable::haptics {
-
-std::string request_priority(int priority) {
-  // Otherwise the kernel may wake a thread without real-time priority up to 50 µs late to save power.
-  prctl(PR_SET_TIMERSLACK, 1UL);
-  if (priority <= 0) return "normal (not requested)";
-  sched_param wanted{};
-  wanted.sched_priority = priority;
-  const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &wanted);
-  if (error != 0) return std::string("ordinary (") + std::strerror(error) + ")";
-  return "SCHED_FIFO " + std::to_string(priority);
-}
 
 std::string lock_memory() {
   // With a finite limit, locking future pages would make later allocations fail, which is worse than a page

@@ -9,15 +9,11 @@ namespace palpable::haptics {
 
 /// What the operating system granted.
 struct RealTimeOutcome {
-  /// "SCHED_FIFO 80", or the reason why not: "ordinary (Operation not permitted)".
+  /// See request_priority().
   std::string priority;
   /// "locked", or the reason why not.
   std::string memory;
 };
-
-/// Requests SCHED_FIFO at `priority` (0 = no request) for the calling thread, and timer wake-ups without
-/// slack. Returns the text for RealTimeOutcome::priority.
-std::string request_priority(int priority);
 
 /// Locks the process's present and future pages in memory, if the limit is high enough that later allocations
 /// cannot fail because of it. Returns the text for RealTimeOutcome::memory.

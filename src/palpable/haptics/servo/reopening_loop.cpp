@@ -111,6 +111,7 @@ void ReopeningLoop::close_failed() {
     const std::lock_guard lock(mutex_);
     last_statistics_ = statistics;
     last_real_time_ = real_time;
+    options_.tick.heat = statistics.touch.heat;
   }
   // A caller may still hold it for a moment: the device must be closed before it can be opened again.
   while (failed.use_count() > 1 && wait(std::chrono::milliseconds(1))) {

@@ -161,8 +161,10 @@ Result<void> ServoLoop::Impl::start_guardian() {
 }
 
 void ServoLoop::Impl::start_threads() {
-  if (device->traits().pushes_back)
+  if (device->traits().pushes_back) {
     watchdog.emplace(*device, 1.0 / options.rate_hz, options.realtime_priority);
+    tick.watch_cuts(watchdog->cut_flag());
+  }
   maintenance = std::thread([this] { run_maintenance(); });
   servo = std::thread([this] { serve(); });
 }
@@ -192,7 +194,6 @@ void ServoLoop::Impl::serve() {
     before_ns = wake.now_ns;
     if (wake.periods > 1) note_missed(wake);
     swap_scenes();
-    if (watchdog && watchdog->take_cut()) tick.note_cut_force();
     const double dt_s = 1e-9 * static_cast<double>(period_ns);
     counts.rested_s += resting ? dt_s : 0.0;
     counts.rest_ticks += resting ? 1 : 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/result.hpp"
+#include "palpable/core/system/thread_priority.hpp"
 #include "palpable/haptics/tick/tick_options.hpp"
 
 #include <cstddef>
@@ -17,7 +18,7 @@ struct ServoOptions {
   double rate_hz = 1000.0;
   TickOptions tick;
   /// Requested SCHED_FIFO priority, 1 to 99; 0 = none.
-  int realtime_priority = 80;
+  int realtime_priority = kForcePriority;
   /// Whether the whole process's pages are locked in memory.
   Memory memory = Memory::lock;
   /// Time before a deadline in which the thread polls the clock, at most half a period; 0 = sleep until the

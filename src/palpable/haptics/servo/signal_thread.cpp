@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/servo/signal_thread.hpp"
 
-#include "palpable/haptics/servo/real_time.hpp"
+#include "palpable/core/system/thread_priority.hpp"
 
 #include <exception>
 #include <thread>

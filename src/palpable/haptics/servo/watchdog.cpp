@@ -3,8 +3,8 @@
 #include "palpable/haptics/servo/watchdog.hpp"
 
 #include "palpable/core/numbers/quantile.hpp"
+#include "palpable/core/system/thread_priority.hpp"
 #include "palpable/haptics/servo/pacing.hpp"
-#include "palpable/haptics/servo/real_time.hpp"
 
 #include <chrono>
 #include <vector>

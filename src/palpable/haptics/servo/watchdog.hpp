@@ -52,6 +52,8 @@ class Watchdog {
   bool take_cut() noexcept {
     return cut_.load(std::memory_order_relaxed) && cut_.exchange(false, std::memory_order_acq_rel);
   }
+  /// The same flag, for TickPipeline::watch_cuts().
+  std::atomic<bool>& cut_flag() noexcept { return cut_; }
   /// Stops watching, because the servo ends.
   void stop() noexcept { wrote_ns_.store(0, std::memory_order_release); }
 

@@ -5,6 +5,7 @@
 #include "palpable/haptics/servo/servo_loop.hpp"
 #include "palpable/haptics/servo/test_touch.hpp"
 
+#include <atomic>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -90,6 +91,44 @@ TEST(Watchdog, CutsTheForceOfALoopThatHangsInItsDriver) {
     }
   (*loop)->stop();
   EXPECT_GE((*loop)->statistics().touch.stalls, 1U);
+}
+
+/// Its force is cut while it is read.
+struct DeviceCutInARead final : device::Device {
+  const device::Traits& traits() const noexcept override { return own; }
+  device::Reading read() noexcept override {
+    if (hangs) cut = true;
+    return reading;
+  }
+  void write(Vector<DeviceFrame> force_N) noexcept override { written_N = force_N.v; }
+  void stop() noexcept override {}
+  device::Traits own;
+  device::Reading reading;
+  std::atomic<bool> cut{false};
+  bool hangs = false;
+  Vec3 written_N;
+};
+
+TEST(Watchdog, LetsTheForceOfAReadingThatHungRiseFromZero) {
+  DeviceCutInARead device;
+  const HapticScene scene{std::make_shared<SpringSurface>(flat, 500.0, 0.0), {}, 1};
+  Ring<TouchEvent> events(64);
+  TickPipeline tick(device, scene, {}, events);
+  tick.watch_cuts(device.cut);
+  double t_s = 0.0;
+  const auto step = [&] { tick.step(t_s += 0.001, 0.001); };
+  device.reading.position.v.z = 0.001;
+  for (int n = 0; n < 300; ++n) step();
+  for (int n = 0; n < 20; ++n) {
+    device.reading.position.v.z -= 0.00025;
+    step();
+  }
+  ASSERT_GT(device.written_N.z, 1.5);
+  device.hangs = true;
+  step();
+  device.hangs = false;
+  EXPECT_LE(device.written_N.z, 300.0 * 0.0015) << "one and a half periods of the rise limit";
+  EXPECT_EQ(tick.counts().stalls, 1U);
 }
 
 constexpr std::int64_t kMillisecond = 1'000'000;

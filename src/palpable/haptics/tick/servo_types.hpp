@@ -50,6 +50,8 @@ inline constexpr std::uint32_t kNotFinite = 1U << 9;
 inline constexpr std::uint32_t kNewTouch = 1U << 10;
 /// The tick was so late that the watchdog had written zero force. The force rises from zero again.
 inline constexpr std::uint32_t kStalled = 1U << 11;
+/// The device gave no new position: the hand's velocity is that of the last one.
+inline constexpr std::uint32_t kRepeated = 1U << 12;
 }  // namespace flag
 
 /// Everything about one tick; its flags are haptics::flag's.
@@ -76,7 +78,10 @@ struct TouchEvent {
     /// `value` is the id of the scene whose fade-in is complete.
     scene_changed,
     button_down,
-    button_up
+    button_up,
+    /// The motors have become so warm that the greatest force is reduced (HeatBudget); they are cool again.
+    motors_warm,
+    motors_cool
   };
   std::uint64_t tick = 0;
   Kind kind = Kind::contact_made;
@@ -116,6 +121,8 @@ struct Percentiles {
 struct TickCounts {
   std::uint64_t ticks = 0;
   double max_force_N = 0.0;
+  /// Of the motors now (HeatBudget::heat()).
+  double heat = 0.0;
   /// Ticks in which the force cap, the rise limit and the passivity controller reduced the force.
   std::uint64_t force_capped_ticks = 0;
   std::uint64_t rise_limited_ticks = 0;

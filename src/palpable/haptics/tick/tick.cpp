@@ -42,6 +42,8 @@ TickPipeline::TickPipeline(device::Device& device, const HapticScene& scene, con
       events_(events),
       options_(options),
       max_force_N_(max_force_N_of(options, device.traits())),
+      heat_(max_force_N_, device.traits().pushes_back ? device.traits().continuous_force_N : max_force_N_,
+            options.heat),
       planar_(device.traits().degrees_of_freedom < 3),
       readings_(device.traits(), options),
       motion_(device.traits(), options),
@@ -55,7 +57,9 @@ TickPipeline::TickPipeline(device::Device& device, const HapticScene& scene, con
 }
 
 TickTime TickPipeline::when_of(const device::Reading& reading, double t_s, double dt_s) noexcept {
-  const bool was_cut = std::exchange(force_was_cut_, false);
+  bool was_cut = std::exchange(force_was_cut_, false);
+  if (cut_ != nullptr && cut_->load(std::memory_order_relaxed))
+    was_cut = cut_->exchange(false, std::memory_order_acq_rel) || was_cut;
   TickTime when{t_s, dt_s, was_cut || (dt_s > options_.stall_s && counts_.ticks > 0)};
   if (reading.recorded) {
     // The recorded state applies, not that of this loop.
@@ -101,6 +105,7 @@ const TouchSample& TickPipeline::step(double clock_t_s, double clock_dt_s) noexc
   sample_.dt_s = dt_s;
   describe(reading);
   count_shown_work();
+  count_heat(dt_s);
   if (good && !valid) emit(TouchEvent::Kind::not_finite, 0);
   if (!is_glitch)
     report_status(valid, static_cast<std::uint32_t>(good ? device::Status::ok : reading.status));
@@ -127,6 +132,13 @@ ReadingUse TickPipeline::accept(const device::Reading& reading, double dt_s) noe
 
 void TickPipeline::take(const device::Reading& reading, const JudgedReading& judged) noexcept {
   position_ = reading.position;
+  const bool repeats =
+      reading.recorded ? (reading.recorded->flags & flag::kRepeated) != 0 : reading.is_repeated;
+  if (repeats && !judged.first) {
+    flags_ |= flag::kRepeated;
+    motion_.hold(judged.passed_s);
+    return;
+  }
   motion_.update(position_, judged.passed_s);
   const Point<DeviceFrame> before = fine_.place();
   const Point<DeviceFrame> now = fine_.update(position_);
@@ -245,7 +257,7 @@ Vector<DeviceFrame> TickPipeline::with_transient(Vector<DeviceFrame> force_N, do
 
 void TickPipeline::make_force(double dt_s) noexcept {
   const Vector<DeviceFrame> wanted_N = with_transient(law_force_N_, dt_s);
-  const auto capped = cap_force(wanted_N, max_force_N_);
+  const auto capped = cap_force(wanted_N, heat_.cap_N());
   const double risen_s = std::min(dt_s, options_.max_rise_time_s);
   const double max_rise_N = options_.max_force_rate_N_per_s * risen_s;
   const double gain = ramp_.value();
@@ -299,7 +311,7 @@ void TickPipeline::bound(double dt_s) noexcept {
                           double rate_per_s) {
     return bounded(cap_rise(wanted, last, kRounding * rate_per_s * risen_s).force_N, kRounding * most);
   };
-  written_N_ = within(written_N_, before.written_N, max_force_N_, options_.max_force_rate_N_per_s);
+  written_N_ = within(written_N_, before.written_N, heat_.cap_N(), options_.max_force_rate_N_per_s);
   written_Nm_ = within(written_Nm_, before.written_Nm, device_.traits().max_torque_Nm,
                        options_.max_torque_rate_Nm_per_s);
 }
@@ -352,6 +364,14 @@ void TickPipeline::report_changes(const TouchSample& before) noexcept {
 void TickPipeline::report_status(bool healthy, std::uint32_t status) noexcept {
   if (healthy != healthy_) emit(healthy ? TouchEvent::Kind::recovered : TouchEvent::Kind::fault, status);
   healthy_ = healthy;
+}
+
+void TickPipeline::count_heat(double dt_s) noexcept {
+  const bool was_warm = heat_.is_warm();
+  heat_.add(dot(written_N_, written_N_), dt_s);
+  if (heat_.is_warm() != was_warm)
+    emit(was_warm ? TouchEvent::Kind::motors_cool : TouchEvent::Kind::motors_warm, 0);
+  counts_.heat = heat_.heat();
 }
 
 void TickPipeline::emit(TouchEvent::Kind kind, std::uint32_t value) noexcept {

@@ -5,6 +5,7 @@
 #include "palpable/core/system/hand_off.hpp"
 #include "palpable/device/device.hpp"
 #include "palpable/device/local_surface.hpp"
+#include "palpable/haptics/safety/heat_budget.hpp"
 #include "palpable/haptics/safety/limits.hpp"
 #include "palpable/haptics/safety/passivity.hpp"
 #include "palpable/haptics/safety/return_limit.hpp"
@@ -20,6 +21,7 @@
 #include "palpable/haptics/tick/velocity.hpp"
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 
@@ -54,6 +56,9 @@ class TickPipeline {
   void set_paused(bool paused) noexcept { paused_ = paused; }
   /// Another thread has written zero force: the force of the next step() rises from zero.
   void note_cut_force() noexcept { force_was_cut_ = true; }
+  /// The same, told by a flag that is looked at after each reading, which may hang; it must outlive this
+  /// object.
+  void watch_cuts(std::atomic<bool>& cut) noexcept { cut_ = &cut; }
 
   const TickCounts& counts() const noexcept { return counts_; }
 
@@ -154,6 +159,7 @@ class TickPipeline {
   void begin_touch() noexcept;
   void describe(const device::Reading& reading) noexcept;
   void count_shown_work() noexcept;
+  void count_heat(double dt_s) noexcept;
   void report_changes(const TouchSample& before) noexcept;
   void report_status(bool healthy, std::uint32_t status) noexcept;
   void emit(TouchEvent::Kind kind, std::uint32_t value) noexcept;
@@ -166,6 +172,8 @@ class TickPipeline {
   Ring<TouchEvent>& events_;
   TickOptions options_;
   double max_force_N_;
+  /// What of it may be written now.
+  HeatBudget heat_;
   bool planar_;
 
   Side now_;
@@ -249,6 +257,7 @@ class TickPipeline {
   bool clutched_ = false;
   bool is_paused() const noexcept { return paused_ || clutched_; }
   bool force_was_cut_ = false;
+  std::atomic<bool>* cut_ = nullptr;
   bool healthy_ = true;
   std::uint32_t flags_ = 0;
   PassivityObserver observer_;

@@ -43,8 +43,8 @@ TickPipeline::Potential TickPipeline::potential(double faded) const noexcept {
   p.uncapped_N = p.spring_N;
   // If a spring exceeds the force cap, the hand only works against the capped force. A spring that stores U
   // at a force f then stores U (2r - r^2) up to the cap r f.
-  if (const double size_N = norm(p.spring_N); now_.energy == EnergyModel::spring && size_N > max_force_N_) {
-    const double ratio = max_force_N_ / size_N;
+  if (const double size_N = norm(p.spring_N); now_.energy == EnergyModel::spring && size_N > heat_.cap_N()) {
+    const double ratio = heat_.cap_N() / size_N;
     p.stored_J *= ratio * (2.0 - ratio);
     p.spring_N = ratio * p.spring_N;
   }

@@ -18,6 +18,8 @@ enum class Returns { limited, free };
 struct TickOptions {
   /// Force cap, > 0; limited to the device's greatest force.
   double max_force_N = std::numeric_limits<double>::infinity();
+  /// Of the motors at the first tick, 0 to 1 (HeatBudget::heat()).
+  double heat = 0.0;
   /// Limit of growth only; a decrease is never delayed. The default does not limit a wall of 500 N/m that is
   /// hit at 0.6 m/s.
   double max_force_rate_N_per_s = 300.0;

@@ -77,7 +77,9 @@ void TickPipeline::write_device(bool wanted, bool is_glitch) noexcept {
   }
   device_.note_ramp(ramp_.value());
   if (has_torque_) device_.write_torque(written_Nm_);
-  device_.write(written_N_);
+  // A force that was cut since the reading stays so; the next tick begins from zero.
+  const bool is_cut = cut_ != nullptr && cut_->load(std::memory_order_relaxed);
+  device_.write(is_cut ? Vector<DeviceFrame>{} : written_N_);
 }
 
 }  // namespace palpable::haptics

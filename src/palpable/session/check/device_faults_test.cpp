@@ -243,7 +243,8 @@ class DriverWithAFault : public testing::TestWithParam<FaultCase> {
   }
   /// The spring's force rises by the ramp, and all of it from zero by at most the rise limit.
   void resumes_with_a_ramp() {
-    constexpr int kTicks = 30;
+    // A driver rests before (FreshReading::kRest_s).
+    constexpr int kTicks = 60;
     // A tick may be late by half a period; an effect of a joystick lasts four.
     constexpr int kSooner = 4;
     const haptics::TickOptions limits;

@@ -102,8 +102,9 @@ void ReplayedHand::step(const device::TouchSample& recorded) {
   // As TickPipeline: after both, earlier readings say nothing.
   if (recorded.has(flag::kStalled | flag::kNewTouch)) motion_->begin();
   if (recorded.status != device::Status::ok || recorded.has(flag::kImplausible)) return;
-  motion_->update(recorded.device_position, passed_s_);
-  passed_s_ = 0.0;
+  const double passed_s = std::exchange(passed_s_, 0.0);
+  if (recorded.has(flag::kRepeated)) return motion_->hold(passed_s);
+  motion_->update(recorded.device_position, passed_s);
 }
 
 haptics::Hand ReplayedHand::in(const haptics::HapticScene& scene) const {

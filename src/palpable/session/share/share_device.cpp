@@ -46,7 +46,14 @@ class Follower {
       const bool is_device =
           event->kind == Event::fault && event->value == static_cast<std::uint32_t>(device::Status::fault);
       if (is_device) tell("The device has failed: " + loop_.device_fault() + ".");
+      const bool is_off = event->kind == Event::fault &&
+                          event->value == static_cast<std::uint32_t>(device::Status::stale) &&
+                          exchange_.connected.load(std::memory_order_relaxed);
+      if (is_off) tell("The force is off: the other computer is paused, or sends nothing in time.");
+      if (event->kind == Event::recovered && is_off_) tell("The other computer sends again.");
+      is_off_ = is_off || (is_off_ && event->kind != Event::recovered);
       if (event->kind == Event::not_finite) tell("The force is off: the surface gave an invalid value.");
+      if (event->kind == Event::motors_warm) tell("The motors are warm: the greatest force is reduced.");
       if (event->kind == Event::recovered && failed_) tell("The device answers again.");
       failed_ = is_device || (failed_ && event->kind != Event::recovered);
     }
@@ -62,6 +69,7 @@ class Follower {
   std::shared_ptr<const device::CurrentSurface> current_;
   SharedKind kind_ = SharedKind::plane;
   bool failed_ = false;
+  bool is_off_ = false;
   std::string guidance_;
 };
 

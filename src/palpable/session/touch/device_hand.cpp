@@ -95,6 +95,7 @@ Opened opened_device(const DeviceHand::Begin& begin, const SessionOptions& optio
     return session ? Result<void>{} : Result<void>(session.error());
   };
   open.pointer = begin.pointers.front();
+  if (const auto words = device::hold_words(begin.url); !words.empty() && options.hold) options.hold(words);
   auto device = device::open_device(begin.url, open);
   if (!device) return device;
   if (begin.settings.limits == Limits::off && !device::is_virtual_device(begin.url) &&

@@ -51,7 +51,7 @@ class DeviceNews {
       silent_[hand] = false;
       return session_.said_of(hand, "The device answers again.");
     }
-    return session_.button_words(event);
+    return session_.event_words(event);
   }
 
  private:

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,9 @@ struct SessionOptions {
   Work work;
   /// For devices with motors at this computer.
   haptics::WorkspaceOptions workspace;
+  /// Called before a device is opened whose handle must be held in some way (device::hold_words()); returns
+  /// when the person does. May be empty.
+  std::function<void(const std::string& sentence)> hold;
   /// URLs of the devices of the hands after the first.
   std::vector<std::string> further_devices;
   /// Number of probes besides the hands, moved by move_pointer(). Hands and these: at most

@@ -288,8 +288,13 @@ std::string TouchSession::said_of(std::size_t hand, const std::string& sentence)
   return fmt::format("Hand {} ({}): {}", hand + 1, device_traits(hand).name, sentence);
 }
 
-std::string TouchSession::button_words(const haptics::TouchEvent& event) const {
+std::string TouchSession::event_words(const haptics::TouchEvent& event) const {
   using Kind = haptics::TouchEvent::Kind;
+  if (event.kind == Kind::motors_warm && event.probe < hands())
+    return said_of(event.probe,
+                   "The motors are warm: the greatest force is reduced until less force has been used.");
+  if (event.kind == Kind::motors_cool && event.probe < hands())
+    return said_of(event.probe, "The motors have cooled down: the whole force is back.");
   const bool is_down = event.kind == Kind::button_down;
   if ((!is_down && event.kind != Kind::button_up) || event.probe >= hands()) return {};
   const auto is_of = [&](const std::optional<int>& button) {

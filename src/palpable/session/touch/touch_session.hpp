@@ -110,8 +110,9 @@ class TouchSession {
   std::string device_fault(std::size_t hand = 0) const;
   /// A sentence as it is said of one hand: with several hands it begins with "Hand 2 (Haply 2DIY): ".
   std::string said_of(std::size_t hand, const std::string& sentence) const;
-  /// What a hand's user hears of its clutch and of the button that ends the force; empty for other events.
-  std::string button_words(const haptics::TouchEvent& event) const;
+  /// What a hand's user hears of its clutch, of the button that ends the force and of warm motors; empty for
+  /// other events.
+  std::string event_words(const haptics::TouchEvent& event) const;
   /// What the person does next so that a device becomes ready, once for each such step; empty if nothing is
   /// new. For one reader.
   std::string take_guidance();

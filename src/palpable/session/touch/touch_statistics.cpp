@@ -58,6 +58,7 @@ Json hand_json(const TouchStatistics& statistics) {
                    {"compute_us", percentiles(servo.compute_us)}};
   json["force"] = {{"max_N", number(touch.max_force_N)},
                    {"clamped_ticks", touch.force_capped_ticks},
+                   {"motor_heat", number(touch.heat)},
                    {"rate_capped_ticks", touch.rise_limited_ticks}};
   json["energy"] = {{"made_max_J", number(touch.made_max_J)},
                     {"made_max_without_controller_J", number(touch.made_max_without_controller_J)},

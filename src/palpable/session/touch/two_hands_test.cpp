@@ -151,10 +151,10 @@ TEST(TwoHands, EachReachesAMagnifiedSceneWithItsOwnDevice) {
     EXPECT_NEAR(touched.position.v.x, 0.5 * touched.device_position.v.x, 5e-5);
   }
   haptics::TouchEvent event{0, haptics::TouchEvent::Kind::button_down, 0, 1};
-  EXPECT_EQ((*opened)->button_words(event),
+  EXPECT_EQ((*opened)->event_words(event),
             "Hand 2 (simulated hand): The scene moves with the hand, without force.");
   event.value = 1;
-  EXPECT_EQ((*opened)->button_words(event), "");
+  EXPECT_EQ((*opened)->event_words(event), "");
   // What is moved by a page or was moved before has no border.
   options.further_devices.clear();
   EXPECT_FALSE(TouchSession::open(hills(), {}, "pointer:", options));

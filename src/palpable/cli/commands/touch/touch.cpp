@@ -1,5 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/ask_to_hold.hpp"
 #include "palpable/cli/commands/touch/touch_headless.hpp"
 #include "palpable/cli/commands/touch/touch_live.hpp"
 #include "palpable/cli/commands/touch/touch_page.hpp"
@@ -53,6 +54,7 @@ Result<Answer> touch(TouchArguments arguments, Console& console) {
       arguments, plan, [&console](const Note& note) { console.note(note); }, console.work());
   if (!live) return live.error();
   plan.options.seed = console.options().seed;
+  plan.options.hold = ask_to_hold(arguments.speak ? Speech::on : Speech::off, console);
   // Without progress: the maker of scenes reports its own at the same time.
   plan.options.work = {console.work().threads, console.work().seed, {}, &interrupted()};
   plan.options.command = console.options().command;

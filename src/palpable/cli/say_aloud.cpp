@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/cli/commands/say_aloud.hpp"
+#include "palpable/cli/say_aloud.hpp"
 
 #include "palpable/voice/speaker.hpp"
 
