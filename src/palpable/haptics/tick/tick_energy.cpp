@@ -40,10 +40,14 @@ TickPipeline::Potential TickPipeline::potential(double faded) const noexcept {
     p.spring_N += faded * (next.spring_N - p.spring_N);
     p.stored_J += faded * (next.stored_J - p.stored_J);
   }
+  // Potentials of different kinds are not blended: the new one counts from the end of the change on.
+  const bool is_new = fading() && now_.energy != coming_.energy && faded >= 1.0;
+  if (is_new) p = of(coming_);
   p.uncapped_N = p.spring_N;
   // If a spring exceeds the force cap, the hand only works against the capped force. A spring that stores U
   // at a force f then stores U (2r - r^2) up to the cap r f.
-  if (const double size_N = norm(p.spring_N); now_.energy == EnergyModel::spring && size_N > max_force_N_) {
+  const EnergyModel energy = is_new ? coming_.energy : now_.energy;
+  if (const double size_N = norm(p.spring_N); energy == EnergyModel::spring && size_N > max_force_N_) {
     const double ratio = max_force_N_ / size_N;
     p.stored_J *= ratio * (2.0 - ratio);
     p.spring_N = ratio * p.spring_N;
