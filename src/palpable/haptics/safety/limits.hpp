@@ -49,10 +49,11 @@ Limited<Frame> cap_rise(Vector<Frame> force_N, Vector<Frame> before_N, double ma
 /// would push the hand on after the law has ended that push. The new part first turns the force away from the
 /// movement; what is kept is shortened only if that is not enough, since a hand that moves across its force
 /// would lose nearly all of it for a power that is nearly zero. The result is never longer than without the
-/// velocity. Tick path.
+/// velocity. At most `most_lost` of what is kept, 0 ... 1, is shortened: in a tick that is much shorter than
+/// the period hardly anything may grow, and without it such a tick would take the whole force. Tick path.
 template <class Frame>
 Limited<Frame> cap_rise(Vector<Frame> force_N, Vector<Frame> before_N, double max_rise_N,
-                        Vector<Frame> velocity) noexcept {
+                        Vector<Frame> velocity, double most_lost = 1.0) noexcept {
   Limited<Frame> risen = cap_rise(force_N, before_N, max_rise_N);
   if (!risen.limited) return risen;
   const double allowed_W = std::max(0.0, dot(force_N, velocity));
@@ -74,7 +75,7 @@ Limited<Frame> cap_rise(Vector<Frame> force_N, Vector<Frame> before_N, double ma
     grown = cap_force(other, left_N).force_N + sideways_N * side;
   }
   const double excess_W = kept_W + dot(grown, velocity) - allowed_W;
-  if (excess_W > 0.0) kept = (1.0 - std::min(1.0, excess_W / kept_W)) * kept;
+  if (excess_W > 0.0) kept = (1.0 - std::min(most_lost, excess_W / kept_W)) * kept;
   risen.force_N = kept + grown;
   return risen;
 }

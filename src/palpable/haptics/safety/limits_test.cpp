@@ -42,6 +42,18 @@ TEST(RiseCap, LimitsARotationAtConstantMagnitudeAndAReversal) {
   EXPECT_NEAR(flipped.force_N.v.z, -0.3, 1e-12);
 }
 
+TEST(RiseCap, TakesNoWholeForceInTicksThatAreMuchShorterThanThePeriod) {
+  // A force of 3.7 N that a late tick turned by 8 degrees, and three ticks of a tenth of the period.
+  const Force wanted{{3.7 * std::sin(0.14), 0.0, 3.7 * std::cos(0.14)}}, velocity{{-0.3, 0.0, 0.02}};
+  const auto left_N = [&](double most_lost) {
+    Force force{{-0.3, 0.0, 3.69}};
+    for (int n = 0; n < 3; ++n) force = cap_rise(wanted, force, 0.03, velocity, most_lost).force_N;
+    return norm(force);
+  };
+  EXPECT_LT(left_N(1.0), 1.5);
+  EXPECT_GT(left_N(0.1), 0.7 * 3.7);
+}
+
 TEST(RiseCap, LetsAPushEndAtOnceWhereTheForceTurns) {
   // The law begins to brake a hand that it pushed until now. The new force may only grow slowly; what is kept
   // of the old one would push the hand on with 0.45 W.

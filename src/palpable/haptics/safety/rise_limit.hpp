@@ -69,11 +69,11 @@ class RiseLimit {
   }
 
   /// The force of this tick, of the one that the law wants after the cap; `rest_N` of it is not the spring's.
-  /// `velocity_m_per_s`: of the hand.
+  /// `velocity_m_per_s`: of the hand; `most_lost`: see cap_rise().
   Limited<DeviceFrame> limit(Vector<DeviceFrame> law_N, Vector<DeviceFrame> rest_N, double max_rise_N,
-                             Vector<DeviceFrame> velocity_m_per_s) noexcept {
+                             Vector<DeviceFrame> velocity_m_per_s, double most_lost = 1.0) noexcept {
     const Vector<DeviceFrame> wanted_N = rendered(law_N, rest_N);
-    Limited<DeviceFrame> risen = cap_rise(wanted_N, force_N_, max_rise_N, velocity_m_per_s);
+    Limited<DeviceFrame> risen = cap_rise(wanted_N, force_N_, max_rise_N, velocity_m_per_s, most_lost);
     if (risen.limited) note_limited();
     force_N_ = risen.force_N;
     return risen;

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace palpable::haptics {
 
@@ -28,14 +27,9 @@ class HandMotion {
     velocity_.begin();
     gain_.begin();
     gains_m_per_s_ = {};
-    held_s_ = 0.0;
   }
-  /// No new reading came in this time: the hand is taken to move on as before. Else a way of several ticks
-  /// would count as that of one, and a damper would push as hard as at several times the speed.
-  void hold(double passed_s) noexcept { held_s_ += passed_s; }
-  /// A valid reading, `since_last_s` after the last valid or held one.
-  void update(Point<DeviceFrame> position, double since_last_s) noexcept {
-    const double passed_s = since_last_s + std::exchange(held_s_, 0.0);
+  /// A valid reading, `passed_s` after the last valid one.
+  void update(Point<DeviceFrame> position, double passed_s) noexcept {
     velocity_m_per_s_ = velocity_.update(position, passed_s);
     gains_m_per_s_ = gain_.update(velocity_m_per_s_, velocity_.age_s(), acts_after_s(passed_s), passed_s);
   }
@@ -56,7 +50,6 @@ class HandMotion {
   VelocityGain gain_;
   int delay_ticks_;
   double max_step_s_;
-  double held_s_ = 0.0;
   Vector<DeviceFrame> velocity_m_per_s_;
   Vector<DeviceFrame> gains_m_per_s_;
 };

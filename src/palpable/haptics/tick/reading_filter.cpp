@@ -3,6 +3,7 @@
 #include "palpable/haptics/tick/reading_filter.hpp"
 
 #include "palpable/haptics/tick/rotation.hpp"
+#include "palpable/haptics/tick/servo_types.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,7 @@ ReadingFilter::ReadingFilter(const device::Traits& device, const TickOptions& op
       reach_m_(options.reach_in_workspaces * norm(device.workspace_m)),
       glitch_readings_(options.glitch_readings),
       has_torque_(device.has_torque),
+      rate_(device),
       period_s_(1.0 / (std::isfinite(device.rate_hz) ? std::max(device.rate_hz, 1.0) : 1000.0)) {}
 
 JudgedReading ReadingFilter::judge(const device::Reading& reading, double dt_s) noexcept {
@@ -22,6 +24,11 @@ JudgedReading ReadingFilter::judge(const device::Reading& reading, double dt_s) 
   if (reading.status != device::Status::ok) return {};
   if (has_torque_ && !is_rotation(reading.rotation)) return {ReadingUse::none, true};
   const Point<DeviceFrame> position = reading.position;
+  // A recorded tick tells what it was taken for.
+  const bool is_slow = rate_.repeats(position);
+  const bool repeats = reading.recorded ? (reading.recorded->flags & flag::kRepeated) != 0
+                                        : (is_slow || reading.is_repeated) && agreeing_ == 0;
+  if (repeats && std::isfinite(since_good_s_)) return {ReadingUse::repeated};
   JudgedReading judged{ReadingUse::continues, false, !std::isfinite(since_good_s_), since_good_s_};
   const bool plausible = judged.first ? is_in_reach(position)
                                       : is_plausible(position) && is_plausible_rotation(reading.rotation);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/device/device.hpp"
+#include "palpable/haptics/tick/reading_rate.hpp"
 #include "palpable/haptics/tick/tick_options.hpp"
 
 #include <limits>
@@ -17,6 +18,9 @@ enum class ReadingUse {
   new_touch,
   /// Not plausible, and it is not yet known whether the position persists: the force is held.
   glitch,
+  /// The reading before, given again by a device that says so or is slower than the loop: the force is held,
+  /// since a way of several ticks would count as that of one, and damper and energy balance with it.
+  repeated,
   /// No position is known: the force ramps down to zero.
   none
 };
@@ -45,6 +49,9 @@ class ReadingFilter {
   /// Classifies a reading that comes `dt_s` > 0 after the previous one.
   JudgedReading judge(const device::Reading& reading, double dt_s) noexcept;
 
+  /// ReadingRate::ticks().
+  int ticks() const noexcept { return rate_.ticks(); }
+
  private:
   bool is_in_reach(Point<DeviceFrame> position) const noexcept;
   bool is_plausible(Point<DeviceFrame> position) const noexcept;
@@ -56,6 +63,7 @@ class ReadingFilter {
   double reach_m_;
   int glitch_readings_;
   bool has_torque_;
+  ReadingRate rate_;
   /// Nominal period of the device.
   double period_s_;
 

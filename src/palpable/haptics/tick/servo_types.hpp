@@ -50,8 +50,11 @@ inline constexpr std::uint32_t kNotFinite = 1U << 9;
 inline constexpr std::uint32_t kNewTouch = 1U << 10;
 /// The tick was so late that the watchdog had written zero force. The force rises from zero again.
 inline constexpr std::uint32_t kStalled = 1U << 11;
-/// The device gave no new position: the hand's velocity is that of the last one.
+/// The device gave the reading before once more: it says so, or it is slower than the loop. The force was
+/// held.
 inline constexpr std::uint32_t kRepeated = 1U << 12;
+/// No reading of this tick was used.
+inline constexpr std::uint32_t kNoReading = kImplausible | kRepeated;
 }  // namespace flag
 
 /// Everything about one tick; its flags are haptics::flag's.

@@ -59,13 +59,6 @@ class ShownWork {
     // A change of scene or a new touch starts a new balance, as in the servo's own observer. A new touch
     // starts without force, so a hand cannot receive energy that it did not deliver.
     const bool is_new = (tick.flags & flag::kNewTouch) != 0;
-    if (!tick.is_contact_law || is_new || (tick.flags & flag::kFading) != 0) {
-      using Beginning = PassivityObserver::Beginning;
-      observer_.begin(0.0, is_new ? Beginning::from_no_force : Beginning::in_contact);
-      since_zero_J_ = 0.0;
-      return;
-    }
-    counts_ = true;
     step.held_force_N = held.force_N;
     step.guide_N = held.guide_N;
     step.weakened = held.weakened;
@@ -73,8 +66,16 @@ class ShownWork {
     step.stored_J = std::numeric_limits<double>::quiet_NaN();
     step.contact = (tick.flags & flag::kContact) != 0;
     step.is_spring = tick.has_spring;
-    observer_.update(step);
-    count_since_zero(held, moved_m, step);
+    // The readings may have jumped because the hand did, under the force that was held meanwhile.
+    if (is_new && tick.is_contact_law) count(held, moved_m, step);
+    if (!tick.is_contact_law || is_new || (tick.flags & flag::kFading) != 0) {
+      using Beginning = PassivityObserver::Beginning;
+      observer_.begin(0.0, is_new ? Beginning::from_no_force : Beginning::in_contact);
+      since_zero_J_ = 0.0;
+      return;
+    }
+    counts_ = true;
+    count(held, moved_m, step);
   }
 
   /// Ticks are missing before the next one.
@@ -108,6 +109,10 @@ class ShownWork {
     Vector<DeviceFrame> guide_N;
     bool weakened = false;
   };
+  void count(const Sent& held, Vector<DeviceFrame> moved_m, const PassivityObserver::Step& step) noexcept {
+    observer_.update(step);
+    count_since_zero(held, moved_m, step);
+  }
   /// `held` acted during the whole movement, or, in a stall, during a part of it (`step`).
   void count_since_zero(const Sent& held, Vector<DeviceFrame> moved_m,
                         const PassivityObserver::Step& step) noexcept {

@@ -16,6 +16,7 @@ ShownWork::Tick at(double z_m, double force_N, std::uint32_t flags = flag::kCont
   tick.position.v.z = z_m;
   tick.written_N.v.z = force_N;
   tick.flags = flags;
+  tick.is_valid = (flags & flag::kNoReading) == 0;
   return tick;
 }
 
@@ -59,6 +60,18 @@ TEST(ShownWork, GoesOnThroughATickInContactWhoseForceADamperCancelled) {
   };
   EXPECT_EQ(received_J(true), 0.0);
   EXPECT_NEAR(received_J(false), 0.9e-3, 1e-12) << "a law that stores nothing made it";
+}
+
+TEST(ShownWork, CountsAJumpAfterWhichANewTouchBegins) {
+  // 1 mm against 1 N, and a jump of 3 mm with it, of which two readings were not believed.
+  ShownWork work(without_delay(), {});
+  work.take(at(0.001, 0.0, 0));
+  work.take(at(0.0, 1.0));
+  work.take(at(-0.001, 1.0));
+  work.take(at(0.002, 1.0, flag::kContact | flag::kImplausible));
+  work.take(at(0.002, 0.0, flag::kContact | flag::kNewTouch));
+  EXPECT_NEAR(work.made_max_J(), 2e-3, 1e-12);
+  EXPECT_NEAR(work.since_zero_max_J(), 2e-3, 1e-12);
 }
 
 TEST(ShownWork, CountsAMovementInAStallUntilTheWatchdogEndsTheForce) {

@@ -33,6 +33,14 @@ bool is_usable(const LawOutput& output) {
          !(std::abs(output.stored_J) > kMost);
 }
 
+/// The share of a force that the rise limit may shorten in a tick because the force turns (cap_rise()): all
+/// of it but in ticks that are shorter than three quarters of the period, as they follow late ones.
+double most_lost(double dt_s, const TickOptions& options) {
+  // max_rise_time_s is one and a half periods.
+  const double periods = 1.5 * dt_s / options.max_rise_time_s;
+  return periods < 0.75 ? periods : 1.0;
+}
+
 }  // namespace
 
 TickPipeline::TickPipeline(device::Device& device, const HapticScene& scene, const TickOptions& options,
@@ -89,17 +97,17 @@ const TouchSample& TickPipeline::step(double clock_t_s, double clock_dt_s) noexc
   const ReadingUse use = accept(reading, dt_s);
   count_received();
   const bool good = use == ReadingUse::continues || use == ReadingUse::new_touch;
-  const bool is_glitch = use == ReadingUse::glitch;
+  const bool is_held = use == ReadingUse::glitch || use == ReadingUse::repeated;
   if (fading()) fade(dt_s);
   const bool valid = good && evaluate_laws(dt_s);
-  if (!is_glitch) account_spring(dt_s, valid && !is_paused());
+  if (!is_held) account_spring(dt_s, valid && !is_paused());
   account_returns();
   if (fading() && faded_ >= 1.0) end_fade();
-  observe(dt_s);
-  if (!is_glitch) make_force(dt_s);
+  observe();
+  if (!is_held) make_force(dt_s);
   bound(dt_s);
   send();
-  write_device(valid, is_glitch);
+  write_device(valid, is_held);
 
   sample_.t_s = t_s;
   sample_.dt_s = dt_s;
@@ -107,8 +115,7 @@ const TouchSample& TickPipeline::step(double clock_t_s, double clock_dt_s) noexc
   count_shown_work();
   count_heat(dt_s);
   if (good && !valid) emit(TouchEvent::Kind::not_finite, 0);
-  if (!is_glitch)
-    report_status(valid, static_cast<std::uint32_t>(good ? device::Status::ok : reading.status));
+  if (!is_held) report_status(valid, static_cast<std::uint32_t>(good ? device::Status::ok : reading.status));
   report_changes(before);
   count();
   return sample_;
@@ -119,6 +126,8 @@ ReadingUse TickPipeline::accept(const device::Reading& reading, double dt_s) noe
   rotated_ = {};
   const JudgedReading judged = readings_.judge(reading, dt_s);
   if (judged.implausible) flags_ |= flag::kImplausible;
+  if (judged.use == ReadingUse::repeated) flags_ |= flag::kRepeated;
+  passed_s_ = judged.is_good() ? judged.passed_s : dt_s;
   if (judged.use == ReadingUse::new_touch) {
     // However the hand got there, the force rises from zero.
     drop_force();
@@ -132,13 +141,6 @@ ReadingUse TickPipeline::accept(const device::Reading& reading, double dt_s) noe
 
 void TickPipeline::take(const device::Reading& reading, const JudgedReading& judged) noexcept {
   position_ = reading.position;
-  const bool repeats =
-      reading.recorded ? (reading.recorded->flags & flag::kRepeated) != 0 : reading.is_repeated;
-  if (repeats && !judged.first) {
-    flags_ |= flag::kRepeated;
-    motion_.hold(judged.passed_s);
-    return;
-  }
   motion_.update(position_, judged.passed_s);
   const Point<DeviceFrame> before = fine_.place();
   const Point<DeviceFrame> now = fine_.update(position_);
@@ -263,8 +265,9 @@ void TickPipeline::make_force(double dt_s) noexcept {
   const double gain = ramp_.value();
   const Vector<DeviceFrame> rest_N = wanted_N - spring_N_;
   const Vector<DeviceFrame> v = motion_.velocity_m_per_s();
-  const auto risen = rise_.limit(capped.force_N, rest_N, max_rise_N, v);
-  uncontrolled_N_ = uncontrolled_rise_.limit(capped.force_N, rest_N, max_rise_N, v).force_N;
+  const double lost = most_lost(dt_s, options_);
+  const auto risen = rise_.limit(capped.force_N, rest_N, max_rise_N, v, lost);
+  uncontrolled_N_ = uncontrolled_rise_.limit(capped.force_N, rest_N, max_rise_N, v, lost).force_N;
   written_N_ = risen.force_N;
   if (has_torque_) make_torque(risen_s);
   limit_returns(risen_s);

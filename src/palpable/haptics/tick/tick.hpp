@@ -129,7 +129,7 @@ class TickPipeline {
   void limit_returns(double dt_s) noexcept;
   /// The hand's velocity, and its expected change until a force acts, for what forces give it: where the
   /// reading flickers, those of the place within its steps.
-  Vector<DeviceFrame> velocity_m_per_s(double dt_s) const noexcept;
+  Vector<DeviceFrame> velocity_m_per_s() const noexcept;
   Vector<DeviceFrame> gains_m_per_s() const noexcept;
   /// The velocity as far as the sensor's step lets it be known.
   Vector<DeviceFrame> sure_velocity_m_per_s(double dt_s) const noexcept;
@@ -138,7 +138,7 @@ class TickPipeline {
   void send() noexcept;
   /// What is touched near the hand, in the device's frame.
   device::LocalSurface local_surface() const noexcept;
-  void write_device(bool wanted, bool is_glitch) noexcept;
+  void write_device(bool wanted, bool is_held) noexcept;
   bool evaluate_laws(double dt_s) noexcept;
   void fade(double dt_s) noexcept;
   /// Fading to a scene that feels otherwise here. An equal surface, as a live source sends it, changes
@@ -152,7 +152,7 @@ class TickPipeline {
   };
   void count_received() noexcept;
   void count_scene_change() noexcept;
-  void observe(double dt_s) noexcept;
+  void observe() noexcept;
   bool is_free() const noexcept;
   Vector<DeviceFrame> with_transient(Vector<DeviceFrame> force_N, double dt_s) noexcept;
   void make_force(double dt_s) noexcept;
@@ -189,8 +189,9 @@ class TickPipeline {
   HandMotion motion_;
   FinePosition fine_;
   Point<DeviceFrame> position_;
-  /// Since the previous tick, m.
+  /// Since the previous reading that was used, m and s.
   Vector<DeviceFrame> moved_;
+  double passed_s_ = 0.001;
   bool has_torque_;
   bool torque_capped_ = false;
   TransientPlayer transient_;

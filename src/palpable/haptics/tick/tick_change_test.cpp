@@ -3,12 +3,43 @@
 // Changes of scene in a touch.
 #include "palpable/haptics/tick/test_loop.hpp"
 
+#include <cstdint>
 #include <memory>
 
 #include <gtest/gtest.h>
 
 namespace palpable::haptics {
 namespace {
+
+/// A weight on a slope, 10 mJ high.
+class HighGround final : public Touchable {
+ public:
+  LawOutput evaluate(const Hand& hand, TouchState&) const noexcept override {
+    LawOutput output;
+    output.contact = true;
+    output.stored_J = 0.01 - 0.1 * hand.position.v.x;
+    output.spring_N.v.x = output.force_N.v.x = 0.1;
+    return output;
+  }
+  std::uint64_t state_family() const noexcept override { return 77; }
+  double damping_Ns_per_m() const noexcept override { return 0.0; }
+  EnergyModel energy_model() const noexcept override { return EnergyModel::weight; }
+  void touch_pages() const noexcept override {}
+};
+
+TEST(TickChange, DoesNotTakeThePotentialOfAnotherKindOfLawForMadeEnergy) {
+  Loop loop(plane());
+  loop.device.reading.position.v.z = 5e-4;
+  loop.run(10);
+  const HapticScene high{std::make_shared<HighGround>(), {}, 2};
+  loop.tick->change(high);
+  for (int n = 0; n < 800; ++n) {
+    loop.device.reading.position.v.x += 1e-5;
+    loop.run(1);
+  }
+  EXPECT_GT(loop.written().x, 0.0);
+  EXPECT_LE(loop.tick->counts().made_max_without_controller_J, 1e-12);
+}
 
 TEST(TickChange, FadesFromOneSceneToTheNextWithoutAStep) {
   Loop loop(plane(500.0));

@@ -40,10 +40,14 @@ TickPipeline::Potential TickPipeline::potential(double faded) const noexcept {
     p.spring_N += faded * (next.spring_N - p.spring_N);
     p.stored_J += faded * (next.stored_J - p.stored_J);
   }
+  // Potentials of different kinds are not blended: the new one counts from the end of the change on.
+  const bool is_new = fading() && now_.energy != coming_.energy && faded >= 1.0;
+  if (is_new) p = of(coming_);
   p.uncapped_N = p.spring_N;
   // If a spring exceeds the force cap, the hand only works against the capped force. A spring that stores U
   // at a force f then stores U (2r - r^2) up to the cap r f.
-  if (const double size_N = norm(p.spring_N); now_.energy == EnergyModel::spring && size_N > heat_.cap_N()) {
+  const EnergyModel energy = is_new ? coming_.energy : now_.energy;
+  if (const double size_N = norm(p.spring_N); energy == EnergyModel::spring && size_N > heat_.cap_N()) {
     const double ratio = heat_.cap_N() / size_N;
     p.stored_J *= ratio * (2.0 - ratio);
     p.spring_N = ratio * p.spring_N;
@@ -135,7 +139,7 @@ double TickPipeline::changed_J(const RiseLimit& rise) const noexcept {
   return adds ? changed_J_ : 0.0;
 }
 
-void TickPipeline::observe(double dt_s) noexcept {
+void TickPipeline::observe() noexcept {
   const bool contact = now_.output.contact;
   const bool stalled = (flags_ & flag::kStalled) != 0;
   PassivityObserver::Step step;
@@ -143,7 +147,7 @@ void TickPipeline::observe(double dt_s) noexcept {
   step.moved_m = moved_;
   step.rotation_J = stalled ? received_.written_J : dot(held().written_Nm, rotated_);
   step.guide_N = held().guide_N;
-  step.dt_s = dt_s;
+  step.dt_s = passed_s_;
   step.delay = delay_;
   step.is_spring = now_.energy == EnergyModel::spring;
   step.contact = contact || (fading() && coming_.output.contact);
@@ -179,7 +183,7 @@ void TickPipeline::observe(double dt_s) noexcept {
 void TickPipeline::count_shown_work() noexcept {
   ShownWork::Tick shown;
   shown.position = sample_.device_position;
-  shown.is_valid = sample_.status == device::Status::ok && !sample_.has(flag::kImplausible);
+  shown.is_valid = sample_.status == device::Status::ok && !sample_.has(flag::kNoReading);
   shown.dt_s = sample_.dt_s;
   shown.written_N = written_N_;
   shown.guide_N = guide_N_;
@@ -245,7 +249,7 @@ double TickPipeline::unsure_J(Vector<DeviceFrame> force_N) const noexcept {
 }
 
 double TickPipeline::on_the_way_J(Forces (*sent_as)(const Sent&), double dt_s) const noexcept {
-  const Vector<DeviceFrame> v = velocity_m_per_s(dt_s);
+  const Vector<DeviceFrame> v = velocity_m_per_s();
   const Vector<DeviceFrame> gains = gains_m_per_s();
   const Vector<DeviceFrame> w = rotation_.velocity_rad_per_s();
   double coming_J = 0.0;
@@ -259,7 +263,7 @@ double TickPipeline::on_the_way_J(Forces (*sent_as)(const Sent&), double dt_s) c
 
 double TickPipeline::returned_share(const ReturnLimit& limit, const Forces& wanted,
                                     Forces (*sent_as)(const Sent&), double dt_s) const noexcept {
-  const Vector<DeviceFrame> v = velocity_m_per_s(dt_s);
+  const Vector<DeviceFrame> v = velocity_m_per_s();
   const Vector<DeviceFrame> w = rotation_.velocity_rad_per_s();
   ReturnLimit::Sending sending;
   sending.power_W =
@@ -268,7 +272,8 @@ double TickPipeline::returned_share(const ReturnLimit& limit, const Forces& want
   sending.on_the_way_J = on_the_way_J(sent_as, dt_s);
   sending.unsure_J = std::max(unsure_J(wanted.force_N), unsure_J(sent_as(held()).force_N));
   sending.force_N = norm(wanted.force_N);
-  sending.dt_s = dt_s;
+  // The next force acts when the device has given its next reading.
+  sending.dt_s = readings_.ticks() * dt_s;
   sending.mass_kg = device_.traits().mass_kg;
   return without_step(limit.share(sending), wanted, sent_as(sent_[newest_]), dt_s);
 }
@@ -287,8 +292,8 @@ void TickPipeline::limit_returns(double dt_s) noexcept {
   reduce(uncontrolled_returns_, uncontrolled_rise_, uncontrolled_N_, uncontrolled_Nm_, as_uncontrolled);
 }
 
-Vector<DeviceFrame> TickPipeline::velocity_m_per_s(double dt_s) const noexcept {
-  return fine_.flickers() ? (1.0 / dt_s) * moved_ : motion_.velocity_m_per_s();
+Vector<DeviceFrame> TickPipeline::velocity_m_per_s() const noexcept {
+  return fine_.flickers() ? (1.0 / passed_s_) * moved_ : motion_.velocity_m_per_s();
 }
 
 Vector<DeviceFrame> TickPipeline::gains_m_per_s() const noexcept {
@@ -301,7 +306,7 @@ Vector<DeviceFrame> TickPipeline::sure_velocity_m_per_s(double dt_s) const noexc
   constexpr double kMargin = 1.5;
   const double unsure = kMargin * 2.0 * fine_.half_step_m() / ((VelocityEstimator::kSamples - 1) * dt_s);
   const auto sure = [&](double v) { return std::copysign(std::max(0.0, std::abs(v) - unsure), v); };
-  const Vec3 v = velocity_m_per_s(dt_s).v;
+  const Vec3 v = velocity_m_per_s().v;
   return {{sure(v.x), sure(v.y), sure(v.z)}};
 }
 
@@ -313,7 +318,8 @@ void TickPipeline::control_energy(double dt_s) noexcept {
   // steps show as much, and a force that is reduced for it comes back a tick later.
   constexpr double kUnfelt_J = 1e-7;
   const double made_J = observer_.made_J();
-  const double wanted = made_J > kUnfelt_J ? passivity_factor(gives_W, made_J, dt_s) : 1.0;
+  const double wanted =
+      made_J > kUnfelt_J ? passivity_factor(gives_W, made_J, readings_.ticks() * dt_s) : 1.0;
   if (wanted >= 1.0) return;
   const Sent& before = sent_[newest_];
   const double factor = without_step(wanted, {written_N_, written_Nm_}, {before.written_N, before.written_Nm},

@@ -69,10 +69,10 @@ void TickPipeline::rehearse(double dt_s) noexcept {
   if (fading()) haptics::rehearse(*coming_.scene->touchable, hand_in(coming_, dt_s), coming_.state);
 }
 
-void TickPipeline::write_device(bool wanted, bool is_glitch) noexcept {
+void TickPipeline::write_device(bool wanted, bool is_held) noexcept {
   if (takes_surface_ != nullptr) {
-    // A reading that is not believed changes nothing.
-    if (!is_glitch) surface_ = wanted && !is_paused() ? local_surface() : LocalSurface{};
+    // A reading that is not used changes nothing.
+    if (!is_held) surface_ = wanted && !is_paused() ? local_surface() : LocalSurface{};
     takes_surface_->write_surface(surface_);
   }
   device_.note_ramp(ramp_.value());

@@ -169,7 +169,7 @@ void Check::compare_law(const device::TouchSample& tick, const haptics::LawOutpu
 void Check::check_air(const device::TouchSample& tick, const RecordedTouch& touch) {
   const bool known = has_before_ && tick.tick == before_.tick + 1 && tick.scene_id == before_.scene_id &&
                      tick.status == device::Status::ok && before_.status == device::Status::ok &&
-                     !tick.has(flag::kFading | flag::kImplausible) && !before_.has(flag::kImplausible) &&
+                     !tick.has(flag::kFading | flag::kNoReading) && !before_.has(flag::kNoReading) &&
                      haptics::description_of(touch.law.law).is_contact;
   const double size_N = norm(tick.written_force_N);
   if (!known || size_N < kForceInAir_N) return;

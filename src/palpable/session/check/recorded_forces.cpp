@@ -104,7 +104,7 @@ void RecordedForces::check_work(const device::TouchSample& tick, const RecordedT
                                 Vector<DeviceFrame> force_N) {
   haptics::ShownWork::Tick shown;
   shown.position = tick.device_position;
-  shown.is_valid = tick.status == device::Status::ok && !tick.has(flag::kImplausible);
+  shown.is_valid = tick.status == device::Status::ok && !tick.has(flag::kNoReading);
   shown.dt_s = tick.dt_s;
   shown.written_N = is_finite(force_N) ? force_N : Vector<DeviceFrame>{};
   shown.flags = tick.flags;

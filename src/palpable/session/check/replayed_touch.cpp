@@ -101,10 +101,9 @@ void ReplayedHand::step(const device::TouchSample& recorded) {
   passed_s_ += recorded.dt_s;
   // As TickPipeline: after both, earlier readings say nothing.
   if (recorded.has(flag::kStalled | flag::kNewTouch)) motion_->begin();
-  if (recorded.status != device::Status::ok || recorded.has(flag::kImplausible)) return;
-  const double passed_s = std::exchange(passed_s_, 0.0);
-  if (recorded.has(flag::kRepeated)) return motion_->hold(passed_s);
-  motion_->update(recorded.device_position, passed_s);
+  if (recorded.status != device::Status::ok || recorded.has(flag::kNoReading)) return;
+  motion_->update(recorded.device_position, passed_s_);
+  passed_s_ = 0.0;
 }
 
 haptics::Hand ReplayedHand::in(const haptics::HapticScene& scene) const {
@@ -125,7 +124,7 @@ std::optional<haptics::LawOutput> ReplayedLaw::step(const device::TouchSample& r
   scene_id_ = recorded.scene_id;
   if (recorded.has(flag::kFading | flag::kNotFinite)) known_ = false;
   if (!follows) known_ = false;
-  const bool good = recorded.status == device::Status::ok && !recorded.has(flag::kImplausible);
+  const bool good = recorded.status == device::Status::ok && !recorded.has(flag::kNoReading);
   const bool is_new = recorded.has(flag::kNewTouch), is_free = !recorded.has(flag::kContact);
   const bool begins = good && !recorded.has(flag::kFading) && (is_new || (!known_ && is_free));
   if (begins) {
