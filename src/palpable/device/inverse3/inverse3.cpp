@@ -121,6 +121,10 @@ class Inverse3::Link {
   bool has_pushed_ = false;
   /// Commands that were sent and not yet answered.
   int awaited_ = 0;
+  /// Answers to older commands that may still come.
+  int owed_ = 0;
+  bool heard_since_sent_ = false;
+  InverseClock::time_point heard_at_;
   std::string command_;
   ForceHandOff::Taken in_flight_;
   InverseClock::time_point last_take_ = InverseClock::now();
@@ -219,9 +223,12 @@ void Inverse3::Link::on_message(beast::error_code error, std::size_t /*bytes*/) 
   since_position_.fetch_add(1, std::memory_order_relaxed);
   if (state) follow(*state);
   buffer_.consume(buffer_.size());
-  awaited_ = std::max(0, awaited_ - 1);
+  heard_at_ = InverseClock::now();
+  heard_since_sent_ = true;
+  int& answered = owed_ > 0 ? owed_ : awaited_;
+  answered = std::max(0, answered - 1);
   // Without a device there is nothing to command; the next message may list one.
-  if (!device_id_.empty() && !writing_ && awaited_ == 0) send();
+  if (!device_id_.empty() && !writing_ && awaited_ + owed_ == 0) send();
   read();
 }
 
@@ -252,6 +259,7 @@ void Inverse3::Link::send() {
   writing_ = true;
   has_pushed_ = has_pushed_ || force != Vec3{};
   ++awaited_;
+  heard_since_sent_ = false;
   socket_.async_write(asio::buffer(command_), [this](beast::error_code error, std::size_t) {
     writing_ = false;
     if (error) return lose(ending_of(error));
@@ -281,7 +289,12 @@ void Inverse3::Link::watch() {
     const auto now = InverseClock::now();
     if (!writing_ && !device_id_.empty() && !lost &&
         seconds_between(last_take_, now) >= ForceHandOff::kUnwritten_s) {
-      // Answers that were lost never come: the next one is that to this command.
+      // The answers that are missing may come later, and must not make commands of their own: else each
+      // silence would leave more of them on the way, and a force would act later and later. They are lost if
+      // others came since, and then none for as long.
+      const bool are_lost =
+          heard_since_sent_ && seconds_between(heard_at_, now) >= ForceHandOff::kUnwritten_s;
+      owed_ = are_lost ? 0 : owed_ + awaited_;
       awaited_ = 0;
       send();
     }
