@@ -33,6 +33,8 @@ using InverseClock = std::chrono::steady_clock;
 constexpr auto kFirstState = std::chrono::seconds(2);
 /// How often the driver looks whether a force must be taken back while the service does not answer.
 constexpr auto kLook = std::chrono::milliseconds(1);
+/// Silences, each after an answer, until those that are missing count as lost.
+constexpr int kDoubted = 10;
 constexpr auto kLeaving = std::chrono::milliseconds(20);
 /// Positions farther from the base than this are no positions of an Inverse3.
 constexpr double kFarthestInverse_m = 0.6;
@@ -124,7 +126,8 @@ class Inverse3::Link {
   /// Answers to older commands that may still come.
   int owed_ = 0;
   bool heard_since_sent_ = false;
-  InverseClock::time_point heard_at_;
+  /// How many silences in a row followed an answer.
+  int doubted_ = 0;
   std::string command_;
   ForceHandOff::Taken in_flight_;
   InverseClock::time_point last_take_ = InverseClock::now();
@@ -223,7 +226,6 @@ void Inverse3::Link::on_message(beast::error_code error, std::size_t /*bytes*/) 
   since_position_.fetch_add(1, std::memory_order_relaxed);
   if (state) follow(*state);
   buffer_.consume(buffer_.size());
-  heard_at_ = InverseClock::now();
   heard_since_sent_ = true;
   int& answered = owed_ > 0 ? owed_ : awaited_;
   answered = std::max(0, answered - 1);
@@ -291,9 +293,9 @@ void Inverse3::Link::watch() {
         seconds_between(last_take_, now) >= ForceHandOff::kUnwritten_s) {
       // The answers that are missing may come later, and must not make commands of their own: else each
       // silence would leave more of them on the way, and a force would act later and later. They are lost if
-      // others came since, and then none for as long.
-      const bool are_lost =
-          heard_since_sent_ && seconds_between(heard_at_, now) >= ForceHandOff::kUnwritten_s;
+      // others came before each of several silences.
+      doubted_ = heard_since_sent_ ? doubted_ + 1 : 0;
+      const bool are_lost = doubted_ >= kDoubted;
       owed_ = are_lost ? 0 : owed_ + awaited_;
       awaited_ = 0;
       send();
