@@ -33,6 +33,8 @@ using InverseClock = std::chrono::steady_clock;
 constexpr auto kFirstState = std::chrono::seconds(2);
 /// How often the driver looks whether a force must be taken back while the service does not answer.
 constexpr auto kLook = std::chrono::milliseconds(1);
+/// Silences, each after an answer, until those that are missing count as lost.
+constexpr int kDoubted = 10;
 constexpr auto kLeaving = std::chrono::milliseconds(20);
 /// Positions farther from the base than this are no positions of an Inverse3.
 constexpr double kFarthestInverse_m = 0.6;
@@ -121,6 +123,11 @@ class Inverse3::Link {
   bool has_pushed_ = false;
   /// Commands that were sent and not yet answered.
   int awaited_ = 0;
+  /// Answers to older commands that may still come.
+  int owed_ = 0;
+  bool heard_since_sent_ = false;
+  /// How many silences in a row followed an answer.
+  int doubted_ = 0;
   std::string command_;
   ForceHandOff::Taken in_flight_;
   InverseClock::time_point last_take_ = InverseClock::now();
@@ -219,9 +226,11 @@ void Inverse3::Link::on_message(beast::error_code error, std::size_t /*bytes*/) 
   since_position_.fetch_add(1, std::memory_order_relaxed);
   if (state) follow(*state);
   buffer_.consume(buffer_.size());
-  awaited_ = std::max(0, awaited_ - 1);
+  heard_since_sent_ = true;
+  int& answered = owed_ > 0 ? owed_ : awaited_;
+  answered = std::max(0, answered - 1);
   // Without a device there is nothing to command; the next message may list one.
-  if (!device_id_.empty() && !writing_ && awaited_ == 0) send();
+  if (!device_id_.empty() && !writing_ && awaited_ + owed_ == 0) send();
   read();
 }
 
@@ -252,6 +261,7 @@ void Inverse3::Link::send() {
   writing_ = true;
   has_pushed_ = has_pushed_ || force != Vec3{};
   ++awaited_;
+  heard_since_sent_ = false;
   socket_.async_write(asio::buffer(command_), [this](beast::error_code error, std::size_t) {
     writing_ = false;
     if (error) return lose(ending_of(error));
@@ -281,7 +291,12 @@ void Inverse3::Link::watch() {
     const auto now = InverseClock::now();
     if (!writing_ && !device_id_.empty() && !lost &&
         seconds_between(last_take_, now) >= ForceHandOff::kUnwritten_s) {
-      // Answers that were lost never come: the next one is that to this command.
+      // The answers that are missing may come later, and must not make commands of their own: else each
+      // silence would leave more of them on the way, and a force would act later and later. They are lost if
+      // others came before each of several silences.
+      doubted_ = heard_since_sent_ ? doubted_ + 1 : 0;
+      const bool are_lost = doubted_ >= kDoubted;
+      owed_ = are_lost ? 0 : owed_ + awaited_;
       awaited_ = 0;
       send();
     }
