@@ -59,6 +59,9 @@ Result<double> aperture_of(const Microphones& microphones) {
       aperture_m = std::max(aperture_m, apart_m);
     }
   }
+  // Delays must be short beside a spectrum's frame.
+  constexpr double kWidest_m = 3.0;
+  if (aperture_m > kWidest_m) return invalid_input("has microphones more than 3 m apart");
   return aperture_m;
 }
 

@@ -30,9 +30,9 @@ struct ArrayGeometry {
 };
 
 /// Errors, invalid_input: fewer than three microphones or more than 64, a position that is not finite or
-/// farther than 10 m, two at one place, all of them on a line (which leaves a cone of directions), or in an
-/// upright plane that runs ahead, which does not tell left from right; a speed of sound outside of 100 to
-/// 2000 m/s.
+/// farther than 10 m, two at one place or more than 3 m apart, all of them on a line (which leaves a cone of
+/// directions), or in an upright plane that runs ahead, which does not tell left from right; a speed of sound
+/// outside of 100 to 2000 m/s.
 Result<ArrayGeometry> geometry_of(const Microphones& microphones);
 
 /// Where a sound comes from, seen from the array.

@@ -29,6 +29,7 @@ TEST(ArrayShape, ArraysWithoutADirectionAreRefused) {
   EXPECT_FALSE(geometry_of({{{{0, 0, 0}}, {{0.1, 0, 0}}, {{0.2, 0, 0}}}})) << "on a line";
   EXPECT_FALSE(geometry_of({{{{0, 0, 0}}, {{0, 0.1, 0}}, {{0, 0, 0.1}}}})) << "left and right alike";
   EXPECT_FALSE(geometry_of({{{{0, 0, 0}}, {{0, 0, 0}}, {{0, 0, 0.1}}, {{0.1, 0, 0}}}})) << "at one place";
+  EXPECT_FALSE(geometry_of({{{{0, 0, 0}}, {{4, 0, 0}}, {{0, 0, 0.1}}}})) << "too wide";
   EXPECT_FALSE(geometry_of({{{{0, 0, 0}}, {{0, 0, NAN}}, {{0, 0, 0.1}}}}));
   Microphones still = kLevelArray;
   still.speed_of_sound_m_per_s = 0.0;
