@@ -26,6 +26,7 @@ std::span<const float> SoundWeights::take(std::span<const float> power) {
     std::ranges::fill(least_now_, std::numeric_limits<float>::max());
   }
   const auto least_weight = static_cast<float>(options_.least_weight);
+  const auto noise_factor = static_cast<float>(options_.noise_factor);
   const auto decay = static_cast<float>(decay_);
   const auto share = static_cast<float>(options_.reverberation_share);
   for (std::size_t bin = 0; bin < weights_.size(); ++bin) {
@@ -33,9 +34,9 @@ std::span<const float> SoundWeights::take(std::span<const float> power) {
     smooth_[bin] = frame_ == 1 ? now : kSmoothing * smooth_[bin] + (1.0F - kSmoothing) * now;
     least_now_[bin] = std::min(least_now_[bin], smooth_[bin]);
     const float noise = kLeastToMean * std::min(least_now_[bin], least_before_[bin]);
-    const float other = noise + reverberation_[bin];
+    const float other = noise_factor * noise + reverberation_[bin];
     weights_[bin] = now > 0.0F ? std::max(least_weight, 1.0F - other / now) : 0.0F;
-    reverberation_[bin] = decay * reverberation_[bin] + (1.0F - decay) * share * now;
+    reverberation_[bin] = decay * reverberation_[bin] + (1.0F - decay) * share * std::max(0.0F, now - noise);
   }
   return weights_;
 }

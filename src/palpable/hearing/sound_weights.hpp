@@ -12,9 +12,11 @@ struct SoundWeightOptions {
   /// How fast a room's reverberation fades: its energy falls by 60 dB in this time.
   double reverberation_s = 0.5;
   /// The reverberant energy that a steady sound leaves, as a share of its own.
-  double reverberation_share = 1.0;
+  double reverberation_share = 0.6;
   /// The noise in a bin is the least power of this time.
   double noise_memory_s = 1.5;
+  /// Power below this many times the noise is noise.
+  double noise_factor = 2.0;
   /// The weight of a bin that holds nothing but noise and reverberation: a steady sound is heard by these.
   double least_weight = 0.02;
 };

@@ -14,7 +14,7 @@
 namespace palpable::cli {
 namespace {
 
-struct MapArguments {
+struct ScoreMapArguments {
   std::string scene, truth;
 };
 
@@ -50,7 +50,7 @@ Result<measure::TrueStreetMap> read_true_map(const std::string& path) {
   }
 }
 
-Result<Answer> score_map(const MapArguments& arguments) {
+Result<Answer> score_map(const ScoreMapArguments& arguments) {
   const auto file = read_scene_argument(arguments.scene);
   if (!file) return file.error();
   if (file->scene.map == nullptr)
@@ -87,7 +87,7 @@ Result<Answer> score_map(const MapArguments& arguments) {
 }  // namespace
 
 void add_score_map(Program& program) {
-  const auto arguments = std::make_shared<MapArguments>();
+  const auto arguments = std::make_shared<ScoreMapArguments>();
   Options options = add_command_below(program, "score", "map",
                                       "Streets, junctions and names of a map against the true ones",
                                       "  palpable score map town.palp town.json",
