@@ -1,13 +1,14 @@
 # The table of allowed dependencies between modules, and between the rooms (folders) of large modules. docs/architecture.md
 # explains it. palpable_module() refuses a link that is not in the table; the test tests/layers runs cmake/CheckLayers.cmake,
 # which refuses an #include that is not in the table, and a permission that no file uses.
-set(PALPABLE_MODULES core models formats sources vision sculpt recipes measure draw device haptics voice describe session page onefile study cli)
+set(PALPABLE_MODULES core models formats sources vision hearing sculpt recipes measure draw device haptics voice describe session page onefile study cli)
 
 set(PALPABLE_MAY_USE_core "")
 set(PALPABLE_MAY_USE_models core)
 set(PALPABLE_MAY_USE_formats core models)
 set(PALPABLE_MAY_USE_sources core formats)
 set(PALPABLE_MAY_USE_vision core)
+set(PALPABLE_MAY_USE_hearing core)
 set(PALPABLE_MAY_USE_sculpt core models vision)
 set(PALPABLE_MAY_USE_recipes core models vision sculpt)
 set(PALPABLE_MAY_USE_measure core vision sculpt)
@@ -19,12 +20,12 @@ set(PALPABLE_MAY_USE_describe core models)
 set(PALPABLE_MAY_USE_session core models formats sources vision sculpt recipes measure device haptics describe)
 set(PALPABLE_MAY_USE_page core models formats device haptics describe session)
 set(PALPABLE_MAY_USE_onefile core models formats device haptics describe session page)
-set(PALPABLE_MAY_USE_study core models vision sculpt device haptics session)
-set(PALPABLE_MAY_USE_cli core models formats sources vision sculpt recipes measure draw device haptics voice describe session page onefile study)
+set(PALPABLE_MAY_USE_study core models vision hearing sculpt device haptics session)
+set(PALPABLE_MAY_USE_cli core models formats sources vision hearing sculpt recipes measure draw device haptics voice describe session page onefile study)
 
 # Rooms, bottom-up. Files directly in a module's folder are its interface: every room may use them, and they use no room.
 # Tests in a room may use every room of their module.
-set(PALPABLE_ROOMS_core picture geometry numbers text system files net)
+set(PALPABLE_ROOMS_core picture sound geometry numbers text system files net)
 set(PALPABLE_MAY_USE_core/files system)
 set(PALPABLE_MAY_USE_core/net system)
 
@@ -39,7 +40,7 @@ set(PALPABLE_ROOMS_formats packing picture mesh tactile vdb scene)
 set(PALPABLE_MAY_USE_formats/mesh picture)
 set(PALPABLE_MAY_USE_formats/scene packing picture)
 
-set(PALPABLE_ROOMS_sources isolated picture stereo solid calibration depth video map input live decoder)
+set(PALPABLE_ROOMS_sources isolated picture stereo solid calibration depth video map input live sound decoder)
 set(PALPABLE_MAY_USE_sources/picture isolated)
 set(PALPABLE_MAY_USE_sources/solid isolated)
 set(PALPABLE_MAY_USE_sources/calibration isolated)

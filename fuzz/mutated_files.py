@@ -100,6 +100,11 @@ def whole_files(program, folder):
     for entry in sorted((CORPUS / "calibration").iterdir()):
         shutil.copy(entry, folder / entry.name)
         files.append((folder / entry.name, calibrate))
+    for name in ("four16.wav", "robot.json"):
+        shutil.copy(CORPUS / "sound" / name, folder / name)
+    listen = lambda sound, array: [program, "listen", str(sound), "--microphones", str(array), "--quiet"]
+    files.append((folder / "four16.wav", lambda f: listen(f, folder / "robot.json")))
+    files.append((folder / "robot.json", lambda f: listen(folder / "four16.wav", f)))
     return files
 
 

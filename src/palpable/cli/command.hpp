@@ -64,6 +64,7 @@ void add_fit_shapes(Program& program);
 void add_help(Program& program);
 void add_home(Program& program);
 void add_info(Program& program);
+void add_listen(Program& program);
 void add_make(Program& program);
 void add_marker(Program& program);
 void add_methods(Program& program);

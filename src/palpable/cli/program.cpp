@@ -73,6 +73,7 @@ void add_commands(Program& program) {
   add_fit_shapes(program);
   add_calibrate(program);
   add_rectify(program);
+  add_listen(program);
   add_probe(program);
   add_sample(program);
   add_bench(program);
