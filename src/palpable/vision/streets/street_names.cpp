@@ -168,16 +168,35 @@ bool is_small_name(std::string_view words) {
   return is_whole_name(large) && is_street_name(words.substr(0, words.find(' ')));
 }
 
+/// Whether a reading can be trusted without a gazetteer.
+bool is_sure(const ReadLine& read, const StreetNameOptions& options) {
+  return read.confidence >= options.least_confidence ||
+         (read.agreeing >= options.sure_agreeing && read.confidence >= options.least_agreeing_confidence);
+}
+
 /// What is read as a street's name, spelled as in the gazetteer; nullopt if that has no such name.
 std::optional<std::string> name_of(const StreetMap& map, const TextLine& line, const ReadLine& read,
                                    const StreetNameOptions& options) {
+  if (read.text.empty()) return std::nullopt;
   if (options.gazetteer.empty()) {
-    const bool is_name = read.confidence >= options.least_confidence && !is_piece_of_name(read.text) &&
+    const bool is_name = is_sure(read, options) && !is_piece_of_name(read.text) &&
                          (is_whole_name(read.text) || is_small_name(read.text)) &&
                          !is_at_border(map, line, options);
     return is_name ? std::optional(read.text) : std::nullopt;
   }
   return nearest_name(read.text, options.gazetteer, options.least_similarity);
+}
+
+/// For each line of lettering, the name of a street that it can be, if it lies on one.
+using Names = std::vector<std::optional<std::string>>;
+Names names_of(const StreetMap& map, std::span<const TextLine> lines, std::span<const ReadLine> read,
+               const StreetNameOptions& options) {
+  std::vector<char> stacked(lines.size(), 0);
+  if (options.gazetteer.empty()) stacked = stacked_lettering(lines, read, options.stacked);
+  Names names(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (stacked[i] == 0) names[i] = name_of(map, lines[i], read[i], options);
+  return names;
 }
 
 /// A name on a street: where along it, in points of the street's line with steps of a pixel.
@@ -230,23 +249,21 @@ void divide(StreetMap& map, std::size_t number, double along_px) {
 
 /// Divides streets that carry different names one after the other, midway between these: where a street
 /// bends into another one there is no junction.
-void divide_between_names(StreetMap& map, std::span<const TextLine> lines, std::span<const ReadLine> read,
+void divide_between_names(StreetMap& map, std::span<const TextLine> lines, const Names& names,
                           const StreetNameOptions& options) {
-  std::map<std::size_t, std::vector<NameAt>> names;
+  std::map<std::size_t, std::vector<NameAt>> on_street;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (read[i].text.empty()) continue;
+    if (!names[i]) continue;
     const Votes votes = votes_of(map, lines[i], options);
-    const auto name =
-        votes.part >= options.least_part_on_street ? name_of(map, lines[i], read[i], options) : std::nullopt;
-    if (!name) continue;
+    if (votes.part < options.least_part_on_street) continue;
     int most = 0;
     for (const auto& [street, count] : votes.of_street) most = std::max(most, count);
     for (const auto& [street, points] : votes.points)
       if (votes.of_street.at(street) >= options.divided_part * most)
-        names[street].push_back(
-            {along_street(map.streets[street], points[points.size() / 2]), compared_form(*name)});
+        on_street[street].push_back(
+            {along_street(map.streets[street], points[points.size() / 2]), compared_form(*names[i])});
   }
-  for (auto& [street, here] : names) {
+  for (auto& [street, here] : on_street) {
     std::sort(here.begin(), here.end(),
               [](const NameAt& a, const NameAt& b) { return a.along_px > b.along_px; });
     // From the end, so that the lengths before the cuts stay.
@@ -289,14 +306,15 @@ void spell_by_gazetteer(std::span<ReadLine> read, std::span<const std::string> g
 
 void add_names(StreetMap& map, std::span<const TextLine> lines, std::span<const ReadLine> read,
                const StreetNameOptions& options) {
-  divide_between_names(map, lines, read, options);
+  const Names names = names_of(map, lines, read, options);
+  divide_between_names(map, lines, names, options);
   // The surest name of each street wins.
   std::vector<double> confidence(map.streets.size(), 0.0);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (read[i].text.empty()) continue;
     const Votes votes = votes_of(map, lines[i], options);
     const std::optional<std::string> name =
-        votes.part >= options.least_part_on_street ? name_of(map, lines[i], read[i], options) : std::nullopt;
+        votes.part >= options.least_part_on_street ? names[i] : std::nullopt;
     map.labels.push_back(label_of(lines[i], read[i], name.has_value()));
     if (!name) continue;
     map.labels.back().text = *name;

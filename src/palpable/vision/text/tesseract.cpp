@@ -3,6 +3,7 @@
 #include "palpable/vision/text/tesseract.hpp"
 
 #include "palpable/core/system/child_process.hpp"
+#include "palpable/vision/text/articles.hpp"
 #include "palpable/vision/text/numerals.hpp"
 
 #include <algorithm>
@@ -162,7 +163,7 @@ Reading reading_of(std::vector<Word> words, const cv::Mat& picture, const ReadTe
     out.confidence += n * word.confidence;
     characters += n;
   }
-  out.text = with_numerals(cleaned(out.text, options));
+  out.text = with_numerals(with_articles(cleaned(out.text, options)));
   out.confidence = out.text.empty() ? 0.0 : out.confidence / characters;
   return out.confidence < options.least_confidence ? Reading{} : out;
 }
