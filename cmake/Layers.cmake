@@ -97,6 +97,7 @@ set(PALPABLE_MAY_USE_haptics/proxy effect)
 set(PALPABLE_MAY_USE_haptics/law effect proxy)
 set(PALPABLE_MAY_USE_haptics/tick safety effect law)
 set(PALPABLE_MAY_USE_haptics/servo safety effect law tick)
+set(PALPABLE_MAY_USE_haptics/guardian safety)
 
 set(PALPABLE_ROOMS_session robot make touch share check)
 set(PALPABLE_MAY_USE_describe core models)

@@ -5,7 +5,7 @@
 // whose write end only that program holds, 4 is the device, 5 is shared memory: SharedBeats. Arguments: the
 // bytes in hexadecimal, the time without a tick that counts as stillness, ms, and the endpoint if the device
 // is one of USB, else 0.
-#include "palpable/haptics/guardian/shared_beats.hpp"
+#include "palpable/haptics/safety/shared_beats.hpp"
 
 #include <atomic>
 #include <cerrno>

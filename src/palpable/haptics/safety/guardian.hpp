@@ -5,7 +5,7 @@
 #include "palpable/core/result.hpp"
 #include "palpable/core/system/child_process.hpp"
 #include "palpable/device/zero_write.hpp"
-#include "palpable/haptics/guardian/shared_beats.hpp"
+#include "palpable/haptics/safety/shared_beats.hpp"
 
 #include <array>
 #include <atomic>

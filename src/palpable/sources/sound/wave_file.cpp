@@ -4,6 +4,7 @@
 
 #include "palpable/core/files/byte_reader.hpp"
 #include "palpable/core/files/read_file.hpp"
+#include "palpable/core/text/plain_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -121,8 +122,13 @@ Result<Sound> decode_wave(std::span<const std::byte> file) {
   std::optional<WaveFormat> format;
   while (reader.left() >= 8) {
     const std::string_view name = as_text(reader.bytes(4));
-    // RF64 states the size of long data elsewhere; they reach to the end of the file then.
     const std::size_t size = reader.u32();
+    // RF64 states the size of long data elsewhere, and a recorder that writes as it records does not know it:
+    // they reach to the end of the file then.
+    constexpr std::size_t kUnknownSize = 0x7FFFFF00;
+    if (size > reader.left() && size < kUnknownSize)
+      return invalid_input(fmt::format("ends too early: {} of {} bytes of its part \"{}\" are there",
+                                       reader.left(), size, plain_name(name)));
     const auto chunk = reader.bytes(std::min(size, reader.left()));
     if (name == "fmt ") {
       auto read = format_from(chunk);

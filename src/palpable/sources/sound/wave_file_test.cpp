@@ -95,6 +95,7 @@ TEST(WaveFile, DamageIsRefused) {
   endless.u32(std::bit_cast<std::uint32_t>(std::numeric_limits<float>::infinity()));
   const auto good = wave_of({}, data);
   EXPECT_TRUE(decode_wave(good));
+  EXPECT_FALSE(decode_wave(std::span(good).first(good.size() - 1)));
   for (std::size_t size = 0; size < good.size() - 3; ++size)
     EXPECT_FALSE(decode_wave(std::span(good).first(size))) << size;
   EXPECT_FALSE(decode_wave(wave_of({.channels = 0}, data)));
