@@ -168,18 +168,12 @@ bool is_small_name(std::string_view words) {
   return is_whole_name(large) && is_street_name(words.substr(0, words.find(' ')));
 }
 
-/// Whether a reading can be trusted without a gazetteer.
-bool is_sure(const ReadLine& read, const StreetNameOptions& options) {
-  return read.confidence >= options.least_confidence ||
-         (read.agreeing >= options.sure_agreeing && read.confidence >= options.least_agreeing_confidence);
-}
-
 /// What is read as a street's name, spelled as in the gazetteer; nullopt if that has no such name.
 std::optional<std::string> name_of(const StreetMap& map, const TextLine& line, const ReadLine& read,
                                    const StreetNameOptions& options) {
   if (read.text.empty()) return std::nullopt;
   if (options.gazetteer.empty()) {
-    const bool is_name = is_sure(read, options) && !is_piece_of_name(read.text) &&
+    const bool is_name = read.confidence >= options.least_confidence && !is_piece_of_name(read.text) &&
                          (is_whole_name(read.text) || is_small_name(read.text)) &&
                          !is_at_border(map, line, options);
     return is_name ? std::optional(read.text) : std::nullopt;

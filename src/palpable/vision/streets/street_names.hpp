@@ -40,9 +40,6 @@ struct StreetNameOptions {
   double least_end_px = 8.0;
   /// Without a gazetteer, names that are read with less confidence are labels of places. 0 ... 1.
   double least_confidence = 0.7;
-  /// But so many readings that agree are sure with less confidence, 0 ... 1. 2 ... 100.
-  int sure_agreeing = 4;
-  double least_agreeing_confidence = 0.5;
   /// Without a gazetteer, lettering that ends nearer to the picture's border than this part of its height may
   /// be cut off, and is a label. 0 ... 5.
   double border_heights = 0.5;

@@ -149,22 +149,12 @@ TEST(StreetNames, ABeginningAloneIsNoName) {
 TEST(StreetNames, StackedWordsNameAPlace) {
   StreetMap map = junction_map();
   const std::array<TextLine, 2> lines{level_line(30, 90, 100), level_line(36, 84, 114)};
-  const std::array<ReadLine, 2> read{ReadLine{"Seeblick", 0.95, false, {"Seeblick"}, 6},
-                                     ReadLine{"Restaurant", 0.95, false, {"Restaurant"}, 6}};
+  const std::array<ReadLine, 2> read{ReadLine{"Seeblick", 0.95, false, {"Seeblick"}},
+                                     ReadLine{"Restaurant", 0.95, false, {"Restaurant"}}};
   add_names(map, lines, read);
   EXPECT_EQ(map.streets[0].name, "");
   ASSERT_EQ(map.labels.size(), 2U);
   EXPECT_FALSE(map.labels[0].names_street);
-}
-
-TEST(StreetNames, ManyReadingsThatAgreeNeedLessConfidence) {
-  const auto name_read_by = [](int readings) {
-    StreetMap map = junction_map();
-    add_name(map, level_line(30, 110, 100), {"Mill Lane", 0.6, false, {"Mill Lane"}, readings});
-    return map.streets[0].name;
-  };
-  EXPECT_EQ(name_read_by(2), "");
-  EXPECT_EQ(name_read_by(5), "Mill Lane");
 }
 
 TEST(StreetNames, AGazetteerDecidesBetweenReadingsThatDiffer) {

@@ -57,7 +57,7 @@ std::vector<ReadingVote> votes_of_forms(const std::vector<Reading>& readings) {
     if (vote == votes.end()) vote = votes.insert(votes.end(), {form, {}, 0, 0.0});
     if (reading.confidence > vote->best.confidence) vote->best = reading;
     ++vote->count;
-    vote->weight += reading.trust * reading.confidence * reading.confidence;
+    vote->weight += reading.confidence * reading.confidence;
   }
   return votes;
 }

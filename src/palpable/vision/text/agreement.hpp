@@ -16,7 +16,7 @@ struct ReadingVote {
   /// The surest of those that say the heaviest of the forms that are alike.
   Reading best;
   int count = 0;
-  /// Sum of the squares of their confidences, each times its trust.
+  /// Sum of the squares of their confidences.
   double weight = 0.0;
 };
 

@@ -17,12 +17,12 @@ namespace {
 using Kind = StraightText::Kind;
 
 /// What most of the readings say; nothing if fewer than `least_count` agree.
-ReadingVote agreed(const std::vector<Reading>& readings, int least_count) {
+Reading agreed(const std::vector<Reading>& readings, int least_count) {
   const std::vector<ReadingVote> votes = votes_of_readings(readings);
   const auto best =
       std::max_element(votes.begin(), votes.end(),
                        [](const ReadingVote& a, const ReadingVote& b) { return a.weight < b.weight; });
-  return best == votes.end() || best->count < least_count ? ReadingVote{} : *best;
+  return best == votes.end() || best->count < least_count ? Reading{} : best->best;
 }
 
 double weight_of(const std::vector<Reading>& readings) {
@@ -50,7 +50,7 @@ Result<std::vector<Readings>> read_both_ways(const StraightText& straight, std::
     numbers.clear();
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const int least = reader.languages.size() > 1 ? 2 : 1;
-      if (again && agreed(out[i].all, least).best.confidence >= options.sure) continue;
+      if (again && agreed(out[i].all, least).confidence >= options.sure) continue;
       numbers.push_back(i);
       pictures.push_back(straight.of(lines[i], leftwards(lines[i]) != again, Kind::strokes));
     }
@@ -98,19 +98,6 @@ Result<std::vector<Readings>> all_readings(const Raster<Rgb8>& picture, std::spa
   return readings;
 }
 
-/// The readings of the language that suits the map's names best, of which it is surest, count for more. Every
-/// picture of a line has one reading in each language, in their order.
-void trust_best_language(std::vector<Readings>& lines, std::size_t languages,
-                         const ReadTextOptions& options) {
-  std::vector<double> sum(languages, 0.0);
-  for (const Readings& line : lines)
-    for (std::size_t k = 0; k < line.all.size(); ++k) sum[k % languages] += line.all[k].confidence;
-  const auto best = static_cast<std::size_t>(std::max_element(sum.begin(), sum.end()) - sum.begin());
-  for (Readings& line : lines)
-    for (std::size_t k = best; k < line.all.size(); k += languages)
-      line.all[k].trust = options.best_language_weight;
-}
-
 /// What was read, each form once.
 std::vector<std::string> different_texts(const std::vector<Reading>& readings) {
   std::vector<std::string> forms, texts;
@@ -138,20 +125,18 @@ Result<TextReading> read_text_lines(const Raster<Rgb8>& picture, std::span<const
         "tesseract-ocr-deu for German).");
     return out;
   }
-  auto readings = all_readings(picture, lines, *reader, options, work);
+  const auto readings = all_readings(picture, lines, *reader, options, work);
   if (!readings && readings.error().code == ErrorCode::interrupted) return readings.error();
   if (!readings) {
     out.notes.emplace_back("Names were not read: " + readings.error().message +
                            "; check its language data (in Debian: tesseract-ocr-eng).");
     return out;
   }
-  trust_best_language(*readings, reader->languages.size(), options);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const Readings& line = (*readings)[i];
     constexpr int kLeast = 2;
-    ReadingVote vote = agreed(line.all, kLeast);
-    out.lines[i] = {std::move(vote.best.text), vote.best.confidence, line.reversed, different_texts(line.all),
-                    vote.count};
+    Reading reading = agreed(line.all, kLeast);
+    out.lines[i] = {std::move(reading.text), reading.confidence, line.reversed, different_texts(line.all)};
   }
   return out;
 }

@@ -43,9 +43,6 @@ struct ReadTextOptions {
   double sharpening = 1.0;
   double sharpening_radius = 0.08;
   double stretch = 1.2;
-  /// The readings in the language that suits the map best count so many times where readings differ. 1 ...
-  /// 100.
-  double best_language_weight = 3.0;
   /// Fewest letters in what is read, and the least part of it that is letters. 1 ... 20 and 0 ... 1.
   int fewest_letters = 3;
   double letter_part = 0.5;
@@ -70,8 +67,6 @@ struct ReadLine {
   bool reversed = false;
   /// All that was read, among it what no second reading agrees with. For a gazetteer.
   std::vector<std::string> others = {};
-  /// How many readings say the text, but for case and accents.
-  int agreeing = 0;
 };
 
 /// One ReadLine for each line of lettering.

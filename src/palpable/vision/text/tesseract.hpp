@@ -21,8 +21,6 @@ namespace palpable::vision {
 struct Reading {
   std::string text;
   double confidence = 0.0;
-  /// What its language counts for on this map: 1, or more for the one that suits it best.
-  double trust = 1.0;
 };
 
 struct Reader {
