@@ -8,7 +8,8 @@
 namespace palpable::describe {
 
 /// Where a sound comes from, to an eighth of a turn: "ahead", "ahead, to the left", "behind"; more than 30
-/// degrees from the horizontal with "and above" or "and below". The azimuth is positive to the right.
+/// degrees from the horizontal with "and above" or "and below", more than 75 with nothing else. The azimuth
+/// is positive to the right.
 std::string sound_words(double azimuth_deg, std::optional<double> elevation_deg);
 
 }  // namespace palpable::describe

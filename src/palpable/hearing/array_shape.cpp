@@ -87,7 +87,9 @@ Result<ArrayGeometry> geometry_of(const Microphones& microphones) {
   const Vec3 normal = axes.axis[2];
   out.shape = std::abs(normal.y) >= kLevel ? ArrayShape::level : ArrayShape::upright;
   if (out.shape == ArrayShape::upright && std::abs(normal.z) < kSideways)
-    return invalid_input("has its microphones in an upright plane that runs ahead: left and right are alike");
+    return invalid_input(
+        "has its microphones in a plane that runs straight ahead: its two sides are alike, and neither is "
+        "taken for the front");
   const bool points_away = out.shape == ArrayShape::level ? normal.y > 0.0 : normal.z < 0.0;
   out.normal = points_away ? -normal : normal;
   return out;

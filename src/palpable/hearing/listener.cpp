@@ -99,7 +99,8 @@ struct Listener::Impl {
     const double end_s = static_cast<double>(taken + size / 2) / rate_hz;
     const int frames = halves[0].frames + halves[1].frames;
     HeardWindow out;
-    out.end_s = end_s;
+    // The last frame of a recording is filled up with silence.
+    out.end_s = std::min(end_s, static_cast<double>(given) / rate_hz);
     out.begin_s =
         std::max(0.0, end_s - static_cast<double>((frames + 1) * static_cast<int>(size / 2)) / rate_hz);
     const double power = halves[0].power + halves[1].power, weight = halves[0].weight + halves[1].weight;
@@ -137,6 +138,8 @@ struct Listener::Impl {
   std::vector<std::vector<float>> waiting;
   std::vector<HalfWindow> halves;
   std::size_t taken = 0;
+  /// Samples of the recording so far.
+  std::size_t given = 0;
   double speed_m_per_s;
   std::vector<Point<CameraFrame>> positions;
 };
@@ -160,6 +163,7 @@ const ArrayGeometry& Listener::geometry() const { return impl_->geometry; }
 std::vector<HeardWindow> Listener::take(const Sound& next) {
   PALPABLE_CHECK(next.channels.size() == impl_->waiting.size());
   std::vector<HeardWindow> heard;
+  impl_->given += next.length();
   const std::size_t step = impl_->size / 2;
   for (std::size_t begin = 0; begin < next.length(); begin += step) {
     const std::size_t end = std::min(next.length(), begin + step);
@@ -176,6 +180,17 @@ std::vector<HeardWindow> Listener::take(const Sound& next) {
     }
   }
   return heard;
+}
+
+std::optional<HeardWindow> Listener::finish() {
+  // Each frame leaves its later half for the next one.
+  const bool is_heard = impl_->taken > 0 && impl_->waiting.front().size() <= impl_->size / 2;
+  if (!is_heard && !impl_->waiting.front().empty()) {
+    for (auto& channel : impl_->waiting) channel.resize(impl_->size);
+    impl_->take_frame();
+  }
+  if (impl_->halves[1].frames == 0) return std::nullopt;
+  return impl_->judge();
 }
 
 }  // namespace palpable::hearing

@@ -57,6 +57,8 @@ class Listener {
   /// The next samples, one channel for each microphone; returns the windows that ended. Samples that are not
   /// finite count as zero.
   std::vector<HeardWindow> take(const Sound& next);
+  /// The end of the recording: the window that it cuts off, if there is one, which may be shorter than half.
+  std::optional<HeardWindow> finish();
 
  private:
   struct Impl;

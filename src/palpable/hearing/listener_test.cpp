@@ -97,6 +97,27 @@ TEST(Listener, PiecesOfAnyLengthGiveTheSameWindows) {
   }
 }
 
+TEST(Listener, HearsTheEndOfARecordingAndShortOnes) {
+  Sound sound = far_noise(kLevelArray, 16'000.0, direction_at(20.0, 0.0).v, 0.0001);
+  constexpr std::size_t kQuiet = kLength - 1600;
+  for (auto& channel : sound.channels)
+    for (std::size_t i = 0; i < kQuiet; ++i) channel[i] *= 1e-3F;
+  auto listener = Listener::create(kLevelArray, 16'000.0);
+  for (const auto& window : listener->take(sound)) EXPECT_FALSE(window.direction);
+  const auto last = listener->finish();
+  ASSERT_TRUE(last && last->direction);
+  EXPECT_NEAR(bearing_of(*last->direction, ArrayShape::level).azimuth_deg, 20.0, 2.0);
+  EXPECT_EQ(last->end_s, sound.duration_s());
+
+  for (auto& channel : sound.channels) channel.erase(channel.begin(), channel.begin() + kQuiet);
+  auto brief = Listener::create(kLevelArray, 16'000.0);
+  EXPECT_TRUE(brief->take(sound).empty());
+  const auto only = brief->finish();
+  ASSERT_TRUE(only && only->direction);
+  EXPECT_EQ(only->end_s, sound.duration_s());
+  EXPECT_FALSE(Listener::create(kLevelArray, 16'000.0)->finish());
+}
+
 TEST(Listener, SamplesThatAreNoNumbersCountAsSilence) {
   Sound sound = far_noise(kLevelArray, 16'000.0, direction_at(20.0, 0.0).v, 0.001);
   sound.channels[1].assign(kLength, NAN);

@@ -3,6 +3,7 @@
 #include "palpable/cli/command.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/describe/sound_words.hpp"
+#include "palpable/hearing/channel_faults.hpp"
 #include "palpable/hearing/sound_tracks.hpp"
 #include "palpable/sources/sound/microphones_file.hpp"
 #include "palpable/sources/sound/wave_file.hpp"
@@ -35,6 +36,11 @@ Result<Heard> hear(hearing::Listener& listener, const Sound& sound, const Work& 
   const hearing::ArrayShape shape = listener.geometry().shape;
   Heard heard{sound.duration_s(), sound.rate_hz, sound.channels.size(), shape, {}, 0, 0};
   hearing::SoundTracks tracks(shape);
+  const auto count = [&](const hearing::HeardWindow& window) {
+    ++heard.windows;
+    heard.windows_with_direction += window.direction ? 1 : 0;
+    tracks.take(window);
+  };
   // A second at a time, so that a long recording can be interrupted.
   const auto step = static_cast<std::size_t>(std::ceil(sound.rate_hz));
   for (std::size_t begin = 0; begin < sound.length(); begin += step) {
@@ -45,12 +51,9 @@ Result<Heard> hear(hearing::Listener& listener, const Sound& sound, const Work& 
     for (const auto& channel : sound.channels)
       part.channels.emplace_back(channel.begin() + static_cast<std::ptrdiff_t>(begin),
                                  channel.begin() + static_cast<std::ptrdiff_t>(end));
-    for (const auto& window : listener.take(part)) {
-      ++heard.windows;
-      if (window.direction) ++heard.windows_with_direction;
-      tracks.take(window);
-    }
+    for (const auto& window : listener.take(part)) count(window);
   }
+  if (const auto last = listener.finish()) count(*last);
   heard.sounds = tracks.take_ended(true);
   std::ranges::stable_sort(heard.sounds, {}, &hearing::HeardSound::begin_s);
   return heard;
@@ -67,6 +70,8 @@ Result<Heard> hear(const ListenArguments& arguments, const Work& work) {
     return invalid_input(fmt::format("has {} channels, and the array {} microphones", sound->channels.size(),
                                      microphones->positions_m.size()),
                          arguments.recording);
+  if (const auto valid = hearing::check_channels(*sound); !valid)
+    return invalid_input(valid.error().message, arguments.recording);
   hearing::ListenerOptions options;
   options.window_s = arguments.window_s;
   options.least_confidence = arguments.least_confidence;

@@ -3,6 +3,7 @@
 #include "palpable/sources/sound/microphones_file.hpp"
 
 #include "palpable/core/files/read_file.hpp"
+#include "palpable/core/text/plain_text.hpp"
 
 #include <optional>
 #include <string>
@@ -26,6 +27,11 @@ Result<Microphones> decode_microphones(std::string_view text) {
   constexpr std::size_t kMost = 64;
   const nlohmann::json object = nlohmann::json::parse(text, nullptr, false);
   if (!object.is_object()) return invalid_input("is not valid JSON of an array of microphones");
+  for (const auto& member : object.items())
+    if (member.key() != "microphones_m" && member.key() != "frame" &&
+        member.key() != "speed_of_sound_m_per_s")
+      return invalid_input("states \"" + plain_name(member.key()) +
+                           "\", which is none of microphones_m, frame, speed_of_sound_m_per_s");
   const auto places = object.find("microphones_m");
   if (places == object.end() || !places->is_array() || places->empty() || places->size() > kMost)
     return invalid_input("lacks microphones_m, a list of 1 to 64 places");
