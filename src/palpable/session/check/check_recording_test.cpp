@@ -159,9 +159,22 @@ void kick(device::Recording& recording) {
   }
 }
 
+/// The hand presses, and is 5 mm above the surface at the next reading that is believed, a new touch.
+void jump_out(device::Recording& recording) {
+  kick(recording);
+  constexpr std::size_t kPressed = 100;
+  recording.ticks.resize(kPressed + 1);
+  auto& last = recording.ticks.back();
+  last.device_position.v = {0.0, 0.0, 0.005};
+  last.written_force_N.v = {};
+  last.flags = haptics::flag::kNewTouch;
+}
+
 TEST(CheckRecording, FindsEnergyThatARecordingShows) {
   const auto report = checked(altered(one_touch(), "kick.rec", kick), {});
   EXPECT_TRUE(found(report, FindingKind::energy_made)) << said(report);
+  const auto jump = checked(altered(one_touch(), "jump.rec", jump_out), {});
+  EXPECT_TRUE(found(jump, FindingKind::energy_made)) << said(jump);
   // The spring took 4 mJ and gave 8; forces are held, and arrive a tick late, which adds 0.4.
   EXPECT_NEAR(report.work_made_max_J, 0.0044, 0.0002);
 }

@@ -115,9 +115,11 @@ void RecordedForces::check_work(const device::TouchSample& tick, const RecordedT
       law != nullptr && law->is_contact && !touch->guide && !(session_.traits && session_.traits->has_torque);
   // As the law's own EnergyModel.
   shown.has_spring = law != nullptr && law->conservative && !(touch->law.force_shading.value_or(0.0) > 0.0);
+  // With a new touch the balance begins anew after the work of the jump.
+  const double before_J = work_.made_max_J();
   work_.take(shown);
-  if (shown.is_contact_law && work_.made_J() > kEnergyMade_J)
-    findings_.add(FindingKind::energy_made, tick, work_.made_J());
+  const double made_J = work_.made_max_J() > before_J ? work_.made_max_J() : work_.made_J();
+  if (shown.is_contact_law && made_J > kEnergyMade_J) findings_.add(FindingKind::energy_made, tick, made_J);
 }
 
 bool is_in_free_air(const haptics::HapticScene& scene, const device::TouchSample& before,
