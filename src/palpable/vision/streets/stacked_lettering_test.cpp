@@ -18,8 +18,8 @@ TextLine lettering_around(MapPoint middle, double length, double rise = 0.0) {
   return line;
 }
 
-const ReadLine kRestaurant{"Restaurant", 0.95, false, {"Restaurant"}, 6};
-const ReadLine kSeeblick{"Seeblick", 0.95, false, {"Seeblick"}, 6};
+const ReadLine kRestaurant{"Restaurant", 0.95, false, {"Restaurant"}};
+const ReadLine kSeeblick{"Seeblick", 0.95, false, {"Seeblick"}};
 
 TEST(StackedLettering, IsWordsCentredBelowEachOther) {
   const std::array<ReadLine, 2> read{kRestaurant, kSeeblick};

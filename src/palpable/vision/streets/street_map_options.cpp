@@ -131,26 +131,24 @@ std::vector<Parameter> parameters_of(StreetGraphOptions& o) {
           {"fragment_part", &o.fragment_part, {0, 1}, "", "part of that before gaps are closed"}};
 }
 
-std::vector<Parameter> parameters_of(StreetNameOptions& o){
-    std::vector<Parameter> all{
-        {"least_part_on_street", &o.least_part_on_street, {0, 1}, "", "part of a name on its street"},
-        {"aside", &o.aside, {0, 5}, "heights", "how far it is beside the street's middle"},
-        {"aside_deg", &o.aside_deg, {0, 90}, "degrees", "its direction there"},
-        {"step_points", &o.step_points, {1, 20}, "points", "steps along a name"},
-        {"crossing_part", &o.crossing_part, {0, 1}, "", "a street with a smaller part crosses"},
-        {"same_name", &o.same_name, {0, 1}, "", "similarity of readings of one name"},
-        {"divided_part", &o.divided_part, {0, 1}, "", "part of a name on a street that it divides"},
-        {"most_turn_deg", &o.most_turn_deg, {0, 180}, "degrees", "turn over which a name goes on"},
-        {"most_width_change", &o.most_width_change, {0, 1}, "", "change of width over which it does"},
-        {"end_widths", &o.end_widths, {0, 20}, "widths", "length of a street's end, for its direction"},
-        {"least_end_px", &o.least_end_px, {1, 100}, "px", "at least"},
-        {"least_confidence", &o.least_confidence, {0, 1}, "", "of a street's name without a gazetteer"},
-        "",
-        "of these"},
-    {"border_heights", &o.border_heights, {0, 5}, "heights", "nearer to the border it may be cut off"},
-    {"least_similarity", &o.least_similarity, {0, 1}, "", "with a name of the gazetteer"}};
-append_parameters(all, "stacked", parameters_of(o.stacked));
-return all;
+std::vector<Parameter> parameters_of(StreetNameOptions& o) {
+  std::vector<Parameter> all{
+      {"least_part_on_street", &o.least_part_on_street, {0, 1}, "", "part of a name on its street"},
+      {"aside", &o.aside, {0, 5}, "heights", "how far it is beside the street's middle"},
+      {"aside_deg", &o.aside_deg, {0, 90}, "degrees", "its direction there"},
+      {"step_points", &o.step_points, {1, 20}, "points", "steps along a name"},
+      {"crossing_part", &o.crossing_part, {0, 1}, "", "a street with a smaller part crosses"},
+      {"same_name", &o.same_name, {0, 1}, "", "similarity of readings of one name"},
+      {"divided_part", &o.divided_part, {0, 1}, "", "part of a name on a street that it divides"},
+      {"most_turn_deg", &o.most_turn_deg, {0, 180}, "degrees", "turn over which a name goes on"},
+      {"most_width_change", &o.most_width_change, {0, 1}, "", "change of width over which it does"},
+      {"end_widths", &o.end_widths, {0, 20}, "widths", "length of a street's end, for its direction"},
+      {"least_end_px", &o.least_end_px, {1, 100}, "px", "at least"},
+      {"least_confidence", &o.least_confidence, {0, 1}, "", "of a street's name without a gazetteer"},
+      {"border_heights", &o.border_heights, {0, 5}, "heights", "nearer to the border it may be cut off"},
+      {"least_similarity", &o.least_similarity, {0, 1}, "", "with a name of the gazetteer"}};
+  append_parameters(all, "stacked", parameters_of(o.stacked));
+  return all;
 }
 
 std::vector<Parameter> parameters_of(MapRecognitionOptions& o) {
