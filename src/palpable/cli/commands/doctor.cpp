@@ -161,8 +161,7 @@ Finding device_rules() {
     finding.found = "no device rules are installed; the pointer and the simulated hand need none";
   finding.advice = fmt::format(
       "for a device on a serial port or USB (2diy:, falcon:, forcedimension:, touch:), write the rules that "
-      "palpable "
-      "doctor --rules prints to {}, and plug the device in again",
+      "palpable doctor --rules prints to {}, and plug the device in again",
       device::kRulesFile);
   return finding;
 }

@@ -64,8 +64,7 @@ constexpr std::array kDrivers{
            .name = "Haply 2DIY",
            .description = "A planar device on a serial port; hold its handle at home when a touch begins.",
            .hold = "Hold the handle of the 2DIY at its home: stretched away from the motors, or, of variant "
-                   "v1, folded "
-                   "against them, and of variant 2018 with the inner links apart on one line",
+                   "v1, folded against them, and of variant 2018 with the inner links apart on one line",
            .advice = "plug in its USB cable, or name its port: 2diy:/dev/ttyACM0",
            .ports = serial_ports},
     Driver{.scheme = "falcon",
@@ -84,8 +83,7 @@ constexpr std::array kDrivers{
                "moves by itself when a touch begins.",
            .hold = "Let go of the handle of the Force Dimension device: it moves by itself",
            .advice = "plug it in, and install the vendor's SDK (forcedimension.com), which has libdhd.so, or "
-                     "name that "
-                     "file: forcedimension:?library=FILE",
+                     "name that file: forcedimension:?library=FILE",
            .ports = force_dimension_ports},
     Driver{.scheme = "inverse3",
            .open = open_inverse3,

@@ -80,8 +80,9 @@ class Inverse3::Link {
   // Any thread.
   /// How the connection was lost, once it is.
   const std::string& ending() const { return ending_; }
-  /// Whether the service sends, but no position.
+  /// Whether the service says that the device is calibrated and ready.
   bool is_ready() const { return said_ready_.load(std::memory_order_relaxed); }
+  /// Whether the service sends, but no position.
   bool sends_no_position() const { return since_position_.load(std::memory_order_relaxed) > 0; }
 
  private:

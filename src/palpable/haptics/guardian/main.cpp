@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Waits until the program that started it ends, for whatever reason, and then writes the bytes that set the
 // device to zero force; also while the program's servo stands still. Descriptors: 3 is the read end of a pipe
-// whose write end only that program holds, 4 is the device, 5 is shared memory: SharedBeats. Arguments: the
+// whose write end only that program holds, 4 is the device, 5 is shared memory: SharedBeats;
+// into 6, a pipe, kGuardianReady is written when it watches. Arguments: the
 // bytes in hexadecimal, the time without a tick that counts as stillness, ms, and the endpoint if the device
 // is one of USB, else 0.
 #include "palpable/haptics/safety/shared_beats.hpp"
@@ -26,7 +27,7 @@
 
 namespace {
 
-constexpr int kProgram = 3, kDevice = 4, kBeats = 5;
+constexpr int kProgram = 3, kDevice = 4, kBeats = 5, kReady = 6;
 constexpr int kLook_ms = 3;
 
 int digit(char c) { return c >= 'a' ? c - 'a' + 10 : c - '0'; }
@@ -91,8 +92,7 @@ void watch(const std::atomic<std::uint64_t>& beats, std::chrono::milliseconds st
 int main(int argc, char** argv) {
   constexpr int kWrongUsage = 2;
   if (argc != 4) return kWrongUsage;
-  void* shared =
-      mmap(nullptr, sizeof(palpable::haptics::SharedBeats), PROT_READ | PROT_WRITE, MAP_SHARED, kBeats, 0);
+  void* shared = mmap(nullptr, sizeof(palpable::haptics::SharedBeats), PROT_READ, MAP_SHARED, kBeats, 0);
   if (shared == MAP_FAILED) return kWrongUsage;
   const Zero zero{bytes_in(argv[1]), static_cast<unsigned>(std::atoi(argv[3]))};
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGPIPE}) std::signal(number, SIG_IGN);
@@ -102,8 +102,10 @@ int main(int argc, char** argv) {
   priority.sched_priority = kPriority;
   sched_setscheduler(0, SCHED_FIFO, &priority);
   mlockall(MCL_CURRENT | MCL_FUTURE);
-  auto& with_servo = *static_cast<palpable::haptics::SharedBeats*>(shared);
-  with_servo.ready = palpable::haptics::kGuardianReady;
-  watch(with_servo.beats, std::chrono::milliseconds(std::atoi(argv[2])), zero);
+  const std::uint64_t ready = palpable::haptics::kGuardianReady;
+  if (write(kReady, &ready, sizeof ready) != sizeof ready) return kWrongUsage;
+  close(kReady);
+  watch(*static_cast<const palpable::haptics::SharedBeats*>(shared),
+        std::chrono::milliseconds(std::atoi(argv[2])), zero);
   return write_all(zero) ? 0 : 1;
 }

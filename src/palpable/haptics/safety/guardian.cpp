@@ -4,14 +4,13 @@
 
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <new>
 #include <string>
 #include <string_view>
-#include <thread>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -53,37 +52,38 @@ Result<std::unique_ptr<Guardian>> Guardian::start(const device::ZeroWrite& zero)
 }
 
 Result<void> Guardian::start_process() {
-  shared_->ready = 0;
-  const auto& [its, device, memory] = start_.descriptors;
-  const auto process = start_child(start_.program, start_.arguments,
-                                   std::array{its.number(), device.number(), memory.number()});
+  auto pipe = make_pipe();
+  if (!pipe) return std::move(pipe).error();
+  auto& [answer, its] = *pipe;
+  const auto& [program_ends, device, memory] = start_.descriptors;
+  const auto process =
+      start_child(start_.program, start_.arguments,
+                  std::array{program_ends.number(), device.number(), memory.number(), its.number()});
   if (!process)
     return Error{
         ErrorCode::failed, start_.program.string() + " cannot be started: " + process.error().message, {}};
   process_ = *process;
-  return wait_until_ready();
+  its.close();
+  return wait_until_ready(answer);
 }
 
 /// Whatever else is started in its place would let a force stand.
-Result<void> Guardian::wait_until_ready() {
-  constexpr std::chrono::seconds kPatience{2};
-  const auto until = std::chrono::steady_clock::now() + kPatience;
-  const auto none = [&](const char* why) {
-    return Error{ErrorCode::failed, start_.program.string() + " is no guardian of this version: " + why, {}};
-  };
-  while (shared_->ready != kGuardianReady) {
-    if (::waitpid(process_, nullptr, WNOHANG) == process_) {
-      process_ = -1;
-      return none("it ends at once");
-    }
-    if (std::chrono::steady_clock::now() > until) {
-      ::kill(process_, SIGKILL);
-      end_process();
-      return none("it does not answer");
-    }
-    std::this_thread::sleep_for(std::chrono::microseconds(200));
-  }
-  return {};
+Result<void> Guardian::wait_until_ready(const Descriptor& answer) {
+  constexpr int kPatience_ms = 2000;
+  pollfd waited{answer.number(), POLLIN, 0};
+  std::uint64_t ready = 0;
+  int answers = -1;
+  do answers = ::poll(&waited, 1, kPatience_ms);
+  while (answers < 0 && errno == EINTR);
+  const bool is_in_time = answers == 1;
+  if (is_in_time && ::read(answer.number(), &ready, sizeof ready) == sizeof ready && ready == kGuardianReady)
+    return {};
+  ::kill(process_, SIGKILL);
+  end_process();
+  return Error{ErrorCode::failed,
+               start_.program.string() + " is no guardian of this version: it " +
+                   (is_in_time ? "ends, or answers otherwise" : "does not answer"),
+               {}};
 }
 
 Result<void> Guardian::keep_alive() {

@@ -37,7 +37,7 @@ class Guardian {
   Guardian& operator=(const Guardian&) = delete;
 
   /// Called in each tick, after the force was written. From the first call on, stillness counts.
-  void beat() noexcept { shared_->beats.fetch_add(1, std::memory_order_relaxed); }
+  void beat() noexcept { shared_->fetch_add(1, std::memory_order_relaxed); }
 
   /// Starts the process again if it has ended, for example killed because memory ran out. Errors: as start();
   /// then nothing guards the device. Any thread but that of beat(), one at a time.
@@ -56,7 +56,7 @@ class Guardian {
   Guardian(Descriptor alive, SharedBeats* shared, Start start)
       : alive_(std::move(alive)), shared_(shared), start_(std::move(start)) {}
   Result<void> start_process();
-  Result<void> wait_until_ready();
+  Result<void> wait_until_ready(const Descriptor& answer);
   void end_process();
 
   Descriptor alive_;

@@ -7,16 +7,11 @@
 
 namespace palpable::haptics {
 
-/// The memory that a servo and its guardian process share.
-struct SharedBeats {
-  /// Counts the servo's ticks.
-  std::atomic<std::uint64_t> beats{0};
-  /// kGuardianReady from when the guardian watches.
-  std::atomic<std::uint64_t> ready{0};
-};
+/// The memory that a servo and its guardian process share: counts the servo's ticks.
+using SharedBeats = std::atomic<std::uint64_t>;
 
-/// To be changed with SharedBeats, the arguments or the descriptors of the guardian, so that another
-/// version's is refused.
+/// What the guardian writes into a pipe when it watches. To be changed with SharedBeats, the arguments or the
+/// descriptors of the guardian, so that another version's is refused.
 inline constexpr std::uint64_t kGuardianReady = 0x50414c5047443031;
 
 }  // namespace palpable::haptics

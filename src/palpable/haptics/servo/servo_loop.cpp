@@ -6,6 +6,7 @@
 #include "palpable/core/system/hand_off.hpp"
 #include "palpable/haptics/safety/guardian.hpp"
 #include "palpable/haptics/safety/zero_force.hpp"
+#include "palpable/haptics/servo/kept_scenes.hpp"
 #include "palpable/haptics/servo/latency_recorder.hpp"
 #include "palpable/haptics/servo/pacing.hpp"
 #include "palpable/haptics/servo/watchdog.hpp"
@@ -73,18 +74,12 @@ struct ServoLoop::Impl {
       : options(for_rate(wanted)),
         device(std::move(opened)),
         recorded(wanted.recording_capacity),
-        tick(*device, own(std::move(first)), options.tick, events) {
+        tick(*device, scenes.keep(std::move(first)), options.tick, events) {
     recording = wanted.recording == Recording::on;
     for (auto& next : more)
-      further.push_back(std::make_unique<FurtherProbe>(std::move(next), *scenes.front(), options.tick, events,
+      further.push_back(std::make_unique<FurtherProbe>(std::move(next), scenes.first(), options.tick, events,
                                                        static_cast<std::uint8_t>(further.size() + 1)));
   }
-
-  using Scenes = std::vector<std::unique_ptr<const HapticScene>>;
-
-  const HapticScene& own(HapticScene scene);
-  /// Moves a scene that the servo no longer uses to `out`.
-  void retire(const HapticScene* old, Scenes& out);
 
   Result<void> start_guardian();
   void start_threads();
@@ -99,7 +94,7 @@ struct ServoLoop::Impl {
   void run_maintenance();
   /// Takes what the servo handed over, under the mutex. The caller frees the old scenes without it: their
   /// models may be large.
-  [[nodiscard]] Scenes sweep();
+  [[nodiscard]] KeptScenes::Released sweep();
 
   const ServoOptions options;
   std::unique_ptr<device::Device> device;
@@ -128,8 +123,7 @@ struct ServoLoop::Impl {
 
   // Used by the maintenance thread and the callers, under the mutex.
   mutable std::mutex mutex;
-  /// Every scene that the servo may still use.
-  Scenes scenes;
+  KeptScenes scenes;
   std::condition_variable maintenance_wake;
   bool maintenance_ending = false;
   LatencyRecorder periods;
@@ -272,7 +266,7 @@ void ServoLoop::Impl::swap_scenes() {
 void ServoLoop::Impl::run_maintenance() {
   std::unique_lock lock(mutex);
   while (!maintenance_ending) {
-    Scenes old = sweep();
+    KeptScenes::Released old = sweep();
     lock.unlock();
     old.clear();
     if (guardian) unguarded = !guardian->keep_alive();
@@ -281,22 +275,9 @@ void ServoLoop::Impl::run_maintenance() {
   }
 }
 
-const HapticScene& ServoLoop::Impl::own(HapticScene scene) {
-  scenes.push_back(std::make_unique<const HapticScene>(std::move(scene)));
-  return *scenes.back();
-}
-
-void ServoLoop::Impl::retire(const HapticScene* old, Scenes& out) {
-  const auto found =
-      std::find_if(scenes.begin(), scenes.end(), [&](const auto& p) { return p.get() == old; });
-  if (found == scenes.end()) return;
-  out.push_back(std::move(*found));
-  scenes.erase(found);
-}
-
-ServoLoop::Impl::Scenes ServoLoop::Impl::sweep() {
-  Scenes old_scenes;
-  while (const auto old = retired.take()) retire(*old, old_scenes);
+KeptScenes::Released ServoLoop::Impl::sweep() {
+  KeptScenes::Released old_scenes;
+  while (const auto old = retired.take()) scenes.release(*old, old_scenes);
   while (const auto timing = timings.take()) {
     periods.record_ns(static_cast<double>(timing->period_ns));
     computes.record_ns(static_cast<double>(timing->compute_ns));
@@ -332,10 +313,11 @@ void ServoLoop::change(HapticScene scene) {
   PALPABLE_CHECK(scene.touchable != nullptr);
   scene.touchable->touch_pages();
   auto& it = *impl_;
-  Impl::Scenes freed_last;
+  KeptScenes::Released freed_last;
   const std::lock_guard lock(it.mutex);
-  const HapticScene* unused = it.waiting.exchange(&it.own(std::move(scene)), std::memory_order_acq_rel);
-  if (unused != nullptr) it.retire(unused, freed_last);
+  const HapticScene* unused =
+      it.waiting.exchange(&it.scenes.keep(std::move(scene)), std::memory_order_acq_rel);
+  if (unused != nullptr) it.scenes.release(unused, freed_last);
 }
 
 void ServoLoop::pause() { impl_->paused = true; }
@@ -351,7 +333,7 @@ void ServoLoop::stop() {
   }
   it.maintenance_wake.notify_all();
   if (it.maintenance.joinable()) it.maintenance.join();
-  Impl::Scenes freed_last;
+  KeptScenes::Released freed_last;
   const std::lock_guard lock(it.mutex);
   freed_last = it.sweep();
 }
@@ -371,7 +353,7 @@ std::uint64_t ServoLoop::recording_lost() const { return impl_->recorded.refused
 
 ServoStatistics ServoLoop::statistics() const {
   auto& it = *impl_;
-  Impl::Scenes freed_last;
+  KeptScenes::Released freed_last;
   const std::lock_guard lock(it.mutex);
   freed_last = it.sweep();
   const LoopCounts& seen = it.seen;

@@ -3,6 +3,7 @@
 #include "palpable/cli/commands/touch/touch_headless.hpp"
 
 #include "palpable/cli/keys/touch_by_keys.hpp"
+#include "palpable/cli/say_aloud.hpp"
 #include "palpable/voice/voice.hpp"
 
 #include <array>
@@ -51,13 +52,6 @@ void let_speak(session::HeadlessOptions& headless, Console& console) {
   };
 }
 
-/// Why there is no touch, for those who hear.
-void speak_last(const Error& error) {
-  auto speaker = voice::open_speaker();
-  if (!speaker || !(*speaker)->say(error.sentence())) return;
-  (*speaker)->finish();
-}
-
 }  // namespace
 
 Result<Answer> touch_without_page(const TouchArguments& arguments, const TouchPlan& plan, Console& console) {
@@ -80,7 +74,8 @@ Result<Answer> touch_without_page(const TouchArguments& arguments, const TouchPl
   const auto notes = [&console](const Note& note) { console.note(note); };
   const auto statistics = session::touch_headless(maker_of(plan, notes), headless, console.work());
   if (!statistics) {
-    if (arguments.speak && statistics.error().code != ErrorCode::interrupted) speak_last(statistics.error());
+    if (arguments.speak && statistics.error().code != ErrorCode::interrupted)
+      say_aloud(statistics.error().sentence(), console);
     return statistics.error();
   }
   return answer_of(*statistics);
