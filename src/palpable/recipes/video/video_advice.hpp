@@ -56,7 +56,7 @@ struct VideoAdviceOptions {
   /// A greater share of points that move by themselves, 0 … 1.
   double most_moving = 0.05;
   /// … or a greater covered area, share of the picture, 0 … 1.
-  double most_covered = 0.02;
+  double most_covered = 0.005;
   /// Darker pictures than this, 0 … 1.
   double least_brightness = 0.18;
   /// Less known depth than this, 0 … 1.
