@@ -299,9 +299,8 @@ Result<CameraMotion> motion_of(Frames& frames, const vision::VideoCamera& camera
   const std::vector<vision::PointTrack>& tracks = found->tracks;
   if (!found->are_followed)
     frames.notes.emplace_back(
-        "Points could not be followed, since pictures were taken far apart or are blurred: they were "
-        "matched, "
-        "which takes longer.");
+        "Points could not be followed, since pictures were taken far apart or are blurred: "
+        "they were matched, which takes longer.");
   const int count = static_cast<int>(frames.greys.size());
   for (const int cut : cuts_in(tracks, count, recipe.advice))
     frames.figures.cuts.push_back(frames.frames[static_cast<std::size_t>(cut)]->number);
