@@ -21,7 +21,7 @@ void draw_hand(const MovingHand& hand, int frame, Raster<Rgb8>& picture) {
   const double half_height = std::sqrt(area / (std::numbers::pi * aspect)), half_width = aspect * half_height;
   Texture skin;
   skin.colour = {0.72, 0.53, 0.43};
-  skin.contrast = 0.35;
+  skin.contrast = hand.contrast;
   skin.scale_px = 9.0;
   skin.seed = hand.seed;
   const auto wandering = [&](double size) {

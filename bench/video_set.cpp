@@ -7,6 +7,7 @@
 #include "palpable/measure/camera_path_score.hpp"
 #include "palpable/models/field/superquadric.hpp"
 #include "palpable/vision/image/luma.hpp"
+#include "palpable/vision/motion/depth/covered_frames.hpp"
 #include "palpable/vision/motion/depth/marker_scale.hpp"
 #include "palpable/vision/motion/depth/rolled_pictures.hpp"
 #include "palpable/vision/motion/depth/video_depth.hpp"
@@ -39,7 +40,8 @@
 // Structure, motion and depth of rendered videos (rendered_video.hpp) with their exact truth:
 //
 //   palpable_video_set [--seeds N] [--first SEED] [--frames N] [--threads N] [--no-depth] [--set NAME=VALUE]…
-//                      [--marker MM] [--hand PERCENT] [--defocus PX] [--filter] [--fused] [--surfaces]
+//                      [--marker MM] [--hand PERCENT] [--smooth-hand PERCENT] [--defocus PX] [--filter]
+//                      [--fused] [--surfaces]
 //                      [--steps]
 //                      [--true-depth] [--write FOLDER] [--read FOLDER] [--errors FOLDER]
 //
@@ -49,8 +51,9 @@
 // --fused compares the model's fused surface with the truth, --surfaces also the corrected one;
 // --steps prints each step of the correction; --true-depth makes them of the true poses and depth with noise.
 // --filter finds the path by the Kalman filter.
-// --hand lets a hand that covers so much of the picture wander through the view, --defocus blurs all frames:
-// the columns of moving points and edges show what the advice's limits divide.
+// --hand lets a hand that covers so much of the picture wander through the view, --smooth-hand one without
+// texture, --defocus blurs all frames: the columns of moving points, covered areas and edges show what the
+// advice's limits divide.
 // --marker lays a printed marker of this side on the board, and the table then states the error of the scale
 // that follows from it.
 namespace palpable::bench {
@@ -67,6 +70,7 @@ struct Arguments {
   /// Side of a printed marker on the board; 0 = none.
   int marker_mm = 0;
   int hand_percent = 0, defocus_px = 0;
+  double hand_contrast = MovingHand().contrast;
   std::string folder, written, errors;
   recipes::VideoRecipe recipe;
 };
@@ -86,6 +90,8 @@ struct Figures {
   /// Share of the points that move by themselves, %, of which there are none; width of the sharpest edges,
   /// px.
   double moving_percent = 0, edge_width_px = 0;
+  /// The largest area that something covers in one frame, % of the picture.
+  double covered_percent = 0;
   /// Error of the scale that a marker gives, %; NaN without a marker.
   double scale_error_percent = std::numeric_limits<double>::quiet_NaN();
   std::vector<NamedSurface> surfaces;
@@ -224,7 +230,7 @@ Result<Figures> run(const RenderedVideo& video, Arguments& arguments, const Work
   std::vector<Raster<std::uint8_t>> greys;
   for (int i = 0; i < video.frames(); ++i) {
     pictures.push_back(picture_of(video, i, arguments.written, work));
-    draw_hand({video.seed(), arguments.hand_percent / 100.0}, i, pictures.back());
+    draw_hand({video.seed(), arguments.hand_percent / 100.0, arguments.hand_contrast}, i, pictures.back());
     pictures.back() = defocused(pictures.back(), arguments.defocus_px);
     greys.push_back(vision::luma8(pictures.back()));
   }
@@ -264,6 +270,8 @@ Result<Figures> run(const RenderedVideo& video, Arguments& arguments, const Work
     const auto maps = vision::depth_of_video(views, *motion, motion->camera, options, work);
     if (!maps) return maps.error();
     out.seconds.depth = watch.next();
+    out.covered_percent =
+        100 * std::ranges::max(vision::covered_shares(*maps, views, arguments.recipe.covered));
     out.depth = depth_figures(*maps, pictures, video, path->score, work);
     if (!arguments.errors.empty()) write_errors(*maps, pictures, video, path->score, arguments.errors, work);
     if (arguments.surfaces != Surfaces::none) {
@@ -353,6 +361,8 @@ bool read(int count, char** words, Arguments& out) {
         out.marker_mm = number;
       else if (word == "--hand")
         out.hand_percent = number;
+      else if (word == "--smooth-hand")
+        out.hand_percent = number, out.hand_contrast = 0;
       else if (word == "--defocus")
         out.defocus_px = number;
       else if (word == "--threads")
@@ -368,11 +378,11 @@ void print_row(const std::string& name, const Figures& f, int frames, bool steps
   fmt::print(
       "| {} | {} of {} | {:.3f} | {:.3f} | {:.3f} | {:.2f} | {:.2f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | "
       "{:.2f} | "
-      "{:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.0f} |\n",
+      "{:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | {:.0f} |\n",
       name, f.posed, frames, f.position_percent, f.rotation_deg, f.too_far_percent, f.reprojection_px,
       f.depth.structure, f.depth.known, f.depth.good_of_known, f.depth.good_of_all, f.depth.good_of_textured,
-      f.scale_error_percent, f.moving_percent, f.edge_width_px, f.seconds.tracks, f.seconds.motion,
-      f.seconds.depth, f.seconds.surfaces, peak_memory_MB());
+      f.scale_error_percent, f.moving_percent, f.covered_percent, f.edge_width_px, f.seconds.tracks,
+      f.seconds.motion, f.seconds.depth, f.seconds.surfaces, peak_memory_MB());
   for (std::size_t i = 0; i < f.surfaces.size(); ++i) {
     const NamedSurface& s = f.surfaces[i];
     const bool last_of_kind =
@@ -395,8 +405,9 @@ int run_all(Arguments& arguments) {
       "| video | frames | position, % of path | rotation, deg | points too far, % | reprojection, px | "
       "structure, % of diagonal "
       "| depth known, % | within 1 %, % of known | of all | of those with texture | scale error, % "
-      "| moving points, % | edges, px | processor s: points | path | depth | surfaces | most memory, MB |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+      "| moving points, % | covered, % | edges, px | processor s: points | path | depth | surfaces | most "
+      "memory, MB |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   std::vector<double> position, rotation, good;
   for (int seed = arguments.first; seed < arguments.first + arguments.seeds; ++seed) {
     RenderedVideo video(static_cast<std::uint32_t>(seed), arguments.frames);

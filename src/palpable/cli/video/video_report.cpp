@@ -236,6 +236,7 @@ draw::ReportSection figures_section(const VideoReconstruction& video, const std:
        {"pictures whose camera position was found", fmt::format("{} of {}", f.posed, f.tried)},
        {"points that could be followed (median)", fmt::format("{:.0f}", f.followed_points)},
        {"points that moved by themselves", fmt::format("{:.1f} %", 100 * f.moving_points)},
+       {"largest area that something covered in one picture", fmt::format("{:.1f} %", 100 * f.covered)},
        {"error of followed points (root mean square)", fmt::format("{:.2f} px", f.reprojection_rms_px)},
        {"pixels whose distance was measured", fmt::format("{:.0f} %", 100 * f.known_depth)},
        {"focal length", fmt::format("{:.0f} px", video.camera.fx)},

@@ -47,6 +47,11 @@ std::vector<Parameter> parameters_of(VideoAdviceOptions& o) {
        {0, 1},
        "",
        "Advice on hands in view: greatest share of points that move by themselves"},
+      {"most_covered",
+       &o.most_covered,
+       {0, 1},
+       "",
+       "The same: greatest area that is covered in one frame alone, share of the picture"},
       {"least_brightness", &o.least_brightness, {0, 1}, "", "Advice on light: least mean grey level"},
       {"least_known_depth",
        &o.least_known_depth,
@@ -117,7 +122,7 @@ std::vector<Note> advice_on(const VideoFigures& f, const VideoAdviceOptions& opt
     out.emplace_back(
         "Few details could be followed from picture to picture: put the model on a printed cloth or a "
         "newspaper, and film it in even light.");
-  if (f.moving_points > options.most_moving)
+  if (f.moving_points > options.most_moving || f.covered > options.most_covered)
     out.emplace_back(
         "Something moved while you filmed, such as a hand: keep hands and people out of view, and do not "
         "touch "

@@ -29,6 +29,9 @@ struct VideoFigures {
   double followed_points = 0.0;
   /// Share of the points that move by themselves (vision::moving_points()).
   double moving_points = 0.0;
+  /// The largest area of a frame that is covered by something that other frames do not show, share of the
+  /// picture (vision::covered_shares()).
+  double covered = 0.0;
   /// Mean grey level, 0 … 1.
   double brightness = 0.0;
   /// Share of the pixels of the depth maps whose depth is known.
@@ -52,6 +55,8 @@ struct VideoAdviceOptions {
   int least_points = 150;
   /// A greater share of points that move by themselves, 0 … 1.
   double most_moving = 0.05;
+  /// … or a greater covered area, share of the picture, 0 … 1.
+  double most_covered = 0.005;
   /// Darker pictures than this, 0 … 1.
   double least_brightness = 0.18;
   /// Less known depth than this, 0 … 1.

@@ -43,6 +43,8 @@ TEST(VideoAdvice, NamesEachFault) {
   EXPECT_THAT(only_advice(video), HasSubstr("20 %"));
   video = good_video(), video.moving_points = 0.2;
   EXPECT_THAT(only_advice(video), HasSubstr("such as a hand"));
+  video = good_video(), video.covered = 0.1;
+  EXPECT_THAT(only_advice(video), HasSubstr("such as a hand"));
   video = good_video(), video.cuts = {50};
   EXPECT_THAT(only_advice(video), HasSubstr("cut before frame 50"));
 }

@@ -40,6 +40,7 @@ std::vector<Parameter> parameters_of(VideoRecipe& recipe) {
   append_parameters(out, "motion", vision::parameters_of(recipe.motion));
   append_parameters(out, "filter", vision::parameters_of(recipe.filter));
   append_parameters(out, "moving", vision::parameters_of(recipe.moving));
+  append_parameters(out, "covered", vision::parameters_of(recipe.covered));
   append_parameters(out, "depth", vision::parameters_of(recipe.depth));
   append_parameters(out, "model", parameters_of(recipe.model));
   append_parameters(out, "fused", parameters_of(recipe.fused));

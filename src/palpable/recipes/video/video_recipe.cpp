@@ -231,6 +231,12 @@ Result<MadeScene> corrected_field(const VideoModel& model, const std::vector<Fra
   return made;
 }
 
+std::vector<const Raster<Rgb8>*> pictures_of(const Frames& frames) {
+  std::vector<const Raster<Rgb8>*> out;
+  for (const VideoFrame* frame : frames.frames) out.push_back(&frame->picture);
+  return out;
+}
+
 struct ScaledDepth {
   std::vector<FrameDepth> maps;
   VideoScale scale;
@@ -243,12 +249,10 @@ Result<ScaledDepth> scaled_depth(const Frames& frames, const VideoRecipe& recipe
   if (!recipe.length) out.scale = scale_from_markers(frames.greys, motion, recipe.scale, work);
   if (work.cancelled()) return Work::interrupted();
   if (out.scale.metres_per_unit) vision::scale_motion(motion, *out.scale.metres_per_unit);
-  std::vector<const Raster<Rgb8>*> pictures;
-  for (const VideoFrame* frame : frames.frames) pictures.push_back(&frame->picture);
   vision::VideoDepthOptions depth = recipe.depth;
   depth.favoured_normal = ground_normal(motion, recipe.model.axes, work.seed);
   if (frames.of_length >= 0) depth.also.push_back(frames.of_length);
-  auto maps = vision::depth_of_video(pictures, motion, motion.camera, depth, work);
+  auto maps = vision::depth_of_video(pictures_of(frames), motion, motion.camera, depth, work);
   if (!maps) return maps.error();
   out.maps = std::move(*maps);
   if (!recipe.length) return out;
@@ -295,8 +299,8 @@ Result<CameraMotion> motion_of(Frames& frames, const vision::VideoCamera& camera
   const std::vector<vision::PointTrack>& tracks = found->tracks;
   if (!found->are_followed)
     frames.notes.emplace_back(
-        "The pictures were taken far apart: their points were matched, which takes longer than following "
-        "them.");
+        "Points could not be followed, since pictures were taken far apart or are blurred: "
+        "they were matched, which takes longer.");
   const int count = static_cast<int>(frames.greys.size());
   for (const int cut : cuts_in(tracks, count, recipe.advice))
     frames.figures.cuts.push_back(frames.frames[static_cast<std::size_t>(cut)]->number);
@@ -368,6 +372,8 @@ Result<MadeScene> field_from_video(const std::vector<VideoFrame>& given, const v
   if (!motion) return motion.error();
   auto depth = scaled_depth(*frames, recipe, *motion, work);
   if (!depth) return depth.error();
+  frames->figures.covered =
+      std::ranges::max(vision::covered_shares(depth->maps, pictures_of(*frames), recipe.covered));
   VideoModel model = video_model(depth->maps, recipe.model, work.seed);
   if (model.structure.places_m.empty())
     return invalid_input(

@@ -16,6 +16,7 @@
 #include "palpable/recipes/video/video_model.hpp"
 #include "palpable/recipes/video/video_scale.hpp"
 #include "palpable/sculpt/points/depth_fusion.hpp"
+#include "palpable/vision/motion/depth/covered_frames.hpp"
 #include "palpable/vision/motion/depth/video_depth.hpp"
 #include "palpable/vision/motion/structure/moving_points.hpp"
 #include "palpable/vision/motion/structure/recursive_motion.hpp"
@@ -85,6 +86,8 @@ struct VideoRecipe {
   vision::FilterMotionOptions filter;
   /// Which points move by themselves.
   vision::MovingPointOptions moving;
+  /// What covers single frames.
+  vision::CoveredFrameOptions covered;
   vision::VideoDepthOptions depth;
   VideoModelOptions model;
   VideoSurfaceOptions fused;

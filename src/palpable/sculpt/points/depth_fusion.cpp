@@ -22,6 +22,13 @@ constexpr int kSide = LevelSet::kSide;
 struct PosedMap {
   const DepthMap* depth = nullptr;
   Transform<CameraFrame, SceneFrame> camera_from_scene;
+  Vec3 position_m;
+
+  /// Whether the line of sight of a point falls by so much per horizontal length; 0: in every direction.
+  bool falls(Vec3 p, double least_fall) const {
+    const Vec3 along = p - position_m;
+    return least_fall == 0.0 || -along.z >= least_fall * std::hypot(along.x, along.y);
+  }
 };
 
 bool counts(float depth_m, const FusionOptions& options) {
@@ -65,7 +72,10 @@ std::optional<Box> seen_box(std::span<const DepthView> views, const FusionOption
 class VoxelAccumulator {
  public:
   VoxelAccumulator(const FusionOptions& options, double truncation_m, double fill_m)
-      : options_(options), truncation_m_(truncation_m), fill_m_(fill_m) {}
+      : options_(options),
+        truncation_m_(truncation_m),
+        fill_m_(fill_m),
+        least_fall_(options.unseen == Unseen::solid_below_surfaces ? options.least_fall : 0.0) {}
 
   void add(const PosedMap& map, Vec3 p) {
     const Pinhole& camera = *map.depth->camera;
@@ -80,7 +90,7 @@ class VoxelAccumulator {
     if (!counts(here, options_)) return;
     const double along_m = (static_cast<double>(here) - c.z) * std::sqrt(1.0 + right * right + down * down);
     if (along_m < -truncation_m_) {
-      ++behind_;
+      behind_ += map.falls(p, least_fall_) ? 1U : 0U;
       near_behind_ = near_behind_ || along_m > -fill_m_;
       return;
     }
@@ -111,6 +121,7 @@ class VoxelAccumulator {
   const FusionOptions& options_;
   double truncation_m_;
   double fill_m_;
+  double least_fall_;
   double sum_m_ = 0.0;
   double squares_m2_ = 0.0;
   int measured_ = 0;
@@ -168,7 +179,13 @@ std::vector<Parameter> parameters_of(FusionOptions& o) {
   std::vector<Parameter> parameters{
       {"resolution", &o.resolution, {16, 512}, "voxels", "voxels along the longest side"},
       {"truncation_voxels", &o.truncation_voxels, {1.0, 64.0}, "voxels", "truncation of distances"},
-      {"fill_share", &o.fill_share, {0.0, 1.0}, "", "depth behind a surface that one map fills"}};
+      {"fill_share", &o.fill_share, {0.0, 1.0}, "", "depth behind a surface that one map fills"},
+      {"least_fall",
+       &o.least_fall,
+       {0.0, 100.0},
+       "",
+       "fall of lines of sight per horizontal length, behind whose surfaces several maps fill; on a ground "
+       "only"}};
   append_parameters(parameters, "smoothing", parameters_of(o.smoothing));
   return parameters;
 }
@@ -184,7 +201,8 @@ Result<LevelSet> fused_depth(std::span<const DepthView> views, const FusionOptio
   const double truncation_m = options.truncation_voxels * voxel_m;
   const double fill_m = options.fill_share * options.resolution * voxel_m;
   std::vector<PosedMap> maps;
-  for (const DepthView& view : views) maps.push_back({view.depth, view.scene_from_camera.inverse()});
+  for (const DepthView& view : views)
+    maps.push_back({view.depth, view.scene_from_camera.inverse(), view.scene_from_camera.translation_m});
 
   LevelSet set;
   set.background = static_cast<float>(truncation_m);

@@ -36,6 +36,11 @@ struct FusionOptions {
   /// side. 0 … 1.
   double fill_share = 0.05;
   Unseen unseen = Unseen::empty;
+  /// With solid_below_surfaces only: a voxel is behind a map's surface, but for fill_share, where the line of
+  /// sight falls by at least this much per horizontal length, so the filled shadow of what stands on the
+  /// ground is at most 1 / least_fall times as long as high. Level lines of sight would fill a room behind
+  /// its furniture. 0 … 100; 0 = in every direction.
+  double least_fall = 0.5;
   /// The smoothing of the remaining noise.
   SmoothingOptions smoothing = {};
 };
@@ -45,12 +50,12 @@ std::vector<Parameter> parameters_of(FusionOptions& options);
 
 /// Fuses several depth maps into one solid (Curless & Levoy 1996). A voxel's value is the mean of the
 /// truncated signed distances along the lines of sight, over all maps that saw the voxel or its surface. A
-/// voxel that no map saw is solid if it lies behind the surface of more than half of the maps, or at most
-/// fill_share behind that of one (Park & Howard 2012 fill in the same way); otherwise `unseen` decides.
-/// Pixels at depth discontinuities are ignored. The remaining noise is smoothed (smooth()), which keeps edges
-/// larger than the noise. The level set holds truncated distances in metres. Long work: all threads, polls
-/// cancel. Errors: usage for options out of range; invalid_input for a map without its camera, of another
-/// size than it, or maps without a depth in range; interrupted.
+/// voxel that no map saw is solid if it lies behind the surface of more than half of the maps (see least_fall
+/// too), or at most fill_share behind that of one (Park & Howard 2012 fill in the same way); otherwise
+/// `unseen` decides. Pixels at depth discontinuities are ignored. The remaining noise is smoothed (smooth()),
+/// which keeps edges larger than the noise. The level set holds truncated distances in metres. Long work: all
+/// threads, polls cancel. Errors: usage for options out of range; invalid_input for a map without its camera,
+/// of another size than it, or maps without a depth in range; interrupted.
 Result<LevelSet> fused_depth(std::span<const DepthView> views, const FusionOptions& options,
                              const Work& work);
 

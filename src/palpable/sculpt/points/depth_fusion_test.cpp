@@ -141,6 +141,31 @@ TEST(FusedDepth, FillsWhatNobodySawBelowASurfaceIfAsked) {
   for (const Vec3& p : {above, beside}) EXPECT_GT(distance_m(Unseen::solid_below_surfaces, p), 0.0);
 }
 
+TEST(FusedDepth, OfAWallThatIsSeenLevelDoesNotFillTheRoomBehindIt) {
+  // Three cameras look level, and three steeply down, along y at a wall that ends before them at y = 0; one
+  // pixel at the side shows how deep the room is.
+  const auto distance_m = [](double fall) {
+    const double n = std::hypot(1.0, fall), c = 1.0 / n, s = fall / n;
+    Transform<SceneFrame, CameraFrame> pose;
+    // Camera x along x, its y down, its z along (0, c, -s).
+    pose.rotation = {1.0, 0.0, 0.0, 0.0, -s, c, 0.0, -c, -s};
+    pose.translation_m = -0.3 * pose.rotate({0.0, 0.0, 1.0});
+    DepthMap map{Raster<float>(160, 120, 0.3F), Pinhole{200.0, 200.0, 79.5, 59.5, 160, 120}};
+    for (int y = 0; y < 120; ++y)
+      for (int x = 140; x < 160; ++x) map.depth_m(x, y) = 0.5F;
+    const std::vector<DepthView> views(3, DepthView{&map, pose});
+    FusionOptions options;
+    options.resolution = 48;
+    options.unseen = Unseen::solid_below_surfaces;
+    const auto set = fused_depth(views, options, Work{});
+    const auto solid = solid_from_contour(*surface_of_level_set(*set, Work{}));
+    DistanceSource::Hint hint;
+    return (*solid)->at((pose * Point<CameraFrame>{{-0.02, 0.0, 0.42}}).v, hint).distance_m;
+  };
+  EXPECT_GT(distance_m(0.0), 0.0);
+  EXPECT_LT(distance_m(1.0), 0.0);
+}
+
 TEST(FusedDepth, IsTheSameForAnyNumberOfThreads) {
   const Seen seen = ball_from(kRound, 0.001);
   FusionOptions options;
