@@ -54,6 +54,7 @@ set(PALPABLE_MAY_USE_sources/decoder isolated picture solid calibration video ma
 
 set(PALPABLE_ROOMS_vision image depth_camera mapping segmentation stereo/problem stereo/cost stereo/range stereo/occlusion stereo/planes stereo/methods rectification stereo/result contours motion/tracks motion/structure motion/depth text streets)
 set(PALPABLE_MAY_USE_vision/mapping depth_camera)
+set(PALPABLE_MAY_USE_vision/stereo/problem image)
 set(PALPABLE_MAY_USE_vision/stereo/cost image stereo/problem)
 set(PALPABLE_MAY_USE_vision/stereo/range image stereo/cost)
 set(PALPABLE_MAY_USE_vision/stereo/occlusion image)

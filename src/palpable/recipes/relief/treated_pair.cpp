@@ -50,7 +50,10 @@ Result<TreatedPair> treated_pair(const vision::StereoPair& given, const StereoRe
     add_verdict(given, *fast, quiet, regions, notes);
   if (work.cancelled()) return Work::interrupted();
   vision::StereoPair pair = given;
-  if (recipe.texture == Texture::front)
+  // Between cameras that were not beside each other there is no view by half a disparity.
+  if (recipe.texture == Texture::front && given.frame)
+    notes.emplace_back("The camera was not moved to the side: the texture is the left picture.");
+  else if (recipe.texture == Texture::front)
     if (const auto moved = move_to_front_view(pair, match->disparity, work); !moved) return moved.error();
   auto disparity = with_regions_treated(match->disparity, {rgb8(pair.left)}, recipe, work, regions, notes);
   return TreatedPair{std::move(pair.left), std::move(disparity), std::move(regions), std::move(notes),

@@ -3,21 +3,11 @@
 #pragma once
 
 #include "palpable/core/vec3.hpp"
+#include "palpable/vision/stereo/problem/rectifying_transform.hpp"
 
-#include <array>
 #include <vector>
 
 namespace palpable::vision {
-
-/// Row-major.
-using Matrix3 = std::array<double, 9>;
-inline constexpr Matrix3 kIdentity3{1, 0, 0, 0, 1, 0, 0, 0, 1};
-
-/// A point in a picture, px; pixel centres at integers.
-struct PicturePoint {
-  double x = 0.0;
-  double y = 0.0;
-};
 
 /// A camera with its lens: its matrix in pixels, distortion in OpenCV's order (0, 4, 5, 8, 12 or 14).
 struct LensCamera {

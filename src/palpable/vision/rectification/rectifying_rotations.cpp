@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/rectification/rectifying_rotations.hpp"
 
+#include "palpable/vision/rectification/least_squares.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,52 +32,6 @@ Matrix3 array_of(const cv::Matx33d& m) {
   Matrix3 out{};
   std::copy_n(m.val, out.size(), out.begin());
   return out;
-}
-
-PicturePoint mapped(const Matrix3& homography, double x, double y) {
-  const cv::Vec3d p = cv::Matx33d(homography.data()) * cv::Vec3d(x, y, 1.0);
-  return {p[0] / p[2], p[1] / p[2]};
-}
-
-double squares_of(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double v : values) sum += v * v;
-  return sum;
-}
-
-/// Levenberg-Marquardt from `at` with numerical derivatives. `residuals` gives the same number of values for
-/// every argument.
-template <int Count, class Residuals>
-cv::Vec<double, Count> least_squares(const Residuals& residuals, cv::Vec<double, Count> at) {
-  using Values = cv::Vec<double, Count>;
-  constexpr double kStep = 1e-6;
-  std::vector<double> now = residuals(at);
-  double damping = 1e-3;
-  for (int i = 0; i < 60 && damping < 1e9; ++i) {
-    std::vector<Values> rows(now.size());
-    for (int k = 0; k < Count; ++k) {
-      Values stepped = at;
-      stepped[k] += kStep;
-      const std::vector<double> then = residuals(stepped);
-      for (std::size_t r = 0; r < now.size(); ++r) rows[r][k] = (then[r] - now[r]) / kStep;
-    }
-    cv::Matx<double, Count, Count> normal = cv::Matx<double, Count, Count>::zeros();
-    Values right = Values::all(0.0);
-    for (std::size_t r = 0; r < now.size(); ++r) {
-      normal += rows[r] * rows[r].t();
-      right -= now[r] * rows[r];
-    }
-    for (int k = 0; k < Count; ++k) normal(k, k) *= 1.0 + damping;
-    const Values candidate = at + Values(normal.solve(right, cv::DECOMP_SVD));
-    std::vector<double> then = residuals(candidate);
-    const double gain = squares_of(now) - squares_of(then);
-    damping = gain > 0.0 ? std::max(1e-9, damping / 4.0) : damping * 8.0;
-    if (!(gain > 0.0)) continue;
-    at = candidate;
-    now = std::move(then);
-    if (gain < 1e-6 * squares_of(now)) break;
-  }
-  return at;
 }
 
 /// Rotations of the left camera about y and z, of the right one about x, y and z (radians), the logarithm of
@@ -281,26 +237,6 @@ SharedCamera unknown_camera(int width, int height) {
   return {static_cast<double>(width + height), (width - 1) / 2.0, (height - 1) / 2.0, false};
 }
 
-PicturePoint rectified_point(const RectifyingTransform& by, const Matrix3& homography, PicturePoint place) {
-  if (by.distortion != 0.0) {
-    const double x = place.x - by.cx, y = place.y - by.cy,
-                 scale = 1.0 / (1.0 + by.distortion * (x * x + y * y));
-    place = {by.cx + scale * x, by.cy + scale * y};
-  }
-  return mapped(homography, place.x, place.y);
-}
-
-PicturePoint source_point(const RectifyingTransform& by, const Matrix3& inverse_homography,
-                          PicturePoint place) {
-  const PicturePoint u = mapped(inverse_homography, place.x, place.y);
-  const double x = u.x - by.cx, y = u.y - by.cy, squared = x * x + y * y;
-  if (by.distortion == 0.0 || squared == 0.0) return u;
-  // r = (1 - √(1 - 4 k u²)) / (2 k u) solves u = r / (1 + k r²); beyond the root there is no solution.
-  const double root = std::sqrt(std::max(0.0, 1.0 - 4.0 * by.distortion * squared));
-  const double scale = 2.0 / (1.0 + root);
-  return {by.cx + scale * x, by.cy + scale * y};
-}
-
 RectifyingRotations find_rectifying_rotations(const std::vector<FeatureMatch>& matches,
                                               const SharedCamera& camera, double tolerance_px,
                                               std::uint64_t seed, const RotationSearchOptions& options) {
@@ -363,7 +299,7 @@ double parallax_rms_px(const std::vector<FeatureMatch>& matches, const SharedCam
     std::vector<double> out;
     out.reserve(2 * matches.size());
     for (const FeatureMatch& m : matches) {
-      const PicturePoint right = mapped(h, m.right_x, m.right_y);
+      const PicturePoint right = mapped(h, {m.right_x, m.right_y});
       out.push_back(m.left_x - right.x);
       out.push_back(m.left_y - right.y);
     }

@@ -25,22 +25,6 @@ struct SharedCamera {
 /// An unknown camera: the principal point in the picture's centre, and an initial value for the focal length.
 SharedCamera unknown_camera(int width, int height);
 
-/// Maps both pictures to common rows.
-struct RectifyingTransform {
-  /// Homographies of pixels.
-  Matrix3 left = kIdentity3;
-  Matrix3 right = kIdentity3;
-  /// Both lenses' distortion by the division model, about (cx, cy): u = p / (1 + distortion |p|²), 1/px².
-  double distortion = 0.0;
-  double cx = 0.0;
-  double cy = 0.0;
-};
-
-/// Maps a point to the rectified picture, and back.
-PicturePoint rectified_point(const RectifyingTransform& by, const Matrix3& homography, PicturePoint place);
-PicturePoint source_point(const RectifyingTransform& by, const Matrix3& inverse_homography,
-                          PicturePoint place);
-
 struct RectifyingRotations {
   RectifyingTransform transform;
   /// The inlier matches, in the original pictures.

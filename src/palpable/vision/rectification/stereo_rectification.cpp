@@ -3,6 +3,7 @@
 #include "palpable/vision/rectification/stereo_rectification.hpp"
 
 #include "palpable/vision/image/opencv_image.hpp"
+#include "palpable/vision/rectification/any_motion.hpp"
 #include "palpable/vision/rectification/feature_matches.hpp"
 #include "palpable/vision/rectification/rectifying_rotations.hpp"
 #include "palpable/vision/rectification/tracked_matches.hpp"
@@ -39,13 +40,6 @@ Error failure(const char* what, const cv::Exception& e) {
 }
 
 cv::Matx33d matrix_of(const Matrix3& m) { return cv::Matx33d(m.data()); }
-
-Matrix3 inverse(const Matrix3& m) {
-  const cv::Matx33d inverted = matrix_of(m).inv();
-  Matrix3 out{};
-  std::copy_n(inverted.val, out.size(), out.begin());
-  return out;
-}
 
 /// The picture rectified by `homography`, with rows moved by the vertical offsets if given.
 Image warped(const Image& image, const RectifyingTransform& by, const Matrix3& homography,
@@ -227,6 +221,39 @@ void rectify(RectifiedPair& out, const RectificationEstimate& estimate, const Op
                     candidate.greatest_px));
 }
 
+/// Whether the rows are moved where a rigid motion explains the features about as well, with five numbers.
+bool takes_parallax_for_offsets(const RectificationCandidate& candidate, const CameraMotion& motion,
+                                const std::vector<FeatureMatch>& features, double tolerance_px) {
+  if (!candidate.offsets) return false;
+  const auto corrected = std::count_if(features.begin(), features.end(), [&](const FeatureMatch& m) {
+    const FeatureMatch c = candidate.offsets->corrected(m);
+    return std::abs(c.right_y - c.left_y) <= tolerance_px;
+  });
+  return static_cast<double>(motion.inliers.size()) >=
+         AnyMotionOptions{}.instead_of_offsets * static_cast<double>(corrected);
+}
+
+/// The pair with the frame of its camera's motion; the pictures stay as they are. Nothing where the frame
+/// does not bring the features to common rows.
+std::optional<RectifiedPair> in_frame_of(const CameraMotion& camera,
+                                         const std::vector<FeatureMatch>& features, const StereoPair& pair,
+                                         const Options& options, const Work& work) {
+  const double tolerance_px = feature_tolerance_px(pair.left.width, pair.left.height, options.features);
+  const auto motion =
+      frame_of_motion(camera, features, pair.left.width, pair.left.height, tolerance_px, work.seed);
+  if (!motion || !(motion->residual_px <= options.most_residual_px)) return std::nullopt;
+  RectifiedPair out = unchanged(pair, motion->inliers, options);
+  out.pair.rig.reset();
+  out.pair.frame = motion->frame;
+  out.residual_px = motion->residual_px;
+  out.changed = true;
+  out.notes.push_back(
+      fmt::format("The camera was moved {}: the pictures are matched along that direction ({} points within "
+                  "{:.2f} pixels of it).",
+                  motion->words, out.features, out.residual_px));
+  return out;
+}
+
 /// Measures the residual after a calibrated rectification, over the matches that agree on any rotation.
 void measure_rectified(RectifiedPair& out, const Options& options) {
   const Image& picture = out.pair.left;
@@ -305,8 +332,13 @@ Result<RectifiedPair> rectify_uncalibrated(const StereoPair& pair, const Work& w
         static_cast<double>(as_they_are.size()) >=
             options.rectified_matches_share * static_cast<double>(first.inliers.size()))
       return unchanged(pair, as_they_are, options);
+    const auto motion = find_any_motion(features, pair.left.width, pair.left.height, tolerance_px);
+    if (motion && !is_sideways(*motion) && explains_more(*motion, first.inliers.size()))
+      if (auto in_frame = in_frame_of(*motion, features, pair, options, work)) return *in_frame;
     const auto found = estimate(pair, camera, features, std::move(first), options, work);
     if (!found) return found.error();
+    if (motion && takes_parallax_for_offsets(found->candidate, *motion, features, tolerance_px))
+      if (auto in_frame = in_frame_of(*motion, features, pair, options, work)) return *in_frame;
     RectifiedPair out = unchanged(pair, found->candidate.rotations.inliers, options);
     if (out.features < options.least_matches) return out;
     rectify(out, *found, options);

@@ -7,6 +7,7 @@
 #include "palpable/formats/picture/picture.hpp"
 #include "palpable/session/make/make_scene.hpp"
 #include "palpable/vision/stereo/methods/match.hpp"
+#include "palpable/vision/stereo/problem/epipolar_pictures.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -59,6 +60,7 @@ std::vector<std::string> rectified_files(const std::string& prefix) {
 
 Result<void> write_rectified(const std::string& prefix, const vision::StereoPair& pair) {
   if (prefix.empty()) return {};
+  if (pair.frame) return write_rectified(prefix, vision::in_epipolar_frame(pair));
   const auto files = rectified_files(prefix);
   if (const auto left = formats::write_png(files.front(), rgb8(pair.left)); !left) return left;
   return formats::write_png(files.back(), rgb8(pair.right));

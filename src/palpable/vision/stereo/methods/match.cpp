@@ -4,6 +4,7 @@
 
 #include "palpable/core/system/memory.hpp"
 #include "palpable/vision/stereo/methods/matching_memory.hpp"
+#include "palpable/vision/stereo/problem/epipolar_pictures.hpp"
 #include "palpable/vision/stereo/problem/match_input.hpp"
 #include "palpable/vision/stereo/problem/prepare_pictures.hpp"
 #include "palpable/vision/stereo/range/disparity_range.hpp"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <new>
+#include <utility>
 
 namespace palpable::vision {
 namespace {
@@ -177,6 +179,10 @@ Result<StereoMatch> match(const StereoPair& pair, StereoMethod method, const Ste
   for (const Image* picture : {&pair.left, &pair.right})
     if (const auto valid = palpable::check(*picture); !valid) return valid.error();
   if (const auto sizes = check_sizes(pair); !sizes) return sizes.error();
+  if (pair.frame) {
+    auto found = match(in_epipolar_frame(pair), method, options, work);
+    return found ? in_left_picture(std::move(*found), pair) : found;
+  }
   if (const auto ok = check(options, method); !ok) return ok.error();
   if (options.max_disparity_px < 0 || options.max_disparity_px >= pair.left.width)
     return Error{ErrorCode::usage,

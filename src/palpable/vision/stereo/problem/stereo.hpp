@@ -4,6 +4,7 @@
 
 #include "palpable/core/picture/camera.hpp"
 #include "palpable/core/picture/image.hpp"
+#include "palpable/vision/stereo/problem/epipolar_frame.hpp"
 
 #include <optional>
 #include <string>
@@ -11,12 +12,15 @@
 
 namespace palpable::vision {
 
-/// Two rectified pictures of the same size; the left one is the reference.
+/// Two pictures of the same size; the left one is the reference. They are rectified, or `frame` says how
+/// their points come to common rows.
 struct StereoPair {
   Image left;
   Image right;
   /// Known if the pair is calibrated; copied to the result.
   std::optional<StereoRig> rig;
+  /// Of pictures that are as they were taken, of a camera that was not moved to the side.
+  std::optional<EpipolarFrame> frame = {};
 };
 
 struct StereoMatch {

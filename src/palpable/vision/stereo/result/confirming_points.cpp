@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include <opencv2/core.hpp>
@@ -13,18 +14,31 @@
 namespace palpable::vision {
 namespace {
 
-/// Whether any of the 3 x 3 pixels around the point has its disparity: at a depth edge the nearest pixel may
-/// belong to the other side.
-bool agrees(const Raster<float>& disparity_px, const FeatureMatch& match, double tolerance_px) {
+/// Whether any of the 3 x 3 pixels around the left point has the disparity: at a depth edge the nearest pixel
+/// may belong to the other side.
+bool agrees(const Raster<float>& map_px, const FeatureMatch& match, double disparity_px,
+            double tolerance_px) {
   const int x0 = static_cast<int>(std::lround(match.left_x)),
             y0 = static_cast<int>(std::lround(match.left_y));
   for (int y = y0 - 1; y <= y0 + 1; ++y)
     for (int x = x0 - 1; x <= x0 + 1; ++x) {
-      if (x < 0 || y < 0 || x >= disparity_px.width() || y >= disparity_px.height()) continue;
-      const double d = static_cast<double>(disparity_px(x, y));
-      if (std::fabs(d - (match.left_x - match.right_x)) <= tolerance_px) return true;
+      if (x < 0 || y < 0 || x >= map_px.width() || y >= map_px.height()) continue;
+      if (std::fabs(static_cast<double>(map_px(x, y)) - disparity_px) <= tolerance_px) return true;
     }
   return false;
+}
+
+/// How far a match is off common rows, and its disparity.
+struct OnRows {
+  double off_row_px;
+  double disparity_px;
+};
+
+OnRows on_rows_of(const FeatureMatch& m, const std::optional<EpipolarFrame>& frame) {
+  if (!frame) return {m.left_y - m.right_y, m.left_x - m.right_x};
+  const PicturePoint left = frame_from_picture(*frame, frame->transform.left, {m.left_x, m.left_y}),
+                     right = frame_from_picture(*frame, frame->transform.right, {m.right_x, m.right_y});
+  return {left.y - right.y, disparity_from_columns(*frame, left.x - right.x)};
 }
 
 }  // namespace
@@ -70,11 +84,13 @@ ConfirmingPoints confirming_points(const StereoPair& pair, const Raster<float>& 
   std::vector<FeatureMatch> confirmed_matches;
   for (const FeatureMatch& match : match_features(pair)) {
     ++out.count;
-    if (std::fabs(match.left_y - match.right_y) > row_px) continue;
+    const OnRows point = on_rows_of(match, pair.frame);
+    if (std::fabs(point.off_row_px) > row_px) continue;
     ++on_rows;
-    if (!agrees(disparity_px, match, options.agree_px)) continue;
-    confirmed.push_back(match.left_x - match.right_x);
-    confirmed_matches.push_back(match);
+    if (!agrees(disparity_px, match, point.disparity_px, options.agree_px)) continue;
+    confirmed.push_back(point.disparity_px);
+    confirmed_matches.push_back(
+        {match.left_x, match.left_y, match.left_x - point.disparity_px, match.left_y});
   }
   if (out.count == 0) return out;
   out.on_rows = static_cast<double>(on_rows) / out.count;

@@ -7,6 +7,7 @@
 #include "palpable/vision/image/colour_planes.hpp"
 #include "palpable/vision/stereo/methods/match.hpp"
 #include "palpable/vision/stereo/occlusion/left_right_check.hpp"
+#include "palpable/vision/stereo/problem/epipolar_pictures.hpp"
 #include "palpable/vision/stereo/problem/prepare_pictures.hpp"
 #include "palpable/vision/stereo/range/pair_check.hpp"
 
@@ -47,10 +48,19 @@ Texture texture_of(const Raster<std::uint8_t>& grey, const Raster<float>& confid
   return !confirmed && contrast_beyond_grain(grey) < thresholds.only_grain ? Texture::grain : Texture::real;
 }
 
-Trouble trouble_at(int x, int y, const Sizes& grey, Texture texture, const StereoMatch& match) {
-  const float d = match.disparity.disparity_px(x, y);
-  const double there = x - static_cast<double>(d);
-  if (!std::isfinite(d) || there < -0.5 || there > grey.fine.width() - 0.5) return Trouble::out_of_view;
+/// Whether the right picture has the place where it would show a left pixel with this disparity.
+bool in_right_view(int x, int y, float disparity_px, const StereoPair& pair) {
+  if (!std::isfinite(disparity_px)) return false;
+  const auto d = static_cast<double>(disparity_px);
+  const PicturePoint there =
+      pair.frame ? right_point(*pair.frame, {1.0 * x, 1.0 * y}, d) : PicturePoint{x - d, 1.0 * y};
+  return there.x >= -0.5 && there.x <= pair.left.width - 0.5 &&
+         (!pair.frame || (there.y >= -0.5 && there.y <= pair.left.height - 0.5));
+}
+
+Trouble trouble_at(int x, int y, const Sizes& grey, Texture texture, const StereoPair& pair,
+                   const StereoMatch& match) {
+  if (!in_right_view(x, y, match.disparity.disparity_px(x, y), pair)) return Trouble::out_of_view;
   // A plain surface filled from its surroundings is often right, but unconfirmed.
   const bool plain =
       !textured_at(grey.fine, x, y) && !textured_at(grey.coarse, x / Sizes::kFactor, y / Sizes::kFactor);
@@ -203,6 +213,10 @@ std::vector<Parameter> parameters_of(FitThresholds& o) {
 
 Result<StereoMatch> match_confirmed(const StereoPair& pair, StereoMethod method, const StereoOptions& options,
                                     const Work& work) {
+  if (pair.frame) {
+    auto found = match_confirmed(in_epipolar_frame(pair), method, options, work);
+    return found ? in_left_picture(std::move(*found), pair) : found;
+  }
   auto forth = match(pair, method, options, work);
   if (!forth || method == StereoMethod::fast) return forth;
   auto back = match({mirror_image(pair.right), mirror_image(pair.left), {}}, method, options, work);
@@ -226,7 +240,7 @@ FitToTouch fit_to_touch(const StereoPair& pair, const StereoMatch& match, const 
   fit.trouble = Raster<std::uint8_t>(pair.left.width, pair.left.height);
   for (int y = 0; y < fit.trouble.height(); ++y)
     for (int x = 0; x < fit.trouble.width(); ++x)
-      fit.trouble(x, y) = static_cast<std::uint8_t>(trouble_at(x, y, sizes, texture, match));
+      fit.trouble(x, y) = static_cast<std::uint8_t>(trouble_at(x, y, sizes, texture, pair, match));
   const double good = share_of(fit.trouble, Trouble::none),
                contradicted = share_of(fit.trouble, Trouble::contradicted);
   fit.coverage = good;
