@@ -112,6 +112,31 @@ TEST(ToolPath, KeepsEachProbesTouchApart) {
   EXPECT_TRUE(expected[1].back().contact);
 }
 
+TEST(ToolPath, TakesTheVelocityOfASensorWithAStepFromMoreThanItsLastReading) {
+  // 4 mm/s into a damped floor, read in steps of 20 µm: every fifth tick is a step.
+  constexpr double kStep_m = 2e-5;
+  std::vector<ToolPose> poses;
+  for (int i = 0; i < 400; ++i) {
+    const double depth_m = kStep_m * std::round(4e-6 * i / kStep_m);
+    poses.push_back(pose_at(0.001 * i, {0.0, 0.0, -depth_m}));
+  }
+  const auto touchable = floor_with(Law::penalty);
+  const std::array point{ToolPlace{}};
+  const auto largest_change_N = [&](double sensor_step_m) {
+    double largest_N = 0.0, last_N = 0.0;
+    int tick = 0;
+    probe_tools(
+        *touchable, point, poses,
+        [&](const ToolPose&, const ToolOutput& felt) {
+          if (++tick > 50) largest_N = std::max(largest_N, std::abs(felt.force_N.v.z - last_N));
+          last_N = felt.force_N.v.z;
+        },
+        sensor_step_m);
+    return largest_N;
+  };
+  EXPECT_LT(largest_change_N(kStep_m), 0.7 * largest_change_N(0.0));
+}
+
 TEST(ToolPath, RefusesInvalidPosesAndTools) {
   const std::array good{pose_at(0.0, {}), pose_at(0.0, {}, 1), pose_at(0.1, {})};
   EXPECT_TRUE(check_poses(good));
