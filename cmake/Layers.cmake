@@ -92,7 +92,7 @@ set(PALPABLE_MAY_USE_device/remote transport recording)
 set(PALPABLE_MAY_USE_device/virtual transport two_diy falcon evdev)
 set(PALPABLE_MAY_USE_device/hosted transport recording)
 set(PALPABLE_MAY_USE_device/drivers transport simulated pointer recording two_diy falcon force_dimension open_haptics inverse3 evdev remote hosted)
-set(PALPABLE_MAY_USE_device/library_host transport recording hosted drivers)
+set(PALPABLE_MAY_USE_device/library_host recording hosted drivers)
 
 set(PALPABLE_ROOMS_haptics safety effect proxy law tick servo guardian)
 set(PALPABLE_MAY_USE_haptics/proxy effect)

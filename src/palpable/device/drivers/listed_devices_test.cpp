@@ -4,8 +4,8 @@
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/device/transport/port_state.hpp"
 #include "palpable/device/two_diy/two_diy.hpp"
-#include "palpable/device/virtual/virtual_two_diy.hpp"
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -13,7 +13,6 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 namespace palpable::device {
@@ -57,25 +56,28 @@ TEST(ListedSerialPort, IsA2DiyOnlyIfItSaysSo) {
 }
 
 TEST(ListedSerialPort, IsNotReadyWhileAProgramHoldsIt) {
-  VirtualTwoDiy board(kTwoDiyVariants[0]);
-  EXPECT_FALSE(holder_of(board.path()));
+  const int line = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  ASSERT_TRUE(line >= 0 && ::grantpt(line) == 0 && ::unlockpt(line) == 0);
+  const std::string port = ::ptsname(line);  // NOLINT(concurrency-mt-unsafe): one thread
+  EXPECT_FALSE(holder_of(port));
   {
-    const int open = ::open(board.path().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+    const int open = ::open(port.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
     ASSERT_GE(open, 0);
-    const auto holder = holder_of(board.path());
+    const auto holder = holder_of(port);
     ::close(open);
     ASSERT_TRUE(holder);
     EXPECT_EQ(holder->process, ::getpid());
     EXPECT_FALSE(holder->program.empty());
   }
-  EXPECT_FALSE(holder_of(board.path()));
+  EXPECT_FALSE(holder_of(port));
   const std::string link = testing::TempDir() + "port" + std::to_string(::getpid());
   ::unlink(link.c_str());
-  fs::create_symlink(board.path(), link);
-  const int open = ::open(board.path().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  fs::create_symlink(port, link);
+  const int open = ::open(port.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
   DeviceKind kind{.url = {}, .name = {}, .description = {}, .note = {}, .advice = {}};
   describe_serial_port(kind, link, std::nullopt);
   ::close(open);
+  ::close(line);
   ::unlink(link.c_str());
   EXPECT_FALSE(kind.available);
   EXPECT_THAT(kind.note, HasSubstr("in use by "));

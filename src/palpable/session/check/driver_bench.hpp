@@ -65,6 +65,8 @@ struct DriverBench {
   std::function<Vec3()> motors_N;
   /// What came that was no command; null if the interface allows only commands.
   std::function<std::uint64_t()> strange;
+  /// How many commands it has taken; null if it takes each one at once.
+  std::function<std::uint64_t()> taken;
   bool is_real_time = false;
   /// Its motors can be reached after it was unplugged: by another connection to its service.
   bool is_reached_when_gone = false;
@@ -180,6 +182,7 @@ inline DriverBench inverse3_bench(const OnForce& on_force) {
                                                           : Fault::none);
   };
   bench.motors_N = [service, ours] { return ours(service->force_N()); };
+  bench.taken = [service] { return service->messages(); };
   bench.strange = [service] { return service->strange(); };
   return bench;
 }
