@@ -135,6 +135,12 @@ TEST(CommandLine, DoctorPrintsTheRulesOfTheDocuments) {
   EXPECT_THAT(page, HasSubstr("```text\n" + outcome.out + "```"));
 }
 
+TEST(CommandLine, MeasuresNoHandOnARecording) {
+  const Outcome outcome = palpable({"doctor", "--measure-hand", "replay:touch.rec"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("a recording does not move when it is pushed"));
+}
+
 TEST(CommandLine, ListsWhatToDoForEachKindOfDevice) {
   const auto listed = palpable({"devices", "--json"}).json();
   for (const auto& kind : listed["devices"])

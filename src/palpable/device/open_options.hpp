@@ -24,6 +24,16 @@ using SurfaceStrokes = std::vector<std::vector<Point<DeviceFrame>>>;
 
 struct Traits;
 
+/// Where a vendor's library is loaded, which may hang, crash or end its process.
+enum class VendorLibrary : std::uint8_t {
+  /// In palpable-library-host (docs/adr/0012).
+  in_own_process,
+  /// In this process, which is that one, or a test.
+  here,
+  /// The same, with a device that is only opened to be closed again: it does not move by itself.
+  here_to_free_motors
+};
+
 struct OpenOptions {
   /// Seed for a device whose URL has none.
   std::uint64_t seed = 1;
@@ -37,6 +47,7 @@ struct OpenOptions {
   std::function<Result<void>(const std::string& header_json)> check_header;
   /// Needed by `pointer:` only.
   std::shared_ptr<PointerFeed> pointer;
+  VendorLibrary vendor_library = VendorLibrary::in_own_process;
 };
 
 }  // namespace palpable::device

@@ -19,6 +19,8 @@ class DeviceUrl {
   /// Errors (usage): no scheme, an option without a value or given twice.
   static Result<DeviceUrl> parse(std::string_view url);
 
+  /// The whole URL, as it was parsed.
+  const std::string& text() const { return url_; }
   const std::string& scheme() const { return scheme_; }
   const std::string& path() const { return path_; }
 

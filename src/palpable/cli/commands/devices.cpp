@@ -16,11 +16,14 @@ Result<Answer> devices() {
                                       {"name", kind.name},
                                       {"description", kind.description},
                                       {"available", kind.available},
+                                      {"may_be", kind.may_be},
                                       {"note", kind.note},
                                       {"advice", kind.advice}});
     answer.text += fmt::format("{:15} {}: {}\n", kind.url, kind.name, kind.description);
     if (!kind.available)
       answer.text += fmt::format("{:16}Not available here: {}. To do: {}.\n", "", kind.note, kind.advice);
+    else if (kind.may_be)
+      answer.text += fmt::format("{:16}Not certain: {}.\n", "", kind.note);
   }
   return answer;
 }

@@ -3,6 +3,7 @@
 #include "palpable/cli/command.hpp"
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/device/drivers/udev_rules.hpp"
+#include "palpable/device/url.hpp"
 #include "palpable/haptics/servo/hand_measurement.hpp"
 #include "palpable/haptics/servo/kept_rate.hpp"
 #include "palpable/haptics/servo/servo_loop.hpp"
@@ -191,6 +192,7 @@ Finding found_devices() {
   for (const device::DeviceKind& kind : device::list_devices()) {
     if (kind.available) {
       finding.found += (finding.found.empty() ? "available: " : ", ") + kind.url;
+      if (kind.may_be) finding.found += " (" + kind.note + ")";
       continue;
     }
     missing += fmt::format("{}{} ({})", missing.empty() ? "" : "; ", kind.url, kind.note);
@@ -214,6 +216,9 @@ std::string_view name_of(Finding::State state) {
 
 /// Measures the hand that holds a device, for --hand-damping.
 Result<Answer> examine_hand(const std::string& device_url, Console& console) {
+  if (const auto url = device::DeviceUrl::parse(device_url); url && url->scheme() == "replay")
+    return Error{ErrorCode::usage,
+                 "a recording does not move when it is pushed: name a device that a hand holds", device_url};
   device::OpenOptions open;
   open.seed = console.options().seed;
   auto device = device::open_device(device_url, open);

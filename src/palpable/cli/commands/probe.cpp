@@ -22,7 +22,10 @@ struct ProbeArguments {
   std::string scene, path, output, tool, as_published;
   LawArguments law;
   ViewArguments view;
+  double sensor_step_um = 0.0;
 };
+
+constexpr double kMicrometre_m = 1e-6;
 
 bool has_extent(const ProbeArguments& arguments) {
   if (arguments.law.law == haptics::name_of(haptics::Law::tool)) return true;
@@ -123,13 +126,15 @@ Result<Answer> probe(const ProbeArguments& arguments, Console& console) {
   double strongest_N = 0.0, strongest_Nm = 0.0;
   std::set<int> probes;
   haptics::probe_tools(
-      **touchable, *tool, path->poses, [&](const haptics::ToolPose& pose, const haptics::ToolOutput& output) {
+      **touchable, *tool, path->poses,
+      [&](const haptics::ToolPose& pose, const haptics::ToolOutput& output) {
         append_row(csv, *path, arguments, in_view(pose, *walk), in_view(output, pose.t_s, *walk));
         contacts += output.contact ? 1 : 0;
         strongest_N = std::max(strongest_N, norm(output.force_N));
         strongest_Nm = std::max(strongest_Nm, norm(output.torque_Nm));
         probes.insert(pose.probe);
-      });
+      },
+      kMicrometre_m * arguments.sensor_step_um);
   if (interrupted()) return Work::interrupted();
   if (const auto written = write_file_atomically(arguments.output, std::as_bytes(std::span(csv))); !written)
     return written.error();
@@ -172,6 +177,10 @@ void add_probe(Program& program) {
                         "CSV with the columns t_s,x_m,y_m,z_m (scene frame, metres), and optionally probe "
                         "(0 to 63) and qw,qx,qy,qz");
   options.required_output("-o,--output", arguments->output, {}, "CSV to write");
+  options.number(
+      "--sensor-step", arguments->sensor_step_um, {0.0, 1000.0},
+      "Step of the device's sensor, µm, if the path was read by one: velocities are then those that a "
+      "touch computes; default 0, the last way in its time");
   add_tool_option(options, arguments->tool);
   add_view_options(options, arguments->view);
   add_as_published(options, arguments->as_published);

@@ -11,8 +11,15 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
+#include <ifaddrs.h>
+#include <net/if.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 namespace palpable::cli {
@@ -35,6 +42,27 @@ std::string name_for_others(const std::string& listen) {
   return known ? name.data() : "THIS-COMPUTER";
 }
 
+/// The numeric addresses by which other computers may reach this one.
+std::vector<std::string> addresses_of_this_computer(bool with_version_6) {
+  std::vector<std::string> found;
+  ifaddrs* list = nullptr;
+  if (::getifaddrs(&list) != 0) return found;
+  for (const ifaddrs* one = list; one != nullptr; one = one->ifa_next) {
+    if (one->ifa_addr == nullptr || (one->ifa_flags & IFF_LOOPBACK) != 0) continue;
+    const bool is_4 = one->ifa_addr->sa_family == AF_INET;
+    if (!is_4 && (!with_version_6 || one->ifa_addr->sa_family != AF_INET6)) continue;
+    std::array<char, NI_MAXHOST> text{};
+    const socklen_t size = is_4 ? sizeof(sockaddr_in) : sizeof(sockaddr_in6);
+    if (::getnameinfo(one->ifa_addr, size, text.data(), text.size(), nullptr, 0, NI_NUMERICHOST) != 0)
+      continue;
+    // Addresses of one link only (fe80::…%eth0) are none that another computer can be told.
+    const std::string address = text.data();
+    if (address.find('%') == std::string::npos) found.push_back(is_4 ? address : "[" + address + "]");
+  }
+  ::freeifaddrs(list);
+  return found;
+}
+
 Result<Answer> share(const ShareArguments& arguments, Console& console) {
   haptics::write_zero_force_on_crash();
   if (auto known = device::check_device_url(arguments.device); !known) return known.error();
@@ -52,6 +80,10 @@ Result<Answer> share(const ShareArguments& arguments, Console& console) {
           "the address that is printed; what they send is not encrypted.");
     console.say(fmt::format("palpable touch SCENE --device 'remote:{}:{}?token={}'",
                             name_for_others(arguments.listen), port, token));
+    // Its name may not be known there.
+    if (arguments.listen == "0.0.0.0" || arguments.listen == "::")
+      for (const std::string& address : addresses_of_this_computer(arguments.listen == "::"))
+        console.say(fmt::format("  or, by its address: remote:{}:{}?token={}", address, port, token));
   };
   options.on_news = [&console](const std::string& sentence) { console.note(sentence); };
   std::optional<Result<haptics::ServoStatistics>> ended;

@@ -5,6 +5,7 @@
 #include "palpable/device/evdev/evdev.hpp"
 #include "palpable/device/falcon/falcon.hpp"
 #include "palpable/device/force_dimension/force_dimension.hpp"
+#include "palpable/device/hosted/hosted_device.hpp"
 #include "palpable/device/inverse3/inverse3.hpp"
 #include "palpable/device/open_haptics/open_haptics.hpp"
 #include "palpable/device/pointer/pointer.hpp"
@@ -15,8 +16,11 @@
 #include "palpable/device/url.hpp"
 
 #include <array>
+#include <chrono>
 #include <filesystem>
 #include <set>
+
+#include <sys/stat.h>
 
 namespace palpable::device {
 namespace {
@@ -36,9 +40,16 @@ struct Driver {
   Result<std::vector<std::string>> (*ports)() = nullptr;
   /// Checks path and options of a URL without opening it; null if open() does it first.
   Result<void> (*check)(DeviceUrl&) = nullptr;
+  /// Adds to the entry of the list what is known of this port; null: nothing.
+  void (*describe)(DeviceKind&, const std::string& port) = nullptr;
+  /// It calls a vendor's library, so that it runs in a process of its own.
+  bool calls_vendor = false;
 };
 
 Result<std::vector<std::string>> serial_ports() { return two_diy_ports(); }
+void describe_port(DeviceKind& kind, const std::string& port) {
+  describe_serial_port(kind, port, usb_identity(port));
+}
 Result<std::vector<std::string>> remote_ports() {
   return Error{ErrorCode::device, "needs the address that palpable share prints at the other computer", {}};
 }
@@ -66,7 +77,8 @@ constexpr std::array kDrivers{
            .hold = "Hold the handle of the 2DIY at its home: stretched away from the motors, or, of variant "
                    "v1, folded against them, and of variant 2018 with the inner links apart on one line",
            .advice = "plug in its USB cable, or name its port: 2diy:/dev/ttyACM0",
-           .ports = serial_ports},
+           .ports = serial_ports,
+           .describe = describe_port},
     Driver{.scheme = "falcon",
            .open = open_falcon,
            .name = "Novint Falcon",
@@ -84,7 +96,8 @@ constexpr std::array kDrivers{
            .hold = "Let go of the handle of the Force Dimension device: it moves by itself",
            .advice = "plug it in, and install the vendor's SDK (forcedimension.com), which has libdhd.so, or "
                      "name that file: forcedimension:?library=FILE",
-           .ports = force_dimension_ports},
+           .ports = force_dimension_ports,
+           .calls_vendor = true},
     Driver{.scheme = "inverse3",
            .open = open_inverse3,
            .name = "Haply Inverse3",
@@ -103,7 +116,8 @@ constexpr std::array kDrivers{
         .advice =
             "plug it in, and install the vendor's OpenHaptics and device driver (3dsystems.com), which have "
             "libHD.so, or name that file: touch:?library=FILE",
-        .ports = open_haptics_ports},
+        .ports = open_haptics_ports,
+        .calls_vendor = true},
     Driver{.scheme = "evdev",
            .open = open_evdev,
            .name = "joystick or gamepad",
@@ -128,6 +142,35 @@ Result<const Driver*> driver_of(const DeviceUrl& url) {
   return Error{ErrorCode::usage, "there is no device " + url.scheme() + ": (known: " + known + ")", {}};
 }
 
+/// The same for all names of one file or device: links, and ways through other folders. It need not exist.
+std::string identity_of(const std::string& path) {
+  struct stat file {};
+  if (::stat(path.c_str(), &file) == 0)
+    return std::to_string(file.st_dev) + ":" + std::to_string(file.st_ino);
+  std::error_code unknown;
+  const auto real = std::filesystem::weakly_canonical(path, unknown);
+  return unknown ? path : real.string();
+}
+
+/// Calls the driver's open(), for one that calls a vendor's library only where that may be.
+Result<std::unique_ptr<Device>> open_by(const Driver& driver, DeviceUrl& url, const OpenOptions& options) {
+  if (!driver.calls_vendor) return driver.open(url, options);
+  constexpr int kLonger_s = 30, kLongest_s = 300;
+  const std::chrono::seconds patience(url.take_count("patience", kLonger_s, 1, kLongest_s));
+  if (options.vendor_library != VendorLibrary::in_own_process) return driver.open(url, options);
+  url.check_only();
+  auto refused = driver.open(url, options);
+  if (!url.is_valid()) return refused;
+  auto device = HostedDevice::open(url.text(), options.rate_hz, patience);
+  if (!device) return std::move(device).error();
+  return std::unique_ptr<Device>(*std::move(device));
+}
+
+Result<std::vector<std::string>> ports_of(const Driver& driver) {
+  if (driver.ports == nullptr) return std::vector<std::string>{""};
+  return driver.calls_vendor ? hosted_ports(std::string(driver.scheme)) : driver.ports();
+}
+
 }  // namespace
 
 Result<void> check_device_url(std::string_view url) {
@@ -137,31 +180,34 @@ Result<void> check_device_url(std::string_view url) {
   if (!driver) return driver.error();
   if ((*driver)->check != nullptr) return (*driver)->check(*parsed);
   parsed->check_only();
-  const auto refused = (*driver)->open(*parsed, {});
+  OpenOptions options;
+  options.vendor_library = VendorLibrary::here;
+  const auto refused = open_by(**driver, *parsed, options);
   return parsed->is_valid() ? Result<void>{} : Result<void>(refused.error());
 }
 
 Result<void> check_together(const std::vector<std::string>& urls) {
   if (urls.size() < 2) return {};
-  std::set<std::string> seen;
-  std::set<std::filesystem::path> motors;
+  std::set<std::string> seen, motors;
   for (const std::string& url : urls) {
     if (auto known = check_device_url(url); !known) return known;
     auto parsed = DeviceUrl::parse(url);
     const std::string file = parsed ? parsed->take_text("motors") : std::string();
-    std::error_code unknown;
-    const auto path = std::filesystem::weakly_canonical(file, unknown);
-    if (!file.empty() && !motors.insert(unknown ? std::filesystem::path(file) : path).second)
+    if (!file.empty() && !motors.insert(identity_of(file)).second)
       return Error{ErrorCode::usage, "two devices cannot write the same file of motors", public_url(url)};
     if (url.starts_with("pointer:"))
       return Error{ErrorCode::usage, "the page's pointers touch beside devices anyway: leave it out",
                    public_url(url)};
     // Its library has one scheduler for all devices, which ends with the first that is closed.
-    const std::string one = url.starts_with("touch:") ? "touch:" : url;
+    const std::string path = parsed ? parsed->path() : std::string();
+    const std::string one = url.starts_with("touch:")     ? "touch:"
+                            : path.find('/') == path.npos ? url
+                                                          : parsed->scheme() + ":" + identity_of(path);
     if (!seen.insert(one).second && !is_virtual_device(url))
-      return Error{ErrorCode::usage,
-                   one == url ? "the device is named twice" : "only one device of this kind can be touched",
-                   public_url(url)};
+      return Error{
+          ErrorCode::usage,
+          one == "touch:" ? "only one device of this kind can be touched" : "the device is named twice",
+          public_url(url)};
   }
   return {};
 }
@@ -183,7 +229,29 @@ Result<std::unique_ptr<Device>> open_device(std::string_view url, const OpenOpti
   if (!parsed) return std::move(parsed).error();
   const auto driver = driver_of(*parsed);
   if (!driver) return driver.error();
-  return (*driver)->open(*parsed, options);
+  return open_by(**driver, *parsed, options);
+}
+
+void describe_serial_port(DeviceKind& kind, const std::string& port,
+                          const std::optional<UsbIdentity>& identity) {
+  if (!identity || !is_surely_two_diy(*identity)) {
+    kind.may_be = true;
+    const std::string name = !identity                   ? std::string()
+                             : identity->product.empty() ? "USB " + identity->numbers
+                                                         : identity->product + ", USB " + identity->numbers;
+    kind.note = "a serial port that may be one" + (name.empty() ? "" : " (" + name + ")");
+  }
+  if (const auto holder = holder_of(port)) {
+    kind.available = false;
+    kind.note += (kind.note.empty() ? "" : ", ") + ("in use by " + holder->words());
+    kind.advice = "end that program";
+  }
+}
+
+Result<std::vector<std::string>> vendor_ports(std::string_view scheme) {
+  for (const auto& driver : kDrivers)
+    if (driver.calls_vendor && driver.scheme == scheme) return driver.ports();
+  return Error{ErrorCode::usage, "no driver of this name calls a vendor's library", std::string(scheme)};
 }
 
 std::function<Result<std::unique_ptr<Device>>()> reopener(const std::string& url, double rate_hz) {
@@ -200,13 +268,15 @@ std::vector<DeviceKind> list_devices() {
                           std::string(driver.name),
                           std::string(driver.description),
                           true,
+                          false,
                           {},
                           {}};
-    const auto ports = driver.ports == nullptr ? Result(std::vector<std::string>{""}) : driver.ports();
+    const auto ports = ports_of(driver);
     if (ports && !ports->empty()) {
       for (const std::string& port : *ports) {
         kinds.push_back(kind);
         kinds.back().url += port;
+        if (driver.describe != nullptr) driver.describe(kinds.back(), port);
       }
       continue;
     }

@@ -5,9 +5,11 @@
 #include "palpable/core/result.hpp"
 #include "palpable/device/device.hpp"
 #include "palpable/device/open_options.hpp"
+#include "palpable/device/transport/port_state.hpp"
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,10 +49,20 @@ struct DeviceKind {
   std::string description;
   /// Whether one can be opened on this machine now; if not, `note` gives the reason.
   bool available = true;
+  /// What is at this port may be another thing: opening it tells; `note` says what the system knows of it.
+  bool may_be = false;
   std::string note;
   /// And this is what to do about it, without a capital letter and a full stop.
   std::string advice;
 };
 std::vector<DeviceKind> list_devices();
+
+/// What the list says of a 2DIY's port: which program holds it, and whether it is surely one.
+void describe_serial_port(DeviceKind& kind, const std::string& port,
+                          const std::optional<UsbIdentity>& identity);
+
+/// Where devices of a driver that calls a vendor's library may be plugged in, by loading that library into
+/// this process, which is palpable-library-host. Errors: usage (no such driver), device.
+Result<std::vector<std::string>> vendor_ports(std::string_view scheme);
 
 }  // namespace palpable::device

@@ -134,7 +134,8 @@ Result<std::vector<std::string>> force_dimension_ports() {
 
 Result<std::unique_ptr<Device>> open_force_dimension(DeviceUrl& url, const OpenOptions& options) {
   ForceDimensionOptions wanted;
-  wanted.initialise = url.take_word("initialise", {"yes", "no"}) == "yes";
+  wanted.initialise = url.take_word("initialise", {"yes", "no"}) == "yes" &&
+                      options.vendor_library != VendorLibrary::here_to_free_motors;
   wanted.max_force_N = url.take_number("max-force", 0.0, 0.1, 40.0);
   wanted.continuous_force_N = take_continuous_force(url);
   wanted.rate_hz = options.rate_hz;

@@ -45,7 +45,9 @@ class ForceDimensionDevice : public testing::Test {
     bench_.reset();
   }
   Result<std::unique_ptr<Device>> open(const std::string& options = {}) {
-    return open_device("forcedimension:?library=" PALPABLE_VIRTUAL_DHD + options, {});
+    OpenOptions here;
+    here.vendor_library = VendorLibrary::here;
+    return open_device("forcedimension:?library=" PALPABLE_VIRTUAL_DHD + options, here);
   }
   void inject(LibraryFault fault) { bench_.inject(static_cast<int>(fault)); }
   /// The motors' force in our frame.

@@ -126,6 +126,7 @@ bool OpenHaptics::is_calibrated() noexcept {
 }
 
 void OpenHaptics::exchange() noexcept {
+  const LibraryCall call(in_call_since_ns_);
   hd_.hdBeginFrame(handle_);
   State state;
   state.calibrated = is_calibrated();

@@ -8,6 +8,7 @@
 #include "palpable/device/open_haptics/hd_functions.hpp"
 #include "palpable/device/transport/force_hand_off.hpp"
 #include "palpable/device/transport/fresh_reading.hpp"
+#include "palpable/device/transport/library_call.hpp"
 
 #include <atomic>
 #include <memory>
@@ -34,7 +35,7 @@ struct OpenHapticsOptions {
 /// A device that 3D Systems' libHD drives (docs/devices.md): three axes, forces only. The library's own
 /// thread calls the driver about 1000 times per second. There the position is read and the newest force
 /// written; the servo's thread exchanges both with it without waiting (ForceHandOff).
-class OpenHaptics final : public Device {
+class OpenHaptics final : public Device, public CallsByThread {
  public:
   /// Starts the library's thread. Errors (device): no device, or the library's own sentence.
   static Result<std::unique_ptr<OpenHaptics>> open(const HdFunctions& hd, const OpenHapticsOptions& options);
@@ -46,6 +47,9 @@ class OpenHaptics final : public Device {
   void stop() noexcept override;
   std::string fault() const override;
   std::string guidance() const override;
+  std::int64_t in_call_since_ns() const noexcept override {
+    return in_call_since_ns_.load(std::memory_order_acquire);
+  }
 
  private:
   /// From the library's thread to the servo's.
@@ -60,6 +64,7 @@ class OpenHaptics final : public Device {
   bool is_calibrated() noexcept;
 
   HdFunctions hd_;
+  std::atomic<std::int64_t> in_call_since_ns_{0};
   unsigned handle_;
   unsigned long task_ = 0;
   Traits traits_;

@@ -46,7 +46,9 @@ class TouchDevice : public testing::Test {
     bench_.reset();
   }
   static Result<std::unique_ptr<Device>> open(const std::string& name = {}, const std::string& options = {}) {
-    return open_device("touch:" + name + "?library=" PALPABLE_VIRTUAL_HD + options, {});
+    OpenOptions here;
+    here.vendor_library = VendorLibrary::here;
+    return open_device("touch:" + name + "?library=" PALPABLE_VIRTUAL_HD + options, here);
   }
   void inject(LibraryFault fault) const { bench_.inject(static_cast<int>(fault)); }
   Vec3 motors() const {

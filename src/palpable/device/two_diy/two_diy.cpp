@@ -260,6 +260,21 @@ std::vector<std::string> two_diy_ports() {
   return ports;
 }
 
+namespace {
+
+bool says_two_diy(const std::string& port) {
+  const auto identity = usb_identity(port);
+  return identity && is_surely_two_diy(*identity);
+}
+
+}  // namespace
+
+bool is_surely_two_diy(const UsbIdentity& identity) {
+  std::string words = identity.maker + " " + identity.product;
+  std::ranges::transform(words, words.begin(), [](unsigned char c) { return std::tolower(c); });
+  return words.find("haply") != std::string::npos;
+}
+
 Result<std::unique_ptr<Device>> open_two_diy(DeviceUrl& url, const OpenOptions& options) {
   std::vector<std::string> names;
   for (const auto& variant : kTwoDiyVariants) names.emplace_back(variant.name);
@@ -268,7 +283,11 @@ Result<std::unique_ptr<Device>> open_two_diy(DeviceUrl& url, const OpenOptions& 
   if (auto valid = url.finish(); !valid) return std::move(valid).error();
   std::string path = url.path();
   if (path.empty()) {
-    const auto ports = two_diy_ports();
+    auto ports = two_diy_ports();
+    // One that says what it is comes before the others.
+    std::ranges::stable_partition(ports, says_two_diy);
+    const bool is_one = ports.size() > 1 && says_two_diy(ports[0]) && !says_two_diy(ports[1]);
+    if (is_one) ports.resize(1);
     if (ports.empty())
       return Error{ErrorCode::device, "no 2DIY is plugged in: there is no /dev/ttyACM port", "2diy"};
     if (ports.size() > 1)

@@ -5,6 +5,7 @@
 #include "palpable/device/device.hpp"
 #include "palpable/device/motor_heat.hpp"
 #include "palpable/device/transport/fresh_reading.hpp"
+#include "palpable/device/transport/port_state.hpp"
 #include "palpable/device/transport/serial_port.hpp"
 #include "palpable/device/two_diy/two_diy_wire.hpp"
 #include "palpable/device/zero_write.hpp"
@@ -80,5 +81,9 @@ Result<std::unique_ptr<Device>> open_two_diy(DeviceUrl& url, const OpenOptions& 
 
 /// The ports on which a 2DIY may be, sorted: /dev/ttyACM*.
 std::vector<std::string> two_diy_ports();
+
+/// Whether a port's USB device says that it is of the 2DIY's maker. Others may be a 2DIY, since its boards
+/// also show the numbers of the board that they were made from.
+bool is_surely_two_diy(const UsbIdentity& identity);
 
 }  // namespace palpable::device

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A double of Force Dimension's library for tests, with one device: each force moves its handle by 1 ms. The
 // virtual_dhd_ functions are for the test. All calls come from one thread.
+#include "palpable/device/virtual/library_board.hpp"
 #include "palpable/device/virtual/moved_handle.hpp"
 
 #include <optional>
@@ -10,6 +11,7 @@ namespace {
 
 using palpable::Vec3;
 using palpable::device::LibraryFault;
+using palpable::device::VendorCall;
 
 struct VirtualDhd {
   palpable::device::MovedHandle handle;
@@ -35,6 +37,11 @@ bool is_gone() {
   return fault == LibraryFault::unplugged || fault == LibraryFault::absent;
 }
 
+void hold(Vec3 force_N) {
+  the_device().force_N = force_N;
+  if (auto* board = palpable::device::library_board(); board != nullptr) board->set(force_N);
+}
+
 }  // namespace
 
 extern "C" {
@@ -42,18 +49,20 @@ extern "C" {
 int dhdGetDeviceCount() { return is_gone() ? 0 : 1; }
 
 int dhdOpenID(char index) {
+  palpable::device::pass(VendorCall::opening);
   if (is_gone() || index != 0) return -1;
   the_device().opened = true;
   return 0;
 }
 
 int dhdClose(char /*number*/) {
+  palpable::device::pass(VendorCall::closing);
   the_device().opened = false;
   return 0;
 }
 
 int dhdStop(char /*number*/) {
-  the_device().force_N = {};
+  hold({});
   the_device().enabled = false;
   return 0;
 }
@@ -64,7 +73,10 @@ int dhdEnableForce(unsigned char on, char /*number*/) {
 }
 
 int dhdGetPosition(double* x, double* y, double* z, char /*number*/) {
+  palpable::device::pass(VendorCall::reading);
   VirtualDhd& device = the_device();
+  if (auto* board = palpable::device::library_board(); board != nullptr)
+    board->goal_m.take(device.handle.goal_m);
   const auto place = is_gone() ? std::nullopt : device.sensor.measure(device.handle, device.fault);
   if (!place) return -1;
   *x = place->x;
@@ -74,9 +86,10 @@ int dhdGetPosition(double* x, double* y, double* z, char /*number*/) {
 }
 
 int dhdSetForce(double x, double y, double z, char /*number*/) {
+  palpable::device::pass(VendorCall::forcing);
   VirtualDhd& device = the_device();
   if (is_gone()) return -1;
-  device.force_N = {x, y, z};
+  hold({x, y, z});
   if (device.on_force != nullptr) device.on_force(device.data, x, y, z);
   device.handle.move(device.enabled ? device.force_N : Vec3{}, 0.001);
   // "Sent too early" is an answer of the real library, and no error.

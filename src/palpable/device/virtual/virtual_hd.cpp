@@ -3,6 +3,7 @@
 // A double of libHD for tests, with one device. The scheduler's calls are made by the test, with
 // virtual_hd_call(), or by a thread of its own at 1 kHz (virtual_hd_run()). The virtual_hd_ functions are for
 // the test.
+#include "palpable/device/virtual/library_board.hpp"
 #include "palpable/device/virtual/moved_handle.hpp"
 
 #include <array>
@@ -16,6 +17,7 @@ namespace {
 
 using palpable::Vec3;
 using palpable::device::LibraryFault;
+using palpable::device::VendorCall;
 
 // The library's numbers, stated here once more: a wrong one in the driver must not be right here too.
 namespace hd {
@@ -69,6 +71,11 @@ struct VirtualHd {
   bool threaded = false;
   std::atomic<bool> ends{false};
   std::thread thread;
+
+  /// The process may be ended by exit(), with the thread.
+  ~VirtualHd() {
+    if (thread.joinable()) thread.detach();
+  }
 };
 
 VirtualHd& the_device() {
@@ -95,6 +102,7 @@ void call() {
 extern "C" {
 
 unsigned hdInitDevice(const char* name) {
+  palpable::device::pass(VendorCall::opening);
   const std::scoped_lock lock(the_device().mutex);
   if (is_gone() || the_device().fault == LibraryFault::absent ||
       (name != nullptr && std::strcmp(name, "Left") != 0)) {
@@ -106,6 +114,7 @@ unsigned hdInitDevice(const char* name) {
 }
 
 void hdDisableDevice(unsigned /*handle*/) {
+  palpable::device::pass(VendorCall::closing);
   const std::scoped_lock lock(the_device().mutex);
   the_device().opened = false;
   the_device().force_N = {};
@@ -137,6 +146,9 @@ void hdGetDoublev(unsigned what, double* values) {
   } else if (what == hd::kNominalMaxContinuousForce) {
     *values = 0.88;
   } else if (what == hd::kPosition) {
+    palpable::device::pass(VendorCall::reading);
+    if (auto* board = palpable::device::library_board(); board != nullptr)
+      board->goal_m.take(device.handle.goal_m);
     const auto measured_m = device.sensor.measure(device.handle, device.fault);
     if (!measured_m) return fail(kDeviceFault);
     const Vec3 place = 1000.0 * *measured_m + kMiddle_mm;
@@ -156,8 +168,10 @@ void hdGetIntegerv(unsigned what, int* value) {
 void hdSetDoublev(unsigned what, const double* values) {
   // The real library takes forces only within a frame.
   if (what != hd::kCurrentForce || !the_device().in_frame) return fail(kInvalidValue);
+  palpable::device::pass(VendorCall::forcing);
   VirtualHd& device = the_device();
   device.force_N = {values[0], values[1], values[2]};
+  if (auto* board = palpable::device::library_board(); board != nullptr) board->set(device.force_N);
   if (device.on_force != nullptr) device.on_force(device.reported_to, values[0], values[1], values[2]);
 }
 
@@ -174,7 +188,7 @@ const char* hdGetErrorString(unsigned code) {
 void hdStartScheduler() {
   VirtualHd& device = the_device();
   device.running = true;
-  if (!device.threaded) return;
+  if (!device.threaded && palpable::device::library_board() == nullptr) return;
   device.ends = false;
   device.thread = std::thread([&device] {
     while (!device.ends) {
@@ -189,6 +203,7 @@ void hdStopScheduler() {
   device.ends = true;
   if (device.thread.joinable()) device.thread.join();
   device.running = false;
+  if (auto* board = palpable::device::library_board(); board != nullptr) board->hold({});
 }
 
 unsigned long hdScheduleAsynchronous(unsigned (*task)(void*), void* data, unsigned short /*priority*/) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/servo/tool_path.hpp"
 
+#include "palpable/haptics/tick/velocity.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -16,16 +18,25 @@ struct Probe {
   /// One for each point of its tool.
   std::vector<TouchState> states;
   std::vector<Point<SceneFrame>> places;
+  /// Of a sensor with a step; none without one.
+  std::vector<VelocityEstimator> velocities;
 };
 
+/// The velocity at `place`: of the last way, or of the longest window that its sensor's step leaves open.
+Vector<SceneFrame> velocity_at(Point<SceneFrame> place, std::size_t point, double dt_s, Probe& probe) {
+  if (probe.velocities.empty()) return (1.0 / dt_s) * (place - probe.places[point]);
+  return {probe.velocities[point].update({place.v}, dt_s).v};
+}
+
 ToolOutput evaluate(const Touchable& touchable, std::span<const ToolPlace> tool, const ToolPose& pose,
-                    Probe& probe) {
+                    double sensor_step_m, Probe& probe) {
   // Tick length of a first sample, which has no previous one.
   constexpr double kFirstTick_s = 0.001;
   const bool first = !probe.last_s;
   if (first) {
     probe.states.resize(tool.size());
     probe.places.resize(tool.size());
+    if (sensor_step_m > 0.0) probe.velocities.assign(tool.size(), VelocityEstimator(sensor_step_m));
   }
   ToolOutput sum;
   Hand hand;
@@ -33,8 +44,8 @@ ToolOutput evaluate(const Touchable& touchable, std::span<const ToolPlace> tool,
   hand.rotation = pose.scene_from_tool.rotation;
   for (std::size_t i = 0; i < tool.size(); ++i) {
     hand.position = pose.scene_from_tool * tool[i].place;
-    hand.velocity_m_per_s =
-        first ? Vector<SceneFrame>{} : (1.0 / hand.dt_s) * (hand.position - probe.places[i]);
+    const Vector<SceneFrame> velocity = velocity_at(hand.position, i, hand.dt_s, probe);
+    hand.velocity_m_per_s = first ? Vector<SceneFrame>{} : velocity;
     probe.places[i] = hand.position;
     const LawOutput place = touchable.evaluate(hand, probe.states[i]);
     const Vector<SceneFrame> force = tool[i].share * place.force_N;
@@ -53,10 +64,10 @@ ToolOutput evaluate(const Touchable& touchable, std::span<const ToolPlace> tool,
 }  // namespace
 
 void probe_tools(const Touchable& touchable, std::span<const ToolPlace> tool, std::span<const ToolPose> poses,
-                 const std::function<void(const ToolPose&, const ToolOutput&)>& each) {
+                 const std::function<void(const ToolPose&, const ToolOutput&)>& each, double sensor_step_m) {
   std::vector<Probe> probes(kMaxProbes);
   for (const ToolPose& pose : poses)
-    each(pose, evaluate(touchable, tool, pose, probes[static_cast<std::size_t>(pose.probe)]));
+    each(pose, evaluate(touchable, tool, pose, sensor_step_m, probes[static_cast<std::size_t>(pose.probe)]));
 }
 
 Result<void> check_poses(std::span<const ToolPose> poses) {

@@ -43,11 +43,13 @@ struct ToolOutput {
 /// Evaluates the law's force and torque along a sequence of poses, which may alternate between probes;
 /// without caps, ramps or passivity control. Each point of each probe is a separate touch (its own state and
 /// proxy), whose force is multiplied by its weight. The first pose of a probe starts its touches at rest;
-/// velocities are backward differences of the points. Deterministic. Poses and points must be valid
+/// velocities are backward differences of the points, or, with `sensor_step_m` above 0, those that a touch
+/// computes of readings in such steps (VelocityEstimator). Deterministic. Poses and points must be valid
 /// (check_poses, check_tool). `each` is called for every pose in order. With the undamped law `penalty` on a
 /// field, the result equals tool_wrench().
 void probe_tools(const Touchable& touchable, std::span<const ToolPlace> tool, std::span<const ToolPose> poses,
-                 const std::function<void(const ToolPose&, const ToolOutput&)>& each);
+                 const std::function<void(const ToolPose&, const ToolOutput&)>& each,
+                 double sensor_step_m = 0.0);
 
 /// Checks poses: finite, a valid probe number, and later than the previous pose of the same probe. The error
 /// is a sentence with the number of the first invalid sample.

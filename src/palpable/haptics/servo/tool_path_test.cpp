@@ -31,10 +31,10 @@ models::Scene floor_scene() {
   return scene;
 }
 
-std::shared_ptr<const Touchable> floor_with(Law law) {
+std::shared_ptr<const Touchable> floor_with(Law law, double damping_Ns_per_m = 0.0) {
   LawParameters parameters;
   parameters.law = law;
-  parameters.damping_Ns_per_m = 0.0;
+  parameters.damping_Ns_per_m = damping_Ns_per_m;
   parameters.static_friction = 0.0;
   return *make_touchable(floor_scene(), parameters);
 }
@@ -110,6 +110,31 @@ TEST(ToolPath, KeepsEachProbesTouchApart) {
   });
   EXPECT_EQ(next[1], 60U);
   EXPECT_TRUE(expected[1].back().contact);
+}
+
+TEST(ToolPath, TakesTheVelocityOfASensorWithAStepFromMoreThanItsLastReading) {
+  // 4 mm/s into a damped floor, read in steps of 20 µm: every fifth tick is a step.
+  constexpr double kStep_m = 2e-5;
+  std::vector<ToolPose> poses;
+  for (int i = 0; i < 400; ++i) {
+    const double depth_m = kStep_m * std::round(4e-6 * i / kStep_m);
+    poses.push_back(pose_at(0.001 * i, {0.0, 0.0, -depth_m}));
+  }
+  const auto touchable = floor_with(Law::penalty, 2.0);
+  const std::array point{ToolPlace{}};
+  const auto largest_change_N = [&](double sensor_step_m) {
+    double largest_N = 0.0, last_N = 0.0;
+    int tick = 0;
+    probe_tools(
+        *touchable, point, poses,
+        [&](const ToolPose&, const ToolOutput& felt) {
+          if (++tick > 50) largest_N = std::max(largest_N, std::abs(felt.force_N.v.z - last_N));
+          last_N = felt.force_N.v.z;
+        },
+        sensor_step_m);
+    return largest_N;
+  };
+  EXPECT_LT(largest_change_N(kStep_m), 0.5 * largest_change_N(0.0));
 }
 
 TEST(ToolPath, RefusesInvalidPosesAndTools) {

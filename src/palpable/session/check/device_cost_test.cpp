@@ -3,7 +3,7 @@
 // What a driver costs in each tick: no allocation, and the processor time that is printed.
 #include "palpable/core/system/allocations.hpp"
 #include "palpable/device/inverse3/inverse3_messages.hpp"
-#include "palpable/session/check/driver_bench.hpp"
+#include "palpable/session/check/hosted_bench.hpp"
 
 #include <algorithm>
 #include <ctime>
@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(
                     CostCase{"force_dimension", force_dimension_bench},
                     CostCase{"open_haptics",
                              [](const OnForce& on_force) { return open_haptics_bench(on_force); }},
-                    CostCase{"evdev", evdev_bench}),
+                    CostCase{"hosted", hosted_force_dimension_bench}, CostCase{"evdev", evdev_bench}),
     [](const testing::TestParamInfo<CostCase>& tested) { return std::string(tested.param.name); });
 
 TEST(Inverse3Cost, OfItsThreadIsThatOfItsMessages) {

@@ -4,6 +4,7 @@
 #include "palpable/haptics/servo/servo_loop.hpp"
 #include "palpable/haptics/servo/start_touch.hpp"
 #include "palpable/session/check/driver_bench.hpp"
+#include "palpable/session/check/hosted_bench.hpp"
 #include "palpable/session/check/offline_ticks.hpp"
 #include "palpable/session/check/wire_forces.hpp"
 #include "palpable/session/touch/haptic_scene.hpp"
@@ -128,17 +129,13 @@ DriverBench told_two_diy_bench(const OnForce& on_force) {
   return two_diy_bench_that(TwoDiyTells::torques, on_force);
 }
 
-DriverBench threaded_open_haptics_bench(const OnForce& on_force) {
-  return open_haptics_bench(on_force, Callbacks::by_thread);
-}
-
 INSTANTIATE_TEST_SUITE_P(
     Drivers, EachDriver,
     testing::Values(DriverCase{"two_diy", told_two_diy_bench, kTwoDiyStep_Nm, two_diy_torques, 0.0},
                     DriverCase{"inverse3", inverse3_bench, kExact_N, the_force, 0.012},
                     DriverCase{"falcon", falcon_bench, kFalconStep_N, the_force, 0.012},
-                    DriverCase{"force_dimension", force_dimension_bench, kExact_N, the_force, 0.012},
-                    DriverCase{"open_haptics", threaded_open_haptics_bench, kExact_N, the_force, 0.012},
+                    DriverCase{"force_dimension", hosted_force_dimension_bench, kExact_N, the_force, 0.012},
+                    DriverCase{"open_haptics", hosted_open_haptics_bench, kExact_N, the_force, 0.012},
                     DriverCase{"evdev", evdev_bench, kEvdevStep_N, the_force, 0.0}),
     [](const testing::TestParamInfo<DriverCase>& tested) { return std::string(tested.param.name); });
 

@@ -65,6 +65,8 @@ struct DriverBench {
   std::function<Vec3()> motors_N;
   /// What came that was no command; null if the interface allows only commands.
   std::function<std::uint64_t()> strange;
+  /// How many commands it has taken; null if it takes each one at once.
+  std::function<std::uint64_t()> taken;
   bool is_real_time = false;
   /// Its motors can be reached after it was unplugged: by another connection to its service.
   bool is_reached_when_gone = false;
@@ -180,6 +182,7 @@ inline DriverBench inverse3_bench(const OnForce& on_force) {
                                                           : Fault::none);
   };
   bench.motors_N = [service, ours] { return ours(service->force_N()); };
+  bench.taken = [service] { return service->messages(); };
   bench.strange = [service] { return service->strange(); };
   return bench;
 }
@@ -250,6 +253,13 @@ inline LibraryControls bind_controls(device::SharedLibrary& library, const std::
   return controls;
 }
 
+/// With its library in this process, where the test can reach it.
+inline Result<std::unique_ptr<device::Device>> open_here(const std::string& url) {
+  device::OpenOptions options;
+  options.vendor_library = device::VendorLibrary::here;
+  return device::open_device(url, options);
+}
+
 inline DriverBench force_dimension_bench(const OnForce& on_force) {
   auto library = device::SharedLibrary::open(PALPABLE_VIRTUAL_DHD, {});
   EXPECT_TRUE(library);
@@ -262,7 +272,7 @@ inline DriverBench force_dimension_bench(const OnForce& on_force) {
         },
         told.get());
   DriverBench bench;
-  bench.open = [] { return device::open_device("forcedimension:?library=" PALPABLE_VIRTUAL_DHD, {}); };
+  bench.open = [] { return open_here("forcedimension:?library=" PALPABLE_VIRTUAL_DHD); };
   bench.pull_to = [controls](Vec3 goal) { controls.pull_to(goal.z, goal.x, goal.y); };
   bench.pass_tick = [] {};
   bench.inject = [controls](DriverFault fault) { controls.inject(static_cast<int>(library_fault(fault))); };
@@ -294,7 +304,7 @@ inline DriverBench open_haptics_bench(const OnForce& on_force, Callbacks callbac
         told.get());
   const auto stalled = std::make_shared<bool>(false);
   DriverBench bench;
-  bench.open = [] { return device::open_device("touch:?library=" PALPABLE_VIRTUAL_HD, {}); };
+  bench.open = [] { return open_here("touch:?library=" PALPABLE_VIRTUAL_HD); };
   bench.pull_to = [controls](Vec3 goal) { controls.pull_to(goal.x, goal.y, goal.z); };
   bench.pass_tick = [callbacks, call, stalled] {
     if (callbacks == Callbacks::by_ticks && !*stalled) call();

@@ -131,10 +131,9 @@ TEST(TwoHands, NamesDevicesThatCannotBeTouchedTogether) {
   EXPECT_EQ(error_of("pointer:", {"sim:"}).code, ErrorCode::usage);
   EXPECT_EQ(error_of("sim:", {"falcn:"}).code, ErrorCode::usage);
   EXPECT_EQ(error_of("sim:?motors=one", {"sim:?seed=2&motors=one"}).code, ErrorCode::usage);
-  // The same port by another name is busy.
   device::VirtualTwoDiy board(device::kTwoDiyVariants[0]);
-  const Error busy = error_of("2diy:" + board.path(), {"2diy:" + board.path() + "?variant=v3"});
-  EXPECT_EQ(busy.code, ErrorCode::device) << busy.sentence();
+  const Error twice = error_of("2diy:" + board.path(), {"2diy:" + board.path() + "?variant=v3"});
+  EXPECT_EQ(twice.code, ErrorCode::usage) << twice.sentence();
 }
 
 TEST(TwoHands, EachReachesAMagnifiedSceneWithItsOwnDevice) {
