@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/device/force_dimension/dhd_functions.hpp"
 
-#include "palpable/device/transport/shared_library.hpp"
+#include "palpable/core/system/shared_library.hpp"
 
 namespace palpable::device {
 

@@ -4,7 +4,7 @@
 
 #include "palpable/core/system/allocations.hpp"
 #include "palpable/device/drivers/open.hpp"
-#include "palpable/device/transport/shared_library.hpp"
+#include "palpable/core/system/shared_library.hpp"
 #include "palpable/device/virtual/moved_handle.hpp"
 
 #include <chrono>

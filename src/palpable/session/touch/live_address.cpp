@@ -214,6 +214,18 @@ Result<LiveAddress> parse_video(device::DeviceUrl url) {
   return LiveAddress(cameras);
 }
 
+Result<LiveAddress> parse_depth_camera(device::DeviceUrl url, sources::DepthCamera::Kind kind) {
+  const auto number = url.path_number(sources::kMostDepthCamera);
+  if (!number) return number.error();
+  sources::DepthCamera camera;
+  camera.kind = kind;
+  // The first, unless one is named.
+  camera.number = std::max(0, *number);
+  camera.library = url.take_text("library");
+  if (auto finished = url.finish(); !finished) return std::move(finished).error();
+  return LiveAddress(std::move(camera));
+}
+
 }  // namespace
 
 bool is_live_address(const std::string& input) {
@@ -227,13 +239,19 @@ Result<LiveAddress> parse_live_address(const std::string& address) {
   if (!url) return std::move(url).error();
   if (url->scheme() == "frames") return parse_frames(*std::move(url));
   if (url->scheme() == "camera") return parse_video(*std::move(url));
+  using Kind = sources::DepthCamera::Kind;
+  if (url->scheme() == "openni") return parse_depth_camera(*std::move(url), Kind::openni);
+  if (url->scheme() == "freenect") return parse_depth_camera(*std::move(url), Kind::freenect);
+  if (url->scheme() == "realsense") return parse_depth_camera(*std::move(url), Kind::realsense);
   if (url->scheme() == "ros") return parse_ros(*std::move(url));
   if (url->scheme() == "robot") return parse_robot(*std::move(url));
-  return Error{ErrorCode::usage,
-               fmt::format("live sources of the kind {}: are not supported yet; frames:FOLDER, camera:N, "
-                           "ros://HOST:PORT, robot:HOST:PORT and http://HOST:PORT/PATH are",
-                           url->scheme()),
-               address};
+  return Error{
+      ErrorCode::usage,
+      fmt::format(
+          "live sources of the kind {}: are not supported yet; frames:FOLDER, camera:N, "
+          "openni:N, freenect:N, realsense:N, ros://HOST:PORT, robot:HOST:PORT and http://HOST:PORT/PATH are",
+          url->scheme()),
+      address};
 }
 
 }  // namespace palpable::session

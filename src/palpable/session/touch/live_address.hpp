@@ -4,6 +4,7 @@
 
 #include "palpable/core/result.hpp"
 #include "palpable/session/robot/robot_drive.hpp"
+#include "palpable/sources/depth_camera/depth_camera.hpp"
 #include "palpable/sources/live/http_camera.hpp"
 #include "palpable/sources/live/video_device.hpp"
 
@@ -59,10 +60,11 @@ struct RobotAddress {
   RobotMode mode = RobotMode::drive;
 };
 
-using LiveAddress = std::variant<FramesAddress, HttpCameras, VideoCameras, RosAddress, RobotAddress>;
+using LiveAddress =
+    std::variant<FramesAddress, HttpCameras, VideoCameras, sources::DepthCamera, RosAddress, RobotAddress>;
 
 /// Parses frames:FOLDER?fps=30&loop=0, camera:N?right=N&size=1280x480&fps=30&format=mjpeg (all that both
-/// cameras have in common; format: mjpeg, yuyv),
+/// cameras have in common; format: mjpeg, yuyv), openni:N?library=FILE, freenect:N and realsense:N likewise,
 /// ros://HOST:PORT?depth=/TOPIC&color=/TOPIC&info=/TOPIC&scale=METRES,
 /// robot:HOST:PORT with these options and those of docs/live.md, or
 /// http://HOST:PORT/PATH?QUERY#right=http://HOST:PORT/PATH?QUERY (what stands before # is the camera's own).

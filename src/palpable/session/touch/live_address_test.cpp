@@ -3,6 +3,7 @@
 #include "palpable/session/touch/live_address.hpp"
 
 #include <string>
+#include <utility>
 #include <variant>
 
 #include <gtest/gtest.h>
@@ -44,6 +45,25 @@ TEST(LiveAddress, ReadsCamerasOfThisMachine) {
   EXPECT_EQ(std::get<VideoCameras>(*parse_live_address("camera:")).left.number, -1);
   const auto plain = std::get<VideoCameras>(*parse_live_address("camera:0"));
   EXPECT_FALSE(plain.right || plain.left.coding || plain.left.width != 0 || plain.left.rate_hz != 0);
+}
+
+TEST(LiveAddress, ReadsDepthCamerasOfThisMachine) {
+  using Kind = sources::DepthCamera::Kind;
+  for (const auto& [scheme, kind] : {std::pair("openni", Kind::openni), std::pair("freenect", Kind::freenect),
+                                     std::pair("realsense", Kind::realsense)}) {
+    const auto parsed = parse_live_address(std::string(scheme) + ":2?library=/opt/lib.so");
+    ASSERT_TRUE(parsed) << parsed.error().sentence();
+    const auto& camera = std::get<sources::DepthCamera>(*parsed);
+    EXPECT_EQ(camera.kind, kind);
+    EXPECT_EQ(camera.number, 2);
+    EXPECT_EQ(camera.library, "/opt/lib.so");
+    // The first, where the system looks.
+    const auto plain = std::get<sources::DepthCamera>(*parse_live_address(std::string(scheme) + ":"));
+    EXPECT_EQ(plain.number, 0);
+    EXPECT_EQ(plain.library, "");
+    for (const char* wrong : {":x", ":-1", ":64", ":0?lib=x"})
+      EXPECT_FALSE(parse_live_address(scheme + std::string(wrong))) << scheme << wrong;
+  }
 }
 
 TEST(LiveAddress, ReadsTheTopicsOfARosbridgeServer) {

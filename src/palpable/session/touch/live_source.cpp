@@ -3,6 +3,7 @@
 #include "palpable/session/touch/live_source.hpp"
 
 #include "palpable/session/touch/camera_pairs.hpp"
+#include "palpable/session/touch/depth_camera_source.hpp"
 #include "palpable/session/touch/live_address.hpp"
 #include "palpable/session/touch/matched_source.hpp"
 #include "palpable/session/touch/recorded_pairs.hpp"
@@ -146,10 +147,12 @@ Result<std::unique_ptr<LiveSource>> open_live_source(const std::string& address,
     return matched(open_pairs(*local, options.layout));
   const auto* ros = std::get_if<RosAddress>(&*parsed);
   const auto* robot = std::get_if<RobotAddress>(&*parsed);
-  if ((ros != nullptr || robot != nullptr) && !options.record_to.empty())
+  const auto* depths = std::get_if<sources::DepthCamera>(&*parsed);
+  if ((ros != nullptr || robot != nullptr || depths != nullptr) && !options.record_to.empty())
     return Error{ErrorCode::usage, "depth is not recorded; pairs of cameras are", address};
   if (ros != nullptr) return open_ros_source(*ros);
   if (robot != nullptr) return open_robot_source(*robot);
+  if (depths != nullptr) return open_depth_camera_source(*depths, address);
   const auto& frames = std::get<FramesAddress>(*parsed);
   auto folder = sources::FrameFolder::open(frames.folder);
   if (!folder) return std::move(folder).error();

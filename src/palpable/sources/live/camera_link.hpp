@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/picture/camera.hpp"
+#include "palpable/core/picture/image.hpp"
 #include "palpable/core/result.hpp"
 
 #include <chrono>
@@ -29,20 +31,36 @@ struct CameraFrame {
   std::vector<std::byte> bytes;
 };
 
-/// The connection to one camera: opened by opening it, lost for good at its first error. One thread.
-class CameraLink {
- public:
-  CameraLink() = default;
-  virtual ~CameraLink() = default;
-  CameraLink(const CameraLink&) = delete;
-  CameraLink& operator=(const CameraLink&) = delete;
-
-  /// The newest picture since the last call, its number counted from this link's first; waits for one at most
-  /// `longest`. nullopt: none yet. Errors (invalid_input or failed, without a place): the link is lost.
-  virtual Result<std::optional<CameraFrame>> next(std::chrono::milliseconds longest) = 0;
+/// What a depth camera saw: depths with the camera that they belong to, and the colours of the same pixels if
+/// it gives some.
+struct DepthFrame {
+  /// As CameraFrame::number.
+  std::uint64_t number = 0;
+  std::chrono::steady_clock::time_point arrival;
+  DepthMap depth;
+  std::optional<Image> colour;
 };
 
-/// Opens a link, within two seconds. Errors as CameraLink::next().
-using OpenLink = std::function<Result<std::unique_ptr<CameraLink>>()>;
+/// The connection to one camera that gives frames of this type: opened by opening it, lost for good at its
+/// first error. One thread.
+template <class Frame>
+class CameraLinkOf {
+ public:
+  CameraLinkOf() = default;
+  virtual ~CameraLinkOf() = default;
+  CameraLinkOf(const CameraLinkOf&) = delete;
+  CameraLinkOf& operator=(const CameraLinkOf&) = delete;
+
+  /// The newest frame since the last call, its number counted from this link's first; waits for one at most
+  /// `longest`. nullopt: none yet. Errors (invalid_input or failed, without a place): the link is lost.
+  virtual Result<std::optional<Frame>> next(std::chrono::milliseconds longest) = 0;
+};
+using CameraLink = CameraLinkOf<CameraFrame>;
+using DepthCameraLink = CameraLinkOf<DepthFrame>;
+
+/// Opens a link, within a few seconds. Errors as CameraLinkOf::next().
+template <class Frame>
+using OpenLinkOf = std::function<Result<std::unique_ptr<CameraLinkOf<Frame>>>()>;
+using OpenLink = OpenLinkOf<CameraFrame>;
 
 }  // namespace palpable::sources

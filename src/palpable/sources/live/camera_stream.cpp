@@ -47,20 +47,23 @@ Result<Image> picture_of(const CameraFrame& frame) {
   return from_yuyv(frame);
 }
 
-Result<std::unique_ptr<CameraStream>> CameraStream::open(OpenLink open, std::string name,
-                                                         std::chrono::milliseconds retry) {
+template <class Frame>
+Result<std::unique_ptr<CameraStreamOf<Frame>>> CameraStreamOf<Frame>::open(OpenLinkOf<Frame> open,
+                                                                           std::string name,
+                                                                           std::chrono::milliseconds retry) {
   auto link = open();
   if (!link) {
     link.error().place = name;
     return std::move(link).error();
   }
-  std::unique_ptr<CameraStream> stream(new CameraStream(std::move(open), std::move(name), retry));
+  std::unique_ptr<CameraStreamOf> stream(new CameraStreamOf(std::move(open), std::move(name), retry));
   stream->thread_ =
       std::thread([raw = stream.get(), first = *std::move(link)]() mutable { raw->run(std::move(first)); });
   return stream;
 }
 
-CameraStream::~CameraStream() {
+template <class Frame>
+CameraStreamOf<Frame>::~CameraStreamOf() {
   {
     const std::lock_guard lock(mutex_);
     ending_ = true;
@@ -69,20 +72,23 @@ CameraStream::~CameraStream() {
   if (thread_.joinable()) thread_.join();
 }
 
-Result<std::optional<CameraFrame>> CameraStream::take(std::chrono::steady_clock::time_point deadline) {
+template <class Frame>
+Result<std::optional<Frame>> CameraStreamOf<Frame>::take(std::chrono::steady_clock::time_point deadline) {
   std::unique_lock lock(mutex_);
   changed_.wait_until(lock, deadline, [&] { return newest_ || (lost_ && !came_); });
   if (newest_) return std::exchange(newest_, std::nullopt);
   if (lost_ && !came_) return *lost_;
-  return std::optional<CameraFrame>();
+  return std::optional<Frame>();
 }
 
-std::optional<std::string> CameraStream::loss() {
+template <class Frame>
+std::optional<std::string> CameraStreamOf<Frame>::loss() {
   const std::lock_guard lock(mutex_);
   return std::exchange(unsaid_, std::nullopt);
 }
 
-void CameraStream::run(std::unique_ptr<CameraLink> link) {
+template <class Frame>
+void CameraStreamOf<Frame>::run(std::unique_ptr<CameraLinkOf<Frame>> link) {
   while (!ending_) {
     if (link) lose(follow(*link));
     link.reset();
@@ -94,7 +100,8 @@ void CameraStream::run(std::unique_ptr<CameraLink> link) {
 }
 
 /// Why the link was lost.
-Error CameraStream::follow(CameraLink& link) {
+template <class Frame>
+Error CameraStreamOf<Frame>::follow(CameraLinkOf<Frame>& link) {
   constexpr std::chrono::milliseconds kPatience{100};
   const std::uint64_t base = base_;
   while (!ending_) {
@@ -113,7 +120,8 @@ Error CameraStream::follow(CameraLink& link) {
   return {};
 }
 
-void CameraStream::lose(Error error) {
+template <class Frame>
+void CameraStreamOf<Frame>::lose(Error error) {
   {
     const std::lock_guard lock(mutex_);
     if (std::exchange(is_here_, false))
@@ -124,5 +132,8 @@ void CameraStream::lose(Error error) {
   }
   changed_.notify_all();
 }
+
+template class CameraStreamOf<CameraFrame>;
+template class CameraStreamOf<DepthFrame>;
 
 }  // namespace palpable::sources

@@ -22,34 +22,35 @@ namespace palpable::sources {
 /// more than kMostFramePixels, or fewer bytes than its size needs.
 Result<Image> picture_of(const CameraFrame& frame);
 
-/// The newest picture of one camera, read on a thread of its own; a camera that is lost is tried again.
-class CameraStream {
+/// The newest frame of one camera, read on a thread of its own; a camera that is lost is tried again.
+template <class Frame>
+class CameraStreamOf {
  public:
   /// How long after a loss the camera is tried again.
   static constexpr std::chrono::milliseconds kRetry{1000};
 
   /// Connects. `name`: the camera's address, for sentences. Errors: as `open`, with the name as the place.
-  static Result<std::unique_ptr<CameraStream>> open(OpenLink open, std::string name,
-                                                    std::chrono::milliseconds retry = kRetry);
-  ~CameraStream();
-  CameraStream(const CameraStream&) = delete;
-  CameraStream& operator=(const CameraStream&) = delete;
+  static Result<std::unique_ptr<CameraStreamOf>> open(OpenLinkOf<Frame> open, std::string name,
+                                                      std::chrono::milliseconds retry = kRetry);
+  ~CameraStreamOf();
+  CameraStreamOf(const CameraStreamOf&) = delete;
+  CameraStreamOf& operator=(const CameraStreamOf&) = delete;
 
   /// The newest frame that was not taken; waits for one until `deadline`. nullopt: none came. Errors: why the
   /// camera was lost before its first frame, with its name as the place.
-  Result<std::optional<CameraFrame>> take(std::chrono::steady_clock::time_point deadline);
+  Result<std::optional<Frame>> take(std::chrono::steady_clock::time_point deadline);
   /// A sentence that the camera was lost, and why, if that is new: once for each loss.
   std::optional<std::string> loss();
   const std::string& name() const { return name_; }
 
  private:
-  CameraStream(OpenLink open, std::string name, std::chrono::milliseconds retry)
+  CameraStreamOf(OpenLinkOf<Frame> open, std::string name, std::chrono::milliseconds retry)
       : open_(std::move(open)), name_(std::move(name)), retry_(retry) {}
-  void run(std::unique_ptr<CameraLink> link);
-  Error follow(CameraLink& link);
+  void run(std::unique_ptr<CameraLinkOf<Frame>> link);
+  Error follow(CameraLinkOf<Frame>& link);
   void lose(Error error);
 
-  OpenLink open_;
+  OpenLinkOf<Frame> open_;
   std::string name_;
   std::chrono::milliseconds retry_;
   /// The first number of the link that is open.
@@ -57,7 +58,7 @@ class CameraStream {
   std::atomic<bool> ending_{false};
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::optional<CameraFrame> newest_;
+  std::optional<Frame> newest_;
   /// A frame came since the last loss; one ever came.
   bool is_here_ = false;
   bool came_ = false;
@@ -65,5 +66,10 @@ class CameraStream {
   std::optional<std::string> unsaid_;
   std::thread thread_;
 };
+
+using CameraStream = CameraStreamOf<CameraFrame>;
+using DepthCameraStream = CameraStreamOf<DepthFrame>;
+extern template class CameraStreamOf<CameraFrame>;
+extern template class CameraStreamOf<DepthFrame>;
 
 }  // namespace palpable::sources

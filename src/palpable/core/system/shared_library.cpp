@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/device/transport/shared_library.hpp"
+#include "palpable/core/system/shared_library.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -13,7 +13,7 @@
 #include <dlfcn.h>
 #include <elf.h>
 
-namespace palpable::device {
+namespace palpable {
 namespace {
 
 namespace fs = std::filesystem;
@@ -111,4 +111,4 @@ Result<void*> SharedLibrary::address_of(const char* name) const {
                name_};
 }
 
-}  // namespace palpable::device
+}  // namespace palpable

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace palpable::device {
+namespace palpable {
 
 /// A vendor's library that is opened at run time, so that Palpable neither contains nor needs it. It stays
 /// loaded until the program ends: some of these libraries cannot be loaded twice.
@@ -37,4 +37,4 @@ class SharedLibrary {
   std::string name_;
 };
 
-}  // namespace palpable::device
+}  // namespace palpable
