@@ -107,8 +107,8 @@ std::optional<MapSample> SurfaceMap::sample(Point<WorldFrame> p) const {
   return sample;
 }
 
-std::vector<MapPoint> SurfaceMap::surface() const {
-  std::vector<MapPoint> points;
+std::vector<SurfacePoint> SurfaceMap::surface() const {
+  std::vector<SurfacePoint> points;
   const double side = options_.voxel_m;
   // A crossing between a fully free voxel and the back of a surface is no place where a surface was seen.
   const auto near_m = static_cast<float>(0.98 * truncation_m());

@@ -57,7 +57,7 @@ TEST(SurfaceMap, KeepsPlanesWhereTheyAre) {
   EXPECT_FALSE(map.sample({{0.3, 0.2, 2.5}}));
   const auto surface = map.surface();
   EXPECT_GT(surface.size(), 5000U);
-  for (const MapPoint& p : surface) {
+  for (const SurfacePoint& p : surface) {
     const double off = std::min(
         {std::abs(p.position_m.x - 0.6), std::abs(p.position_m.y - 0.4), std::abs(p.position_m.z - 2.0)});
     EXPECT_LT(off, 0.02);
@@ -93,7 +93,7 @@ TEST(SurfaceMap, ForgetsWhatIsOldAndStaysWithinItsMemory) {
   EXPECT_LT(map.bytes(), 1'000'000U);
   // A picture without surface in reach.
   map.add({Raster<float>(80, 60, 0.5F), kCamera, camera_at({500, 0, 0})}, 30.0);
-  for (const MapPoint& p : map.surface()) EXPECT_GT(p.position_m.x, 400.0);
+  for (const SurfacePoint& p : map.surface()) EXPECT_GT(p.position_m.x, 400.0);
 }
 
 TEST(MapView, ShowsTheMapFromElsewhereWithTheTimeOfItsParts) {

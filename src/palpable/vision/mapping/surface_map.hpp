@@ -55,7 +55,7 @@ struct MapSample {
 };
 
 /// A point of the mapped surface, for measures and pictures.
-struct MapPoint {
+struct SurfacePoint {
   Vec3 position_m;
   /// When it was seen last, on the clock of SurfaceMap::add().
   double seen_s = 0.0;
@@ -84,7 +84,7 @@ class SurfaceMap {
   double seen_s(Vec3 p) const;
   bool has_block(BlockPlace place) const { return index_.find(place) != BlockIndex::kNone; }
   /// Where the surface crosses the lines between neighbouring voxels.
-  std::vector<MapPoint> surface() const;
+  std::vector<SurfacePoint> surface() const;
 
   const SurfaceMapOptions& options() const { return options_; }
   double block_m() const { return kSide * options_.voxel_m; }
