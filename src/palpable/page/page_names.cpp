@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/page_names.hpp"
 
+#include "palpable/describe/language.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/describe/place_words.hpp"
 
@@ -28,8 +29,8 @@ void tell_apart(const models::Scene& scene, const describe::PlaceGuide& guide,
     for (std::size_t k = 0; k < entries.size(); ++k) {
       const Place at = guide.places()[seen[entries[k]].place].name.at;
       places[entries[k]].words =
-          fmt::format("{}, {} of {}, {}", words, k + 1, entries.size(),
-                      describe::from_middle_words({at.x_m - middle.x, at.y_m - middle.y}));
+          describe::phrase("{}, {} of {}, {}", words, k + 1, entries.size(),
+                           describe::from_middle_words({at.x_m - middle.x, at.y_m - middle.y}));
     }
   }
 }
@@ -66,7 +67,7 @@ Result<std::optional<std::size_t>> PageNames::place_in_list(const models::Scene&
   const auto count = guide(scene).places().size();
   if (!place) return std::optional<std::size_t>();
   if (list != list_ || static_cast<std::size_t>(*place) >= count)
-    return Error{ErrorCode::usage, "the names have changed: list them anew", {}};
+    return Error{ErrorCode::usage, describe::tr("the names have changed: list them anew"), {}};
   return std::optional(static_cast<std::size_t>(*place));
 }
 
@@ -133,8 +134,8 @@ protocol::Words PageNames::way(const models::Scene& scene, const protocol::Ask& 
     words.y_m = way->at.y_m;
     return words;
   }
-  words.text =
-      fmt::format("Here: {}.{}{}", named.words, named.name.sentence.empty() ? "" : " ", named.name.sentence);
+  words.text = describe::phrase("Here: {}.", named.words) + (named.name.sentence.empty() ? "" : " ") +
+               named.name.sentence;
   targets_.at(probe).reset();
   return words;
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The force over the last seconds, as a line.
 
+import { t } from '../language';
+
 const seconds = 10;
 
 export class ForcePlot {
@@ -67,7 +69,7 @@ export class ForcePlot {
     }
     pen.textBaseline = 'alphabetic';
     pen.textAlign = 'left';
-    pen.fillText(`${seconds} s ago`, left, height - 3);
+    pen.fillText(t('{seconds} s ago', { seconds }), left, height - 3);
     pen.textAlign = 'right';
     pen.fillText('now', right, height - 3);
     this.line(pen, style.getPropertyValue('--accent'), (t) => right - ((right - left) * t) / seconds, y);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the head is: metres in the frame of the screen, from its resting place straight before the middle of the picture.
 // Keys and drags move it.
+import { t } from '../../language';
 import type { ScreenPoint } from './frustum';
 
 export const restingHead: ScreenPoint = { x: 0, y: 0, z: 0 };
@@ -23,10 +24,12 @@ export function headStep(right: number, down: number, shift: boolean): ScreenPoi
 
 /** The head's place in a sentence. */
 export function headWords({ x, y, z }: ScreenPoint): string {
-  const of = (metres: number, more: string, less: string) => {
-    const rounded = Math.round(100 * Math.abs(metres));
-    return rounded === 0 ? [] : [`${rounded} ${rounded === 1 ? 'centimetre' : 'centimetres'} ${metres > 0 ? more : less}`];
-  };
-  const parts = [...of(x, 'right', 'left'), ...of(y, 'up', 'down'), ...of(z, 'farther away', 'nearer')];
-  return parts.length === 0 ? 'Your head is straight before the picture.' : `Your head is ${parts.join(', ')}.`;
+  const centimetres = (metres: number) => Math.round(100 * Math.abs(metres));
+  const parts = [
+    { count: centimetres(x), words: x > 0 ? t('{count, plural, one {# centimetre} other {# centimetres}} right', { count: centimetres(x) }) : t('{count, plural, one {# centimetre} other {# centimetres}} left', { count: centimetres(x) }) },
+    { count: centimetres(y), words: y > 0 ? t('{count, plural, one {# centimetre} other {# centimetres}} up', { count: centimetres(y) }) : t('{count, plural, one {# centimetre} other {# centimetres}} down', { count: centimetres(y) }) },
+    { count: centimetres(z), words: z > 0 ? t('{count, plural, one {# centimetre} other {# centimetres}} farther away', { count: centimetres(z) }) : t('{count, plural, one {# centimetre} other {# centimetres}} nearer', { count: centimetres(z) }) },
+  ].filter(({ count }) => count > 0);
+  if (parts.length === 0) return t('Your head is straight before the picture.');
+  return t('Your head is {place}.', { place: parts.map(({ words }) => words).join(', ') });
 }
