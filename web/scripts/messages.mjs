@@ -61,7 +61,7 @@ export function messagesOfHtml(path) {
     } else {
       top.parts.push(`{${top.count++}}`);
       for (const [, key, value] of attributes.matchAll(/([a-z-]+)="([^"]*)"/g))
-        if (['aria-label', 'aria-roledescription', 'title', 'placeholder', 'alt', 'label'].includes(key) && hasWords(value)) found.push(clean(plain(value)));
+        if (['aria-label', 'aria-roledescription', 'title', 'placeholder', 'alt', 'label', 'data-empty', 'data-when-paused'].includes(key) && hasWords(value)) found.push(clean(plain(value)));
       if (!voids.has(name)) open.push({ name, parts: [], count: 0 });
     }
   }

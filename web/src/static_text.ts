@@ -3,7 +3,7 @@
 // The texts of the HTML. A text with elements in it is one message: {0} stands for its first element and so on.
 import { language, t } from './language';
 
-const attributes = ['aria-label', 'aria-roledescription', 'title', 'placeholder', 'alt', 'label'];
+const attributes = ['aria-label', 'aria-roledescription', 'title', 'placeholder', 'alt', 'label', 'data-empty', 'data-when-paused'];
 
 const clean = (text: string): string => text.replace(/\s+/g, ' ');
 const hasWords = (text: string | null): boolean => /\p{L}{2}/u.test(text ?? '');

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The force over the last seconds, as a line.
 
-import { t } from '../language';
+import { rounded, t } from '../language';
 
 const seconds = 10;
 
@@ -61,7 +61,7 @@ export class ForcePlot {
     pen.textBaseline = 'middle';
     pen.textAlign = 'right';
     for (const tick of [0, this.top / 2, this.top]) {
-      pen.fillText(`${tick}`, left - 6, y(tick));
+      pen.fillText(rounded(tick, 3), left - 6, y(tick));
       pen.beginPath();
       pen.moveTo(left, y(tick));
       pen.lineTo(right, y(tick));
@@ -71,7 +71,7 @@ export class ForcePlot {
     pen.textAlign = 'left';
     pen.fillText(t('{seconds} s ago', { seconds }), left, height - 3);
     pen.textAlign = 'right';
-    pen.fillText('now', right, height - 3);
+    pen.fillText(t('now'), right, height - 3);
     this.line(pen, style.getPropertyValue('--accent'), (t) => right - ((right - left) * t) / seconds, y);
   }
 
