@@ -38,10 +38,12 @@ void tell_apart(const models::Scene& scene, const describe::PlaceGuide& guide,
 }  // namespace
 
 const describe::PlaceGuide& PageNames::guide(const models::Scene& scene) {
-  if (guide_ == nullptr || !guide_->is_of(scene)) {
-    guide_ = std::make_unique<const describe::PlaceGuide>(scene);
-    ++list_;
-  }
+  const bool is_of_scene = guide_ != nullptr && guide_->is_of(scene);
+  if (is_of_scene && language_ == describe::current_language()) return *guide_;
+  guide_ = std::make_unique<const describe::PlaceGuide>(scene);
+  language_ = describe::current_language();
+  // In another language the places are the same, in the same order.
+  if (!is_of_scene) ++list_;
   return *guide_;
 }
 
@@ -102,8 +104,13 @@ std::optional<std::size_t> PageNames::target(const models::Scene& scene, std::si
   const auto& wanted = targets_.at(probe);
   if (!wanted) return std::nullopt;
   const auto& places = guide(scene).places();
-  const auto found = std::find_if(places.begin(), places.end(),
-                                  [&](const describe::NamedPlace& place) { return place.name == *wanted; });
+  auto found = std::find_if(places.begin(), places.end(),
+                            [&](const describe::NamedPlace& place) { return place.name == *wanted; });
+  // What the program found has another name in another language.
+  if (found == places.end())
+    found = std::find_if(places.begin(), places.end(), [&](const describe::NamedPlace& place) {
+      return !place.written && place.name.at == wanted->at && place.name.extent == wanted->extent;
+    });
   if (found == places.end()) return std::nullopt;
   return static_cast<std::size_t>(found - places.begin());
 }
