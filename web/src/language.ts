@@ -29,7 +29,11 @@ export function chosenLanguage(cookies: string, hash: string): Language | null {
 /** Keeps the choice and loads the page again in this language. */
 export function choose(language: Language): void {
   document.cookie = `${cookieName}=${language}; Path=/; SameSite=Strict; Max-Age=${365 * 24 * 3600}`;
-  if (chosenLanguage(document.cookie, '') !== language) location.hash = [...location.hash.slice(1).split('&').filter((part) => part !== '' && !part.startsWith('language=')), `language=${language}`].join('&');
+  // A page from a disk keeps no cookies.
+  if (chosenLanguage(document.cookie, '') !== language) {
+    const others = location.hash.slice(1).split('&').filter((part) => part !== '' && !part.startsWith('language='));
+    location.hash = [...others, `language=${language}`].join('&');
+  }
   location.reload();
 }
 

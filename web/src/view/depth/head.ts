@@ -24,12 +24,10 @@ export function headStep(right: number, down: number, shift: boolean): ScreenPoi
 
 /** The head's place in a sentence. */
 export function headWords({ x, y, z }: ScreenPoint): string {
-  const centimetres = (metres: number) => Math.round(100 * Math.abs(metres));
-  const parts = [
-    { count: centimetres(x), words: x > 0 ? t('{count, plural, one {# centimetre} other {# centimetres}} right', { count: centimetres(x) }) : t('{count, plural, one {# centimetre} other {# centimetres}} left', { count: centimetres(x) }) },
-    { count: centimetres(y), words: y > 0 ? t('{count, plural, one {# centimetre} other {# centimetres}} up', { count: centimetres(y) }) : t('{count, plural, one {# centimetre} other {# centimetres}} down', { count: centimetres(y) }) },
-    { count: centimetres(z), words: z > 0 ? t('{count, plural, one {# centimetre} other {# centimetres}} farther away', { count: centimetres(z) }) : t('{count, plural, one {# centimetre} other {# centimetres}} nearer', { count: centimetres(z) }) },
-  ].filter(({ count }) => count > 0);
-  if (parts.length === 0) return t('Your head is straight before the picture.');
-  return t('Your head is {place}.', { place: parts.map(({ words }) => words).join(', ') });
+  const count = (metres: number) => ({ count: Math.round(100 * Math.abs(metres)) });
+  const right = x > 0 ? t('{count, plural, one {# centimetre} other {# centimetres}} right', count(x)) : t('{count, plural, one {# centimetre} other {# centimetres}} left', count(x));
+  const up = y > 0 ? t('{count, plural, one {# centimetre} other {# centimetres}} up', count(y)) : t('{count, plural, one {# centimetre} other {# centimetres}} down', count(y));
+  const away = z > 0 ? t('{count, plural, one {# centimetre} other {# centimetres}} farther away', count(z)) : t('{count, plural, one {# centimetre} other {# centimetres}} nearer', count(z));
+  const place = [right, up, away].filter((_, k) => count([x, y, z][k]!).count > 0).join(', ');
+  return place === '' ? t('Your head is straight before the picture.') : t('Your head is {place}.', { place });
 }
