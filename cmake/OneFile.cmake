@@ -27,7 +27,7 @@ function(palpable_one_file_page)
     add_custom_command(
       OUTPUT ${wasm}
       COMMAND ${module}/wasm/build.sh ${PALPABLE_EMSCRIPTEN_TOOLCHAIN} ${CMAKE_GENERATOR} ${PALPABLE_NODE} ${need} ${wasm}
-      DEPENDS ${sources} ${web}/protocol.json ${web}/scripts/protocol.mjs
+      DEPENDS ${sources} ${web}/languages/program/de.json ${web}/languages/program/es.json ${module}/../describe/catalogues.gen.hpp.in ${web}/protocol.json ${web}/scripts/protocol.mjs
       COMMENT "Compiling the touch to WebAssembly (emscripten)"
       VERBATIM)
     file(GLOB_RECURSE scripts ${web}/src/*)
@@ -36,7 +36,7 @@ function(palpable_one_file_page)
       OUTPUT ${page}
       COMMAND ${PALPABLE_NPM} run --silent build:onefile -- --outDir ${CMAKE_BINARY_DIR}/web/onefile --emptyOutDir --logLevel warn
       COMMAND ${PALPABLE_NODE} ${web}/scripts/one_file.mjs ${CMAKE_BINARY_DIR}/web/onefile ${wasm} ${page}
-      DEPENDS ${wasm} ${web}/node_modules/.palpable-lock ${scripts} ${web}/index.html ${web}/protocol.json
+      DEPENDS ${wasm} ${web}/node_modules/.palpable-lock ${scripts} ${web}/languages/de.json ${web}/languages/es.json ${web}/index.html ${web}/protocol.json
               ${web}/scripts/one_file.mjs ${web}/vite.onefile.config.ts ${web}/public/favicon.svg
       WORKING_DIRECTORY ${web}
       COMMENT "Building the one-file page"

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Authentication: the address's token is exchanged for a cookie, once.
 
+import { t } from './language';
+
 export interface Loss {
   sentence: string;
   /** Whether there is no automatic retry. */
@@ -20,6 +22,6 @@ export async function enter(): Promise<Loss | null> {
     // Refusals for too many pages are temporary; those without a cookie are final.
     return reply.ok ? null : { sentence: await reply.text(), final: reply.status !== 503 };
   } catch {
-    return { sentence: 'Palpable does not answer: it has probably ended. Trying again.', final: false };
+    return { sentence: t('Palpable does not answer: it has probably ended. Trying again.'), final: false };
   }
 }

@@ -122,14 +122,18 @@ it('is saved as a clip of its length, or not at all', async () => {
   const film = await seen.evaluate(async (base64) => {
     const video = document.querySelector('video')!;
     video.src = URL.createObjectURL(await (await fetch(`data:video/webm;base64,${base64}`)).blob());
+    await new Promise((resolve) => video.addEventListener('loadedmetadata', resolve, { once: true }));
+    // As its header says: without that it is infinite.
+    const { duration } = video;
     await video.play();
     await new Promise((resolve) => video.addEventListener('ended', resolve, { once: true }));
     // Chromium's own count.
     const { webkitAudioDecodedByteCount: heard } = video as unknown as { webkitAudioDecodedByteCount: number };
-    return { width: video.videoWidth, seconds: video.currentTime, heard };
+    return { width: video.videoWidth, duration, seconds: video.currentTime, heard };
   }, bytes.toString('base64'));
   expect(film.width).toBe(await page.locator('#stage canvas').evaluate((canvas) => (canvas as HTMLCanvasElement).width));
   expect(film.seconds).toBeGreaterThan(1);
+  expect(Math.abs(film.duration - film.seconds)).toBeLessThan(0.2);
   expect(film.heard).toBeGreaterThan(0);
   await seen.close();
 });

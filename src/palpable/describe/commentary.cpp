@@ -3,6 +3,7 @@
 #include "palpable/describe/commentary.hpp"
 
 #include "palpable/describe/contour_lines.hpp"
+#include "palpable/describe/language.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/describe/place_guide.hpp"
 
@@ -19,12 +20,13 @@ namespace {
 std::string sweep_name(const models::Scene& scene, Place place) {
   const std::string name = name_at(scene, place);
   // Between the streets of a map nothing is said.
-  if (scene.map != nullptr && name != kRouteEnd &&
+  if (scene.map != nullptr && name != tr(kRouteEnd) &&
       models::label_at(scene, {{place.x_m, place.y_m, 0.0}}) == 0 && written_at(scene, place) == nullptr)
     return {};
   const auto* contours = std::get_if<std::shared_ptr<const models::Contours>>(&scene.model);
   if (contours == nullptr || !name.empty()) return name;
-  return nearest_line((*contours)->boundaries, place, kOnLine_m) ? "on the line" : std::string();
+  return nearest_line((*contours)->boundaries, place, kOnLine_m) ? std::string(tr("on the line"))
+                                                                 : std::string();
 }
 
 double distance_m(Place a, Place b) { return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m); }
@@ -126,7 +128,7 @@ std::string Commentary::edge_at(const models::Scene& scene, double height_factor
   // Hysteresis: a probe that rests on an edge reports it once.
   on_edge_ = std::abs(step_m) >= (was_on_edge ? 0.5 : 1.0) * least_m;
   if (!on_edge_ || was_on_edge) return {};
-  return step_m > 0.0 ? "Edge up" : "Edge down";
+  return step_m > 0.0 ? tr("Edge up") : tr("Edge down");
 }
 
 }  // namespace palpable::describe

@@ -3,6 +3,7 @@
 #include "palpable/describe/found_places.hpp"
 
 #include "palpable/describe/contour_lines.hpp"
+#include "palpable/describe/language.hpp"
 #include "palpable/describe/map_places.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/describe/place_words.hpp"
@@ -47,7 +48,9 @@ NamedPlace found(std::string name, Place at, Extent extent, std::vector<Place> l
   return place;
 }
 
-std::string numbered(const char* what, std::size_t index) { return fmt::format("{} {}", what, index + 1); }
+std::string numbered(const char* what, std::size_t index) {
+  return fmt::format("{} {}", tr(what), index + 1);
+}
 
 // Maps.
 
@@ -137,9 +140,9 @@ void add_regions(const models::Scene& scene, const Raster<std::uint8_t>& labels,
     const std::string& name = scene.materials[label].name;
     const bool has_name = name != models::Material{}.name;
     if (!middles[label] || (!has_name && label == 0)) continue;
-    places.push_back(found(has_name ? name : fmt::format("region {}", label), *middles[label], Extent::label,
-                           {},
-                           pieces[label] > 1 ? fmt::format("in {} places", pieces[label]) : std::string()));
+    places.push_back(found(has_name ? known(name) : phrase("region {}", label), *middles[label],
+                           Extent::label, {},
+                           pieces[label] > 1 ? phrase("in {} places", pieces[label]) : std::string()));
   }
 }
 
@@ -152,9 +155,9 @@ void add_lines(const models::BoundaryMap& map, std::vector<NamedPlace>& places) 
     if (line.points.size() < 2) continue;
     const Place at = line.points[line.closed ? 0 : line.points.size() / 2];
     places.push_back(
-        found(drawing.lines.size() == 1 ? "the line" : numbered("line", k), at,
+        found(drawing.lines.size() == 1 ? tr("the line") : numbered("line", k), at,
               line.closed ? Extent::area : Extent::line, thinned(line.points),
-              fmt::format("{}, {} long", line.closed ? "closed" : "open", spoken_length(line.length_m))));
+              phrase("{}, {} long", tr(line.closed ? "closed" : "open"), spoken_length(line.length_m))));
   }
 }
 
@@ -196,7 +199,7 @@ void add_bodies(const models::Scene& scene, const std::vector<models::Superquadr
     auto outline = outline_of(bodies[k]);
     const Extent extent = outline.size() > 2 ? Extent::area : Extent::point;
     if (extent == Extent::point) outline.clear();
-    places.push_back(found(bodies.size() == 1 ? "the body" : numbered("body", k), {t.x, t.y}, extent,
+    places.push_back(found(bodies.size() == 1 ? tr("the body") : numbered("body", k), {t.x, t.y}, extent,
                            std::move(outline), region_of(scene, {t.x, t.y})));
   }
 }

@@ -3,6 +3,7 @@
 #include "palpable/describe/map_places.hpp"
 
 #include "palpable/core/geometry/map_place.hpp"
+#include "palpable/describe/language.hpp"
 #include "palpable/describe/numbers.hpp"
 
 #include <algorithm>
@@ -36,23 +37,30 @@ bool is_large(MapPlace::Kind kind) { return is_special_building(kind) || kind ==
 
 std::string where_words(const MapGuide& guide, const NamedPlace& place) {
   return fmt::format("{}, {}{}", place.words, guide.region_of(guide.pixel_of(place.name.at)),
-                     place.felt ? "" : ", which cannot be felt");
+                     place.felt ? "" : tr(", which cannot be felt"));
 }
 
 }  // namespace
+
+std::string place_words(const MapPlace& place) {
+  std::string words = known(std::string(words_of(place.kind)));
+  if (place.tactile_paving) words = phrase("{} with tactile paving", words);
+  if (place.name.empty()) return words;
+  return map_place_kind_in(place.name) == place.kind ? place.name : place.name + ", " + words;
+}
 
 std::vector<NamedPlace> named_places(const MapGuide& guide) {
   const StreetMap& map = guide.map();
   std::vector<NamedPlace> places;
   for (const MapPlace& place : map.places) {
     NamedPlace named;
-    named.name.name = place.name.empty() ? std::string(words_of(place.kind)) : place.name;
+    named.name.name = place.name.empty() ? known(std::string(words_of(place.kind))) : place.name;
     named.name.at = guide.place_of(place.at);
     if (is_special_building(place.kind) && place.outline.size() > 2) {
       named.name.extent = models::PlaceName::Extent::area;
       for (const MapPoint p : place.outline) named.name.line.push_back(guide.place_of(p));
     }
-    named.words = words_of(place);
+    named.words = place_words(place);
     named.kind = place.kind;
     named.felt = place.felt;
     places.push_back(std::move(named));
@@ -94,8 +102,8 @@ std::string special_places_words(const MapGuide& guide, std::size_t most) {
       ++more;
   }
   if (words.empty()) return {};
-  if (more > 0) words.push_back(fmt::format("{} more", more));
-  return fmt::format("Special places: {}.", fmt::join(words, "; "));
+  if (more > 0) words.push_back(phrase("{} more", more));
+  return phrase("Special places: {}.", fmt::join(words, "; "));
 }
 
 std::string special_places_text(const MapGuide& guide) {
@@ -110,8 +118,9 @@ std::string special_places_text(const MapGuide& guide) {
     if (place.kind && *place.kind != MapPlace::Kind::crossing && *place.kind != MapPlace::Kind::entrance)
       lines += capitalised(where_words(guide, place)) + ".\n";
   if (crossings > 0)
-    counts += fmt::format("{}, {} of them with tactile paving.\n",
-                          capitalised(counted(crossings, "crossing", "crossings")), tactile);
+    counts += phrase("{}, {} of them with tactile paving.",
+                     capitalised(counted(crossings, "crossing", "crossings")), tactile) +
+              "\n";
   if (entrances > 0) counts += capitalised(counted(entrances, "entrance", "entrances")) + ".\n";
   if (lines.empty() && counts.empty()) return {};
   return "\nSpecial places.\n" + lines + counts;

@@ -20,6 +20,9 @@ std::vector<NamedPlace> named_places(const MapGuide& guide);
 /// is none.
 const MapPlace* place_at(const MapGuide& guide, MapPoint at);
 
+/// What a special place is called: "St Mary, church".
+std::string place_words(const MapPlace& place);
+
 /// The special places in one sentence: "Special places: St Mary, church, upper left; …". Buildings and
 /// roundabouts, at most `most` of them; empty if there are none.
 std::string special_places_words(const MapGuide& guide, std::size_t most);

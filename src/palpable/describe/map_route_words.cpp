@@ -3,6 +3,7 @@
 #include "palpable/describe/map_route_words.hpp"
 
 #include "palpable/core/geometry/map_place.hpp"
+#include "palpable/describe/language.hpp"
 #include "palpable/describe/map_places.hpp"
 #include "palpable/describe/map_text.hpp"
 #include "palpable/describe/name_search.hpp"
@@ -34,9 +35,9 @@ double distance_px(MapPoint a, MapPoint b) { return std::hypot(b.x - a.x, b.y - 
 
 /// "120 metres to the north-east", "12 millimetres up".
 std::string offset_to(const MapGuide& guide, MapPoint from, MapPoint to) {
-  return fmt::format("{}{}{}", guide.distance_words(distance_px(from, to)),
-                     guide.map().metres_per_px > 0.0 ? " to the " : " ",
-                     guide.direction_words(models::bearing_of(from, to)));
+  return phrase(guide.map().metres_per_px > 0.0 ? "{} to the {}" : "{} {}",
+                guide.distance_words(distance_px(from, to)),
+                guide.direction_words(models::bearing_of(from, to)));
 }
 
 /// The node nearest to a place among those that a filter accepts.
@@ -65,9 +66,9 @@ std::string end_of_piece(const MapGuide& guide, std::size_t node, const StreetPo
   const std::string others = others_at(guide, node, guide.map().streets[on.piece].name);
   const StreetNode& end = guide.network().nodes()[node];
   const std::string what = !others.empty()            ? others
-                           : guide.is_at_edge(end.at) ? "the map's edge"
-                           : end.pieces.size() == 1   ? "a dead end"
-                                                      : "a junction";
+                           : guide.is_at_edge(end.at) ? tr("the map's edge")
+                           : end.pieces.size() == 1   ? tr("a dead end")
+                                                      : tr("a junction");
   return fmt::format("{} {}", what, offset_to(guide, on.at, end.at));
 }
 
@@ -91,9 +92,9 @@ Error not_found(const std::string& name, const Askable& all) {
   std::vector<std::size_t> longest(std::min(kMostNamesSaid, all.streets));
   std::iota(longest.begin(), longest.end(), std::size_t{0});
   return {ErrorCode::usage,
-          fmt::format("nothing on the map is called '{}'; {} {}", name,
-                      near.empty() ? "its longest streets are" : "similar names are",
-                      some_of(near.empty() ? longest : near, all.names)),
+          phrase("nothing on the map is called '{}'; {} {}", name,
+                 near.empty() ? "its longest streets are" : "similar names are",
+                 some_of(near.empty() ? longest : near, all.names)),
           {}};
 }
 
@@ -102,14 +103,13 @@ Result<std::size_t> one_name(const std::string& name, const Askable& all) {
   const MeantNames found = meant_names(name, all.names);
   if (found.names.empty()) return not_found(name, all);
   if (found.names.size() > 1)
-    return Error{
-        ErrorCode::usage, fmt::format("'{}' could be {}", name, some_of(found.names, all.names)), {}};
+    return Error{ErrorCode::usage, phrase("'{}' could be {}", name, some_of(found.names, all.names)), {}};
   const std::size_t one = found.names.front();
   if (one >= all.streets + all.places.size())
     return Error{ErrorCode::usage,
-                 fmt::format("{} is on the map, but cannot be felt: a smaller part of the map, or a larger "
-                             "size, shows it",
-                             all.names[one]),
+                 phrase("{} is on the map, but cannot be felt: a smaller part of the map, or a larger "
+                        "size, shows it",
+                        all.names[one]),
                  {},
                  Reason::map_too_dense};
   return one;
@@ -124,14 +124,14 @@ Result<StreetPosition> find_junction(const MapGuide& guide, const Askable& all, 
   if (!second) return second.error();
   const std::string &a = all.names[*first], &b = all.names[*second];
   if (a == b)
-    return Error{ErrorCode::usage, fmt::format("a junction is of two streets; '{}' names one", text), {}};
+    return Error{ErrorCode::usage, phrase("a junction is of two streets; '{}' names one", text), {}};
   const auto& nodes = guide.network().nodes();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto here = guide.names_at(i);
     if (std::count(here.begin(), here.end(), a) > 0 && std::count(here.begin(), here.end(), b) > 0)
       return *guide.network().nearest(nodes[i].at, 1.0);
   }
-  return Error{ErrorCode::usage, fmt::format("{} and {} do not meet on the map", a, b), {}};
+  return Error{ErrorCode::usage, phrase("{} and {} do not meet on the map", a, b), {}};
 }
 
 /// Where " to " begins in a text, in any case.
@@ -153,19 +153,19 @@ std::string map_position_words(const MapGuide& guide, Place probe) {
   const auto junction =
       nearest_node(guide, at, [&](std::size_t i) { return guide.network().nodes()[i].pieces.size() > 2; });
   const MapPlace* const place = place_at(guide, at);
-  const std::string here = place != nullptr ? fmt::format("At {}. ", words_of(*place)) : std::string();
+  const std::string here = place != nullptr ? phrase("At {}.", place_words(*place)) + " " : std::string();
   if (junction && distance_px(guide.network().nodes()[*junction].at, at) <= guide.pixels_of(kAtJunction_m))
-    return fmt::format("{}At a {}: {}.", here,
-                       guide.network().nodes()[*junction].roundabout ? "roundabout" : "junction",
-                       bearings_words(guide, *junction));
+    return here + phrase(guide.network().nodes()[*junction].roundabout ? "At a roundabout: {}."
+                                                                       : "At a junction: {}.",
+                         bearings_words(guide, *junction));
   const auto on = guide.network().nearest(at, std::numeric_limits<double>::infinity());
-  if (!on) return "No street.";
+  if (!on) return tr("No street.");
   const std::string name = called(guide.map().streets[on->piece]);
   if (on->distance_px > guide.pixels_of(kOnStreet_m))
-    return fmt::format("{}The nearest street is {}, {}.", here, name, offset_to(guide, at, on->at));
-  return fmt::format("{}On {}, between {} and {}.", here, name,
-                     end_of_piece(guide, guide.network().first_node(on->piece), *on),
-                     end_of_piece(guide, guide.network().last_node(on->piece), *on));
+    return here + phrase("The nearest street is {}, {}.", name, offset_to(guide, at, on->at));
+  return here + phrase("On {}, between {} and {}.", name,
+                       end_of_piece(guide, guide.network().first_node(on->piece), *on),
+                       end_of_piece(guide, guide.network().last_node(on->piece), *on));
 }
 
 std::string around_words(const MapGuide& guide, Place place) {
@@ -194,14 +194,14 @@ std::string around_words(const MapGuide& guide, Place place) {
     if (const MapPoint p = guide.pixel_of(named.name.at); true)
       near.push_back(
           {distance_px(p, at), fmt::format("{} {}", named.words, offset_to(guide, at, p)), named.words});
-  if (near.empty()) return "Nothing with a name is around.";
+  if (near.empty()) return tr("Nothing with a name is around.");
   std::sort(near.begin(), near.end(), [](const Near& a, const Near& b) { return a.distance < b.distance; });
   std::vector<std::string> words;
   // Of several crossings the nearest one is enough.
   std::set<std::string> named;
   for (const Near& one : near)
     if (words.size() < kMostNamed && named.insert(one.name).second) words.push_back(one.words);
-  return fmt::format("Around: {}.", fmt::join(words, "; "));
+  return phrase("Around: {}.", fmt::join(words, "; "));
 }
 
 std::vector<std::string> map_parts(const models::Scene& scene, Place probe) {
@@ -210,7 +210,7 @@ std::vector<std::string> map_parts(const models::Scene& scene, Place probe) {
   std::replace(heading.begin(), heading.end(), '\n', ' ');
   heading.pop_back();
   constexpr std::size_t kMostListed = 6;
-  std::string longest = "The longest streets.";
+  std::string longest = tr("The longest streets.");
   for (std::size_t i = 0; i < std::min(kMostListed, guide.streets().size()); ++i)
     longest += " " + street_words(guide, guide.streets()[i]);
   std::vector<std::string> parts{heading,
@@ -286,8 +286,8 @@ std::string detour_words(const MapGuide& all, const models::StreetRoute& route, 
   if (route.length_px < options.least_ratio * shortest->length_px ||
       route.length_px < shortest->length_px + least_px)
     return {};
-  return fmt::format("The shortest way, {}, leads over streets that cannot be felt.",
-                     all.distance_words(shortest->length_px));
+  return phrase("The shortest way, {}, leads over streets that cannot be felt.",
+                all.distance_words(shortest->length_px));
 }
 
 std::vector<std::string> route_words(const MapGuide& guide, const models::StreetRoute& route) {
@@ -299,19 +299,20 @@ std::vector<std::string> route_words(const MapGuide& guide, const models::Street
       const double turn =
           std::remainder(leg.first_bearing - route.legs[k - 1].last_bearing, 2.0 * std::numbers::pi);
       constexpr double kAhead = std::numbers::pi / 6.0, kSharp = 0.75 * std::numbers::pi;
-      const char* const side = turn < 0.0 ? "left" : "right";
-      step = std::abs(turn) < kAhead   ? fmt::format("straight on into {}", step)
-             : std::abs(turn) > kSharp ? fmt::format("turn sharply {} into {}", side, step)
-                                       : fmt::format("turn {} into {}", side, step);
+      const bool is_left = turn < 0.0;
+      step = std::abs(turn) < kAhead ? phrase("straight on into {}", step)
+             : std::abs(turn) > kSharp
+                 ? phrase(is_left ? "turn sharply left into {}" : "turn sharply right into {}", step)
+                 : phrase(is_left ? "turn left into {}" : "turn right into {}", step);
     }
     // The next turn is counted from the last direction, which must have been said.
     const std::string first = guide.direction_words(leg.first_bearing);
     const std::string last = guide.direction_words(leg.last_bearing);
-    words.push_back(fmt::format("{}, go {} for {}.", capitalised(step),
-                                first == last ? first : fmt::format("{}, in the end {},", first, last),
-                                guide.distance_words(leg.length_px)));
+    words.push_back(phrase("{}, go {} for {}.", capitalised(step),
+                           first == last ? first : phrase("{}, in the end {},", first, last),
+                           guide.distance_words(leg.length_px)));
   }
-  words.emplace_back("There is the end.");
+  words.emplace_back(tr("There is the end."));
   return words;
 }
 

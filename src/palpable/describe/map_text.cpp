@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/describe/map_text.hpp"
 
+#include "palpable/describe/language.hpp"
 #include "palpable/describe/map_places.hpp"
 #include "palpable/describe/map_words.hpp"
 #include "palpable/describe/numbers.hpp"
@@ -50,7 +51,7 @@ std::string course_words(const MapGuide& guide, const StreetRun& run) {
     std::string words = guide.direction_words(bearing);
     if (course.empty() || course.back() != words) course.push_back(std::move(words));
   }
-  return fmt::format("{}", fmt::join(course, ", then "));
+  return fmt::format("{}", fmt::join(course, fmt::format(", {} ", tr("then"))));
 }
 
 /// The other streets at a node, by the side on which they leave a run that goes on with `bearing`.
@@ -86,23 +87,23 @@ std::string meeting_words(const Sides& sides) {
     return names;
   };
   const auto left = rest(sides.left), right = rest(sides.right);
-  if (!both.empty()) parts.push_back(listed_names(both) + " across");
-  if (!left.empty()) parts.push_back(listed_names(left) + " on the left");
-  if (!right.empty()) parts.push_back(listed_names(right) + " on the right");
-  if (!sides.ahead.empty()) parts.push_back(listed_names(sides.ahead) + " straight ahead");
+  if (!both.empty()) parts.push_back(phrase("{} across", listed_names(both)));
+  if (!left.empty()) parts.push_back(phrase("{} on the left", listed_names(left)));
+  if (!right.empty()) parts.push_back(phrase("{} on the right", listed_names(right)));
+  if (!sides.ahead.empty()) parts.push_back(phrase("{} straight ahead", listed_names(sides.ahead)));
   return listed(parts);
 }
 
 /// Where a run begins or ends: "the map's edge, middle left", "Mill Lane", "a dead end, upper left".
 std::string end_words(const MapGuide& guide, std::size_t node, const std::string& own) {
   const MapPoint at = guide.network().nodes()[node].at;
-  if (guide.is_at_edge(at)) return "the map's edge, " + guide.region_of(at);
+  if (guide.is_at_edge(at)) return phrase("{}, {}", tr("the map's edge"), guide.region_of(at));
   std::set<std::string> names;
   for (const std::size_t piece : guide.network().nodes()[node].pieces) {
     const MapStreet& street = guide.map().streets[piece];
     if (street.name != own) names.insert(called(street));
   }
-  if (names.empty()) return "a dead end, " + guide.region_of(at);
+  if (names.empty()) return phrase("{}, {}", tr("a dead end"), guide.region_of(at));
   return fmt::format("{}, {}", listed_names(names), guide.region_of(at));
 }
 
@@ -110,12 +111,12 @@ std::string run_words(const MapGuide& guide, const std::string& name, const Stre
   const StreetRun run = as_read(as_found);
   std::string words;
   if (run.nodes.front() == run.nodes.back()) {
-    words = fmt::format("A ring, {} around, {}.", guide.distance_words(run.length_px),
-                        guide.region_of(run.line.front()));
+    words = phrase("A ring, {} around, {}.", guide.distance_words(run.length_px),
+                   guide.region_of(run.line.front()));
   } else {
-    words = fmt::format("{} from {}, {}, to {}.", guide.distance_words(run.length_px),
-                        end_words(guide, run.nodes.front(), name), course_words(guide, run),
-                        end_words(guide, run.nodes.back(), name));
+    words = phrase("{} from {}, {}, to {}.", guide.distance_words(run.length_px),
+                   end_words(guide, run.nodes.front(), name), course_words(guide, run),
+                   end_words(guide, run.nodes.back(), name));
   }
   constexpr double kStep_px = 8.0;
   std::vector<std::string> meetings;
@@ -124,10 +125,9 @@ std::string run_words(const MapGuide& guide, const std::string& name, const Stre
     const double bearing = models::bearing_of(models::place_along(run.line, along - kStep_px),
                                               models::place_along(run.line, along + kStep_px));
     const std::string meeting = meeting_words(sides_at(guide, run.nodes[k], name, bearing));
-    if (!meeting.empty())
-      meetings.push_back(fmt::format("after {} {}", guide.distance_words(along), meeting));
+    if (!meeting.empty()) meetings.push_back(phrase("after {} {}", guide.distance_words(along), meeting));
   }
-  if (!meetings.empty()) words += fmt::format(" On the way: {}.", fmt::join(meetings, "; "));
+  if (!meetings.empty()) words += " " + phrase("On the way: {}.", fmt::join(meetings, "; "));
   return words;
 }
 
@@ -235,8 +235,8 @@ void add_areas(std::string& text, const MapGuide& guide) {
 std::string street_words(const MapGuide& guide, const models::NamedStreet& street) {
   std::string words =
       fmt::format("{}, {}{}{}.", street.name, guide.distance_words(street.length_px),
-                  street.two_carriageways ? ", two carriageways" : "",
-                  street.runs.size() > 1 ? fmt::format(", in {} parts", street.runs.size()) : "");
+                  street.two_carriageways ? tr(", two carriageways") : "",
+                  street.runs.size() > 1 ? ", " + phrase("in {} parts", street.runs.size()) : "");
   for (const StreetRun& run : street.runs) words += " " + capitalised(run_words(guide, street.name, run));
   return words;
 }
@@ -250,7 +250,7 @@ std::string bearings_words(const MapGuide& guide, std::size_t at) {
     const std::string name = called(guide.map().streets[node.pieces[k]]);
     std::string words = guide.direction_words(node.bearings[k]);
     if (counts[words] > 1)
-      words += fmt::format(" at {:.0f} degrees", node.bearings[k] * 180.0 / std::numbers::pi);
+      words = phrase("{} at {:.0f} degrees", words, node.bearings[k] * 180.0 / std::numbers::pi);
     const auto known =
         std::find_if(streets.begin(), streets.end(), [&name](const auto& s) { return s.first == name; });
     if (known != streets.end())
@@ -259,36 +259,40 @@ std::string bearings_words(const MapGuide& guide, std::size_t at) {
       streets.push_back({name, {std::move(words)}});
   }
   std::vector<std::string> parts;
-  for (const auto& [name, directions] : streets) parts.push_back(name + " " + listed(directions));
+  for (const auto& [name, directions] : streets)
+    parts.push_back(fmt::format("{} {}", name, listed(directions)));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 std::string map_heading(const models::Scene& scene, const MapGuide& guide) {
   const StreetMap& map = guide.map();
-  std::string text = fmt::format("Street map: {}.\n", name_of(scene));
+  std::string text = phrase("Street map: {}.", name_of(scene)) + "\n";
   const double wide_m = guide.metres_on_device(map.width_px), high_m = guide.metres_on_device(map.height_px);
   if (map.metres_per_px > 0.0)
-    text += fmt::format(
-        "It shows {:.0f} by {:.0f} metres; north is up. On the model of {}, one centimetre is {:.0f} "
-        "metres.\n",
-        map.width_px * map.metres_per_px, map.height_px * map.metres_per_px,
-        spoken_lengths(wide_m, "by", high_m), 0.01 / guide.metres_on_device(1.0) * map.metres_per_px);
+    text +=
+        phrase(
+            "It shows {:.0f} by {:.0f} metres; north is up. On the model of {}, one centimetre is {:.0f} "
+            "metres.",
+            map.width_px * map.metres_per_px, map.height_px * map.metres_per_px,
+            spoken_lengths(wide_m, "by", high_m), 0.01 / guide.metres_on_device(1.0) * map.metres_per_px) +
+        "\n";
   else
-    text += fmt::format("Its scale is not known: distances are those on the model of {}.\n",
-                        spoken_lengths(wide_m, "by", high_m));
-  if (!scene.description.empty()) text += scene.description + "\n";
+    text += phrase("Its scale is not known: distances are those on the model of {}.",
+                   spoken_lengths(wide_m, "by", high_m)) +
+            "\n";
+  if (!scene.description.empty()) text += known(scene.description) + "\n";
   const auto junctions =
       static_cast<std::size_t>(std::count_if(guide.network().nodes().begin(), guide.network().nodes().end(),
                                              [](const StreetNode& node) { return node.pieces.size() > 2; }));
   const auto unnamed = std::count_if(map.streets.begin(), map.streets.end(), [](const MapStreet& s) {
     return s.name.empty() && s.kind == MapStreet::Kind::street;
   });
-  text +=
-      fmt::format("{} with {}, {}, {}.\n", capitalised(counted(guide.streets().size(), "street", "streets")),
-                  guide.streets().size() == 1 ? "a name" : "names",
-                  counted(static_cast<std::size_t>(unnamed), "piece of a street without one",
-                          "pieces of streets without one"),
-                  counted(junctions, "junction", "junctions"));
+  text += phrase(guide.streets().size() == 1 ? "{} with a name, {}, {}." : "{} with names, {}, {}.",
+                 capitalised(counted(guide.streets().size(), "street", "streets")),
+                 counted(static_cast<std::size_t>(unnamed), "piece of a street without one",
+                         "pieces of streets without one"),
+                 counted(junctions, "junction", "junctions")) +
+          "\n";
   return text;
 }
 

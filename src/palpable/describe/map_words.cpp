@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/describe/map_words.hpp"
 
+#include "palpable/describe/language.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/describe/place_words.hpp"
 
@@ -28,9 +29,9 @@ double beside_px(const StreetMap& map) {
 
 std::string called(const std::string& name, MapStreet::Kind kind) {
   if (!name.empty()) return name;
-  if (kind == MapStreet::Kind::steps) return "steps";
-  if (kind == MapStreet::Kind::path) return "a path";
-  return kind == MapStreet::Kind::sidewalk ? "a sidewalk" : kUnnamedStreet;
+  if (kind == MapStreet::Kind::steps) return tr("steps");
+  if (kind == MapStreet::Kind::path) return tr("a path");
+  return kind == MapStreet::Kind::sidewalk ? tr("a sidewalk") : tr(kUnnamedStreet);
 }
 
 MapGuide::MapGuide(const models::Scene& scene, MapStreets streets)
@@ -55,9 +56,10 @@ std::string MapGuide::distance_words(double px) const {
   if (!(map().metres_per_px > 0.0)) return spoken_length(metres_on_device(px));
   const double metres = px * map().metres_per_px;
   constexpr double kKilometre = 1000.0;
-  if (metres >= kKilometre) return fmt::format("{:.1f} kilometres", metres / kKilometre);
+  if (metres >= kKilometre)
+    return phrase("{} kilometres", with_own_point(fmt::format("{:.1f}", metres / kKilometre)));
   const double step = metres < 100.0 ? 5.0 : 10.0;
-  return fmt::format("{:.0f} metres", std::max(step, step * std::round(metres / step)));
+  return phrase("{:.0f} metres", std::max(step, step * std::round(metres / step)));
 }
 
 std::string MapGuide::direction_words(double bearing) const {
@@ -67,7 +69,7 @@ std::string MapGuide::direction_words(double bearing) const {
                                "down", "down and left", "left",  "up and left"};
   const long eighth = std::lround(bearing / (0.25 * std::numbers::pi));
   const auto k = static_cast<std::size_t>((eighth % 8 + 8) % 8);
-  return map().metres_per_px > 0.0 ? kCompass[k] : kOnPage[k];
+  return tr(map().metres_per_px > 0.0 ? kCompass[k] : kOnPage[k]);
 }
 
 std::string MapGuide::region_of(MapPoint pixel) const {

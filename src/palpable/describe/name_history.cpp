@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/describe/name_history.hpp"
 
+#include "palpable/describe/language.hpp"
 #include "palpable/describe/place_words.hpp"
 
 #include <utility>
@@ -11,7 +12,7 @@
 namespace palpable::describe {
 namespace {
 
-Error no_such_place() { return {ErrorCode::usage, "the names have changed: list them anew", {}}; }
+Error no_such_place() { return {ErrorCode::usage, tr("the names have changed: list them anew"), {}}; }
 
 /// "upper left": where in the scene.
 std::string part_of_scene(const models::Scene& scene, Place at) {
@@ -44,10 +45,10 @@ Result<NamesEdit> NameHistory::name(const models::Scene& scene, const PlaceGuide
   auto names = models::with_name(scene.names, std::move(given), replaced);
   if (!names) return names.error();
   const models::PlaceName& now = replaced ? (*names)[*replaced] : names->back();
-  keep(scene, fmt::format("naming {}", now.name));
+  keep(scene, phrase("naming {}", now.name));
   if (!before.empty() && before != now.name)
-    return NamesEdit{*names, fmt::format("{} is now called {}.", before, now.name)};
-  return NamesEdit{*names, fmt::format("Named: {}, {}.", now.name, part_of_scene(scene, now.at))};
+    return NamesEdit{*names, phrase("{} is now called {}.", before, now.name)};
+  return NamesEdit{*names, phrase("Named: {}, {}.", now.name, part_of_scene(scene, now.at))};
 }
 
 Result<NamesEdit> NameHistory::remove(const models::Scene& scene, const PlaceGuide& guide,
@@ -56,28 +57,28 @@ Result<NamesEdit> NameHistory::remove(const models::Scene& scene, const PlaceGui
   const NamedPlace& known = guide.places()[place];
   if (!known.written)
     return Error{ErrorCode::usage,
-                 fmt::format("{} was found by the program: it can be renamed, not deleted", known.name.name),
+                 phrase("{} was found by the program: it can be renamed, not deleted", known.name.name),
                  {}};
   models::PlaceNames names = scene.names;
   names.erase(names.begin() + static_cast<std::ptrdiff_t>(*known.written));
-  keep(scene, fmt::format("deleting {}", known.name.name));
-  return NamesEdit{std::move(names), fmt::format("Deleted: {}.", known.name.name)};
+  keep(scene, phrase("deleting {}", known.name.name));
+  return NamesEdit{std::move(names), phrase("Deleted: {}.", known.name.name)};
 }
 
 Result<NamesEdit> NameHistory::undo(const models::Scene& scene) {
-  if (past_.empty()) return Error{ErrorCode::usage, "there is no change of a name to undo", {}};
+  if (past_.empty()) return Error{ErrorCode::usage, tr("there is no change of a name to undo"), {}};
   Step step = std::move(past_.back());
   past_.pop_back();
   future_.push_back({scene.names, step.what});
-  return NamesEdit{std::move(step.names), fmt::format("Undone: {}.", step.what)};
+  return NamesEdit{std::move(step.names), phrase("Undone: {}.", step.what)};
 }
 
 Result<NamesEdit> NameHistory::redo(const models::Scene& scene) {
-  if (future_.empty()) return Error{ErrorCode::usage, "there is no change of a name to redo", {}};
+  if (future_.empty()) return Error{ErrorCode::usage, tr("there is no change of a name to redo"), {}};
   Step step = std::move(future_.back());
   future_.pop_back();
   past_.push_back({scene.names, step.what});
-  return NamesEdit{std::move(step.names), fmt::format("Redone: {}.", step.what)};
+  return NamesEdit{std::move(step.names), phrase("Redone: {}.", step.what)};
 }
 
 }  // namespace palpable::describe

@@ -3,6 +3,7 @@
 #include "palpable/describe/name_search.hpp"
 
 #include "palpable/core/text/edit_distance.hpp"
+#include "palpable/describe/language.hpp"
 #include "palpable/describe/numbers.hpp"
 
 #include <algorithm>
@@ -68,7 +69,7 @@ std::string some_of(const std::vector<std::size_t>& which, const std::vector<std
   std::vector<std::string> some;
   for (const std::size_t i : which) {
     if (some.size() == kMostNamesSaid) {
-      some.push_back(fmt::format("{} more", which.size() - kMostNamesSaid));
+      some.push_back(phrase("{} more", which.size() - kMostNamesSaid));
       break;
     }
     some.push_back(names[i]);

@@ -25,11 +25,11 @@ std::string spoken_force(double newtons);
 /// Without sign: "15 degrees", "1 degree".
 std::string spoken_angle(double radians);
 
-/// "no lines", "1 line", "3 lines".
+/// "no lines", "1 line", "3 lines": singular and plural are messages (language.hpp), as `between` is.
 std::string counted(std::size_t count, std::string_view singular, std::string_view plural);
 /// "a", "a and b", "a, b and c".
 std::string listed(std::span<const std::string> words);
-/// With its first letter (ASCII) as a capital.
+/// With its first letter (of Latin-1) as a capital.
 std::string capitalised(std::string sentence);
 
 }  // namespace palpable::describe

@@ -4,6 +4,7 @@
 
 #include "palpable/describe/contour_lines.hpp"
 #include "palpable/describe/found_places.hpp"
+#include "palpable/describe/language.hpp"
 #include "palpable/describe/map_places.hpp"
 #include "palpable/describe/name_search.hpp"
 #include "palpable/describe/numbers.hpp"
@@ -158,20 +159,20 @@ Result<std::size_t> PlaceGuide::find(std::string_view name, Place from) const {
     return near[meant.names.front()].place;
   }
   if (!meant.names.empty())
-    return Error{ErrorCode::usage, fmt::format("'{}' could be {}", name, some_of(meant.names, names)), {}};
+    return Error{ErrorCode::usage, phrase("'{}' could be {}", name, some_of(meant.names, names)), {}};
   const auto similar = similar_names(std::string(name), names);
-  if (names.empty()) return Error{ErrorCode::usage, "nothing here has a name", {}};
+  if (names.empty()) return Error{ErrorCode::usage, tr("nothing here has a name"), {}};
   std::vector<std::size_t> nearest(names.size());
   for (std::size_t i = 0; i < names.size(); ++i) nearest[i] = i;
   return Error{ErrorCode::usage,
-               fmt::format("nothing here is called '{}'; {} {}", name,
-                           similar.empty() ? "the nearest names are" : "similar names are",
-                           some_of(similar.empty() ? nearest : similar, names)),
+               phrase("nothing here is called '{}'; {} {}", name,
+                      tr(similar.empty() ? "the nearest names are" : "similar names are"),
+                      some_of(similar.empty() ? nearest : similar, names)),
                {}};
 }
 
 std::string way_words(const PlaceGuide::Seen& seen, Place from) {
-  if (seen.distance_m == 0.0) return "here";
+  if (seen.distance_m == 0.0) return tr("here");
   return offset_words(seen.at.x_m - from.x_m, seen.at.y_m - from.y_m);
 }
 
@@ -185,10 +186,10 @@ std::string around_words(const PlaceGuide& guide, Place from, std::size_t most) 
     else
       around.push_back(fmt::format("{}, {}", words, way_words(seen, from)));
   }
-  if (here.empty() && around.empty()) return "Nothing here has a name.";
-  return fmt::format("{}{}{}", here.empty() ? "" : fmt::format("Here: {}.", listed(here)),
+  if (here.empty() && around.empty()) return tr("Nothing here has a name.");
+  return fmt::format("{}{}{}", here.empty() ? "" : phrase("Here: {}.", listed(here)),
                      here.empty() || around.empty() ? "" : " ",
-                     around.empty() ? "" : fmt::format("Around: {}.", fmt::join(around, "; ")));
+                     around.empty() ? "" : phrase("Around: {}.", fmt::join(around, "; ")));
 }
 
 }  // namespace palpable::describe

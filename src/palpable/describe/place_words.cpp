@@ -4,6 +4,7 @@
 
 #include "palpable/describe/contour_lines.hpp"
 #include "palpable/describe/found_places.hpp"
+#include "palpable/describe/language.hpp"
 #include "palpable/describe/map_route_words.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/describe/place_guide.hpp"
@@ -32,9 +33,10 @@ const models::BoundaryMap* boundaries_of(const models::Scene& scene) {
 /// For contours: on a line, with its direction, or the offset to the nearest line.
 std::string line_at(const models::BoundaryMap& map, Place place) {
   const auto line = nearest_line(map, place, kLineReach_m);
-  if (!line) return "no line near here";
-  if (std::hypot(line->dx_m, line->dy_m) <= kOnLine_m) return "on the line, " + line_words(line->angle_rad);
-  return "beside the line, " + offset_words(line->dx_m, line->dy_m);
+  if (!line) return tr("no line near here");
+  if (std::hypot(line->dx_m, line->dy_m) <= kOnLine_m)
+    return phrase("on the line, {}", line_words(line->angle_rad));
+  return phrase("beside the line, {}", offset_words(line->dx_m, line->dy_m));
 }
 
 /// Of a solid, heights are above its base, or from its back if it stands upright.
@@ -60,9 +62,9 @@ std::string surface_at(const models::Scene& scene, double height_factor, Place p
 /// Beside a solid: where it is.
 std::string beside_words(const models::Scene& scene, Place place) {
   const auto surface = nearest_surface(scene, place);
-  if (!surface) return "nothing here";
-  return fmt::format("nothing here, the surface is {}",
-                     offset_words(surface->x_m - place.x_m, surface->y_m - place.y_m));
+  if (!surface) return tr("nothing here");
+  return phrase("nothing here, the surface is {}",
+                offset_words(surface->x_m - place.x_m, surface->y_m - place.y_m));
 }
 
 /// The sentence of a written name, after a blank; empty without any.
@@ -74,7 +76,7 @@ std::string sentence_after(const models::PlaceName* name) {
 
 /// How the coordinate towards the user is called.
 const char* height_name(const models::Scene& scene) {
-  return models::is_upright_solid(scene) ? "towards you" : "height";
+  return models::is_upright_solid(scene) ? tr("towards you") : tr("height");
 }
 
 /// Relative to the middle of the scene, which for a solid may be beside the origin.
@@ -92,11 +94,11 @@ std::string where(const models::Scene& scene, Place place) {
 }  // namespace
 
 std::string region_words(Place place, double size_x_m, double size_y_m) {
-  const char* const column = place.x_m < -size_x_m / 6.0 ? "left" : place.x_m > size_x_m / 6.0 ? "right" : "";
-  const char* const row = place.y_m > size_y_m / 6.0 ? "upper" : place.y_m < -size_y_m / 6.0 ? "lower" : "";
-  if (*row == '\0' && *column == '\0') return "centre";
-  if (*row == '\0') return fmt::format("middle {}", column);
-  return fmt::format("{} {}", row, *column == '\0' ? "middle" : column);
+  constexpr std::array kRegions{"upper left",   "upper middle", "upper right",  "middle left", "centre",
+                                "middle right", "lower left",   "lower middle", "lower right"};
+  const std::size_t column = place.x_m < -size_x_m / 6.0 ? 0 : place.x_m > size_x_m / 6.0 ? 2 : 1;
+  const std::size_t row = place.y_m > size_y_m / 6.0 ? 0 : place.y_m < -size_y_m / 6.0 ? 2 : 1;
+  return tr(kRegions[3 * row + column]);
 }
 
 std::string counted_places(const std::vector<std::string>& places) {
@@ -112,27 +114,29 @@ std::string counted_places(const std::vector<std::string>& places) {
 std::string offset_words(double dx_m, double dy_m) {
   std::vector<std::string> parts;
   if (std::abs(dx_m) >= kHere_m)
-    parts.push_back(fmt::format("{} {}", spoken_length(std::abs(dx_m)), dx_m > 0.0 ? "right" : "left"));
+    parts.push_back(phrase(dx_m > 0.0 ? "{} right" : "{} left", spoken_length(std::abs(dx_m))));
   if (std::abs(dy_m) >= kHere_m)
-    parts.push_back(fmt::format("{} {}", spoken_length(std::abs(dy_m)), dy_m > 0.0 ? "up" : "down"));
-  return parts.empty() ? "here" : fmt::format("{}", fmt::join(parts, ", "));
+    parts.push_back(phrase(dy_m > 0.0 ? "{} up" : "{} down", spoken_length(std::abs(dy_m))));
+  return parts.empty() ? tr("here") : fmt::format("{}", fmt::join(parts, ", "));
 }
 
 std::string from_middle_words(Place place) {
   const std::string offset = offset_words(place.x_m, place.y_m);
-  return offset == "here" ? "at the middle" : offset + " from the middle";
+  return offset == tr("here") ? tr("at the middle") : phrase("{} from the middle", offset);
 }
 
 std::string slope_words(double dzdx, double dzdy) {
   constexpr double kLevel = 0.03, kGentle = 0.15, kSteep = 0.8;
-  constexpr std::array kWays{"right", "upper right", "top",    "upper left",
-                             "left",  "lower left",  "bottom", "lower right"};
+  constexpr std::array kWays{"to the right", "to the upper right", "to the top",    "to the upper left",
+                             "to the left",  "to the lower left",  "to the bottom", "to the lower right"};
   const double steepness = std::hypot(dzdx, dzdy);
-  if (!(steepness >= kLevel)) return "level";
+  if (!(steepness >= kLevel)) return tr("level");
   const double eighths = std::atan2(dzdy, dzdx) / (0.25 * std::numbers::pi);
   const auto way = static_cast<std::size_t>((std::lround(eighths) + 8) % 8);
-  const char* const how = steepness > kSteep ? "steeply " : steepness < kGentle ? "gently " : "";
-  return fmt::format("rising {}to the {}", how, kWays[way]);
+  const char* const rising = steepness > kSteep    ? "rising steeply {}"
+                             : steepness < kGentle ? "rising gently {}"
+                                                   : "rising {}";
+  return phrase(rising, tr(kWays[way]));
 }
 
 std::string heading_words(double heading_rad) {
@@ -140,18 +144,18 @@ std::string heading_words(double heading_rad) {
                                 "down", "down and right", "right", "up and right"};
   // Rounded to whole degrees, as they are spoken.
   const long degrees = (std::lround(heading_rad * 180.0 / std::numbers::pi) % 360 + 360) % 360;
-  if (degrees % 45 == 0) return kEighths[static_cast<std::size_t>(degrees / 45)];
+  if (degrees % 45 == 0) return tr(kEighths[static_cast<std::size_t>(degrees / 45)]);
   const long quarter = (degrees + 45) / 90, turned = degrees - 90 * quarter;
-  return fmt::format("{}, turned {} {} {}", kEighths[static_cast<std::size_t>(2 * (quarter % 4))],
-                     std::abs(turned), std::abs(turned) == 1 ? "degree" : "degrees",
-                     turned > 0 ? "left" : "right");
+  const std::string along = tr(kEighths[static_cast<std::size_t>(2 * (quarter % 4))]);
+  const std::string by = spoken_angle(static_cast<double>(turned) * std::numbers::pi / 180.0);
+  return phrase(turned > 0 ? "{}, turned {} left" : "{}, turned {} right", along, by);
 }
 
 std::string line_words(double angle_rad) {
   constexpr std::array kWays{"from left to right", "from lower left to upper right", "up and down",
                              "from upper left to lower right"};
   const long quarters = std::lround(angle_rad / (0.25 * std::numbers::pi));
-  return kWays[static_cast<std::size_t>((quarters % 4 + 4) % 4)];
+  return tr(kWays[static_cast<std::size_t>((quarters % 4 + 4) % 4)]);
 }
 
 bool is_at_route_end(const models::Scene& scene, Place place) {
@@ -162,10 +166,10 @@ bool is_at_route_end(const models::Scene& scene, Place place) {
 }
 
 std::string name_at(const models::Scene& scene, Place place) {
-  if (is_at_route_end(scene, place)) return kRouteEnd;
+  if (is_at_route_end(scene, place)) return tr(kRouteEnd);
   if (const auto* written = written_at(scene, place)) return written->name;
   const models::Material& material = scene.materials[models::label_at(scene, {{place.x_m, place.y_m, 0.0}})];
-  return material.name == models::Material{}.name ? std::string() : material.name;
+  return material.name == models::Material{}.name ? std::string() : known(material.name);
 }
 
 std::string position_words(const models::Scene& scene, double height_factor, Place place) {
@@ -178,7 +182,7 @@ std::string position_words(const models::Scene& scene, double height_factor, Pla
   if (scene.map != nullptr) {
     const MapGuide guide(scene, MapStreets::felt);
     return fmt::format("{}. {}{}{} {}", capitalised(where(scene, place)),
-                       is_at_route_end(scene, place) ? capitalised(kRouteEnd) + ". " : std::string(),
+                       is_at_route_end(scene, place) ? capitalised(tr(kRouteEnd)) + ". " : std::string(),
                        written != nullptr
                            ? fmt::format("{}.{} ", capitalised(written->name), sentence_after(written))
                            : std::string(),
@@ -204,9 +208,9 @@ std::string step_words(const models::Scene& scene, double height_factor, Place p
 
 std::string press_words(const models::Scene& scene, Place place, double press_m) {
   if (press_m > 0.0 && is_beside_solid(scene, place))
-    return "nothing to press: " + beside_words(scene, place);
-  return press_m >= 0.0 ? fmt::format("pressed {} deep", spoken_length(press_m))
-                        : fmt::format("lifted by {}", spoken_length(-press_m));
+    return phrase("nothing to press: {}", beside_words(scene, place));
+  return press_m >= 0.0 ? phrase("pressed {} deep", spoken_length(press_m))
+                        : phrase("lifted by {}", spoken_length(-press_m));
 }
 
 std::string felt_words(const models::Scene& scene, double height_factor, Place place, double force_N) {
@@ -216,8 +220,8 @@ std::string felt_words(const models::Scene& scene, double height_factor, Place p
                                ? beside_words(scene, place)
                                : fmt::format("{} {}", height_name(scene), spoken_length(height_m));
   const std::string name = name_at(scene, place);
-  return fmt::format("{}, {}, force {}{}", where(scene, place), what, spoken_force(force_N),
-                     name.empty() ? "" : ", " + name);
+  return phrase("{}, {}, force {}{}", where(scene, place), what, spoken_force(force_N),
+                name.empty() ? "" : ", " + name);
 }
 
 }  // namespace palpable::describe

@@ -3,6 +3,7 @@
 #include "palpable/describe/scene_words.hpp"
 
 #include "palpable/describe/contour_words.hpp"
+#include "palpable/describe/language.hpp"
 #include "palpable/describe/map_route_words.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/describe/place_guide.hpp"
@@ -47,7 +48,7 @@ std::optional<std::size_t> ground_label(const models::Scene& scene) {
 std::string ground_name(const models::Scene& scene) {
   const auto label = ground_label(scene);
   const std::string& name = scene.materials[label.value_or(0)].name;
-  return label && name != models::Material{}.name ? name : "ground";
+  return label && name != models::Material{}.name ? known(name) : tr("ground");
 }
 
 /// The highest point of each named region, except the ground, that covers at least `least_area` of the scene.
@@ -82,7 +83,7 @@ std::vector<Object> named_objects(const models::Scene& scene, double least_area,
     const double share = static_cast<double>(region.pixels) / static_cast<double>(seen);
     if (share < least_area) continue;
     region.highest.height_m *= sign;
-    objects.push_back({scene.materials[label].name, region.highest});
+    objects.push_back({known(scene.materials[label].name), region.highest});
   }
   return objects;
 }
@@ -142,11 +143,10 @@ std::string smaller_words(const models::Scene& scene, double height_factor) {
   if (count == 0) return {};
   const auto most = std::max_element(regions.begin(), regions.end(),
                                      [](const auto& a, const auto& b) { return a.second < b.second; });
-  const char* const share = most->second == count      ? ""
-                            : 2 * most->second > count ? "most of them "
-                                                       : "often ";
-  return fmt::format(" {}, {}{}.", capitalised(counted(count, "smaller one", "smaller ones")), share,
-                     most->first);
+  const char* const where = most->second == count      ? "{}, {}."
+                            : 2 * most->second > count ? "{}, most of them {}."
+                                                       : "{}, often {}.";
+  return " " + phrase(where, capitalised(counted(count, "smaller one", "smaller ones")), most->first);
 }
 
 /// "The ground is tilted, rising gently to the right. "; empty for a level ground or none.
@@ -156,19 +156,19 @@ std::string tilt_words(const models::Relief& surface, double height_factor) {
   const auto ground = tilted_ground(surface, options);
   if (!ground) return {};
   const std::string slope = slope_words(height_factor * ground->dzdx, height_factor * ground->dzdy);
-  return slope == "level" ? std::string() : fmt::format("The ground is tilted, {}. ", slope);
+  return slope == tr("level") ? std::string() : phrase("The ground is tilted, {}.", slope) + " ";
 }
 
 /// What is too low or too narrow to be an object is not counted, but may be there.
 std::string no_object_words(const models::Scene& scene, double height_factor, const std::string& smaller) {
   if (!smaller.empty())
-    return fmt::format("Nothing wide enough to be an object rises above the {}.{}", ground_name(scene),
-                       smaller);
+    return phrase("Nothing wide enough to be an object rises above the {}.", ground_name(scene)) + smaller;
   PeakOptions options;
   options.turned_over = height_factor < 0.0;
   const double least_m = std::abs(height_factor) * least_prominence_m(*models::relief_of(scene), options);
-  return fmt::format("No object rises by {} millimetres or more above the {}; lower ones are not counted.",
-                     fmt::format("{:.{}f}", 1e3 * least_m, least_m < 1e-4 ? 2 : 1), ground_name(scene));
+  return phrase("No object rises by {} millimetres or more above the {}; lower ones are not counted.",
+                with_own_point(fmt::format("{:.{}f}", 1e3 * least_m, least_m < 1e-4 ? 2 : 1)),
+                ground_name(scene));
 }
 
 std::string brief_of_surface(const models::Scene& scene, double height_factor,
@@ -176,8 +176,9 @@ std::string brief_of_surface(const models::Scene& scene, double height_factor,
   const models::Relief& surface = *models::relief_of(scene);
   const double ends_m[]{height_factor * surface.lowest_m(), height_factor * surface.highest_m()};
   const auto [low_m, high_m] = std::minmax(ends_m[0], ends_m[1]);
-  std::string words = fmt::format("{} {}, heights from {}. ", sentence(name_of(scene)),
-                                  capitalised(size_words(scene)), spoken_lengths(low_m, "to", high_m));
+  std::string words = phrase("{} {}, heights from {}.", sentence(name_of(scene)),
+                             capitalised(size_words(scene)), spoken_lengths(low_m, "to", high_m)) +
+                      " ";
   std::vector<std::string> places;
   for (std::size_t k = 0; k < std::min(objects.size(), kMostListed); ++k)
     places.push_back(at_region(objects[k], scene));
@@ -185,15 +186,15 @@ std::string brief_of_surface(const models::Scene& scene, double height_factor,
   const std::string smaller = smaller_words(scene, height_factor);
   if (objects.empty()) return words + no_object_words(scene, height_factor, smaller);
   const bool one = objects.size() == 1;
-  words += fmt::format("{} {} above the {}", capitalised(counted(objects.size(), "object", "objects")),
-                       one ? "rises" : "rise", ground_name(scene));
-  const char* const most = objects.size() > kMostListed ? "; the most prominent" : "";
+  words += phrase(one ? "{} rises above the {}" : "{} rise above the {}",
+                  capitalised(counted(objects.size(), "object", "objects")), ground_name(scene));
+  const char* const most = objects.size() > kMostListed ? tr("; the most prominent") : "";
   return words + fmt::format("{}: {}.{}", most, counted_places(places), smaller);
 }
 
 std::string objects_part(const std::vector<Object>& objects, double height_factor, Place probe,
                          const models::Scene& scene) {
-  if (objects.empty()) return "Nothing is high and wide enough to be counted as an object.";
+  if (objects.empty()) return tr("Nothing is high and wide enough to be counted as an object.");
   PeakOptions options;
   options.turned_over = height_factor < 0.0;
   // A tilted ground may itself be higher at its edge than every object.
@@ -206,14 +207,14 @@ std::string objects_part(const std::vector<Object>& objects, double height_facto
       *std::max_element(objects.begin(), objects.end(),
                         [&](const Object& a, const Object& b) { return height_m(a) < height_m(b); });
   const Place at = highest.peak.place;
-  std::string words =
-      fmt::format("From the probe to the highest point{}: {}.", ground ? " above the tilted ground" : "",
-                  offset_words(at.x_m - probe.x_m, at.y_m - probe.y_m));
+  std::string words = phrase(ground ? "From the probe to the highest point above the tilted ground: {}."
+                                    : "From the probe to the highest point: {}.",
+                             offset_words(at.x_m - probe.x_m, at.y_m - probe.y_m));
   for (std::size_t k = 0; k < std::min(objects.size(), kMostListed); ++k) {
     const Object& object = objects[k];
-    words += fmt::format(" {}: top at {}, {}.", capitalised(at_region(object, scene)),
-                         spoken_length(height_factor * object.peak.height_m),
-                         from_middle_words(object.peak.place));
+    words += " " + phrase("{}: top at {}, {}.", capitalised(at_region(object, scene)),
+                          spoken_length(height_factor * object.peak.height_m),
+                          from_middle_words(object.peak.place));
   }
   return words;
 }
@@ -232,15 +233,15 @@ double mean_height_m(const models::Relief& surface, int column, int row) {
 
 std::string nine_parts(const models::Scene& scene, double height_factor) {
   const models::Relief& surface = *models::relief_of(scene);
-  constexpr std::array kRows{"Upper", "Middle", "Lower"};
-  std::string words = "Average heights in millimetres.";
+  constexpr std::array kRows{"Upper third, left to right: {}.", "Middle third, left to right: {}.",
+                             "Lower third, left to right: {}."};
+  std::string words = tr("Average heights in millimetres.");
   for (int row = 0; row < 3; ++row) {
     std::array<std::string, 3> heights;
     for (int column = 0; column < 3; ++column)
       heights[static_cast<std::size_t>(column)] =
           figure(std::round(1e3 * height_factor * mean_height_m(surface, column, row)));
-    words += fmt::format(" {} third, left to right: {}.", kRows[static_cast<std::size_t>(row)],
-                         fmt::join(heights, ", "));
+    words += " " + phrase(kRows[static_cast<std::size_t>(row)], fmt::join(heights, ", "));
   }
   return words;
 }
@@ -270,8 +271,8 @@ std::vector<std::string> parts_of(const models::Scene& scene, double height_fact
   const models::Relief& surface = *models::relief_of(scene);
   constexpr double kFlat_m = 1e-5;
   if (std::abs(height_factor) * (surface.highest_m() - surface.lowest_m()) < kFlat_m)
-    return {fmt::format("{} {}, level at {}.", sentence(name_of(scene)), capitalised(size_words(scene)),
-                        spoken_length(height_factor * surface.highest_m()))};
+    return {phrase("{} {}, level at {}.", sentence(name_of(scene)), capitalised(size_words(scene)),
+                   spoken_length(height_factor * surface.highest_m()))};
   const auto objects = objects_of(scene, height_factor);
   return {brief_of_surface(scene, height_factor, objects), objects_part(objects, height_factor, probe, scene),
           nine_parts(scene, height_factor)};
@@ -297,37 +298,38 @@ std::string names_part(const models::Scene& scene, Place probe) {
   std::vector<std::string> words;
   for (std::size_t k = 0; k < std::min(kMostListed, near.size()); ++k) words.push_back(near[k].words);
   const std::string more =
-      near.size() > kMostListed ? fmt::format(" {} more: L lists all.", near.size() - kMostListed) : "";
-  return fmt::format("{}, the nearest first: {}.{}", capitalised(counted(near.size(), "name", "names")),
-                     fmt::join(words, "; "), more);
+      near.size() > kMostListed ? " " + phrase("{} more: L lists all.", near.size() - kMostListed) : "";
+  return phrase("{}, the nearest first: {}.", capitalised(counted(near.size(), "name", "names")),
+                fmt::join(words, "; ")) +
+         more;
 }
 
 }  // namespace
 
 std::string name_of(const models::Scene& scene) {
-  if (!scene.title.empty()) return scene.title;
+  if (!scene.title.empty()) return known(scene.title);
   // Without folders, which do not help a user who touches.
   std::vector<std::string> files;
   for (const std::string& input : scene.source.inputs)
     files.push_back(std::filesystem::path(input).filename().string());
   constexpr std::size_t kMostNamed = 3;
-  if (files.size() > kMostNamed) return fmt::format("{} and {} more files", files.front(), files.size() - 1);
-  return files.empty() ? models::kind_of(scene.model) : listed(files);
+  if (files.size() > kMostNamed) return phrase("{} and {} more files", files.front(), files.size() - 1);
+  return files.empty() ? known(models::kind_of(scene.model)) : listed(files);
 }
 
 std::string opening_words(const models::Scene& scene) {
-  return fmt::format("Ready to touch: {} {}{}Press D to hear what is where, H for help.",
-                     sentence(name_of(scene)),
-                     scene.description.empty() ? "" : sentence(scene.description) + " ",
-                     scene.warnings.empty() ? "" : fmt::format("{} ", fmt::join(scene.warnings, " ")));
+  std::string words = phrase("Ready to touch: {}", sentence(name_of(scene))) + " ";
+  if (!scene.description.empty()) words += sentence(known(scene.description)) + " ";
+  for (const std::string& warning : scene.warnings) words += known(warning) + " ";
+  return words + tr("Press D to hear what is where, H for help.");
 }
 
 std::vector<std::string> scene_parts(const models::Scene& scene, double height_factor, Place probe) {
   auto parts = parts_of(scene, height_factor, probe);
-  for (const std::string& warning : scene.warnings) parts.front() += " " + sentence(warning);
+  for (const std::string& warning : scene.warnings) parts.front() += " " + sentence(known(warning));
   if (!scene.names.empty()) parts.insert(parts.begin() + 1, names_part(scene, probe));
   if (!scene.description.empty() && scene.map == nullptr)
-    parts.insert(parts.begin() + 1, sentence(scene.description));
+    parts.insert(parts.begin() + 1, sentence(known(scene.description)));
   return parts;
 }
 std::string scene_part(const models::Scene& scene, double height_factor, Place probe, std::size_t part) {
@@ -335,8 +337,8 @@ std::string scene_part(const models::Scene& scene, double height_factor, Place p
   const std::size_t at = part % parts.size();
   if (parts.size() == 1) return parts.front();
   // After the last part there is nothing more: from then on the parts are repeated, and none offers more.
-  if (part >= parts.size()) return at == 0 ? "From the beginning: " + parts[at] : parts[at];
-  return parts[at] + (at + 1 < parts.size() ? " D again says more." : " That is all.");
+  if (part >= parts.size()) return at == 0 ? phrase("From the beginning: {}", parts[at]) : parts[at];
+  return parts[at] + " " + tr(at + 1 < parts.size() ? "D again says more." : "That is all.");
 }
 
 }  // namespace palpable::describe

@@ -3,6 +3,7 @@
 #include "palpable/describe/solid_words.hpp"
 
 #include "palpable/core/text/figure.hpp"
+#include "palpable/describe/language.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/describe/place_words.hpp"
 #include "palpable/describe/solid_shape.hpp"
@@ -24,24 +25,24 @@ constexpr double kSymmetric = 0.97;
 
 std::string outline_words(const SolidShape& shape) {
   std::vector<std::string> words;
-  if (shape.outline == OutlineKind::rectangular) words.emplace_back("rectangular");
-  if (shape.outline == OutlineKind::round) words.emplace_back("round");
-  if (shape.outline == OutlineKind::oval) words.emplace_back("oval");
+  if (shape.outline == OutlineKind::rectangular) words.emplace_back(tr("rectangular"));
+  if (shape.outline == OutlineKind::round) words.emplace_back(tr("round"));
+  if (shape.outline == OutlineKind::oval) words.emplace_back(tr("oval"));
   const bool left_right = shape.left_right >= kSymmetric, top_bottom = shape.top_bottom >= kSymmetric;
   // The other kinds are symmetric in both directions.
   if (shape.outline == OutlineKind::other)
-    words.emplace_back(left_right && top_bottom ? "symmetric left to right and top to bottom"
-                       : left_right             ? "symmetric left to right"
-                       : top_bottom             ? "symmetric top to bottom"
-                                                : "not symmetric");
-  return fmt::format("outline {}", fmt::join(words, ", "));
+    words.emplace_back(tr(left_right && top_bottom ? "symmetric left to right and top to bottom"
+                          : left_right             ? "symmetric left to right"
+                          : top_bottom             ? "symmetric top to bottom"
+                                                   : "not symmetric"));
+  return phrase("outline {}", fmt::join(words, ", "));
 }
 
 std::string openings_words(const SolidShape& shape) {
   const auto holes = static_cast<std::size_t>(std::count_if(shape.openings.begin(), shape.openings.end(),
                                                             [](const Opening& o) { return o.through; }));
   const std::size_t hollows = shape.openings.size() - holes;
-  if (shape.openings.empty()) return "no openings";
+  if (shape.openings.empty()) return tr("no openings");
   std::vector<std::string> counts;
   if (holes > 0) counts.push_back(counted(holes, "hole through it", "holes through it"));
   if (hollows > 0) counts.push_back(counted(hollows, "hollow", "hollows"));
@@ -60,7 +61,7 @@ std::string region_of(Place place, const SolidView& solid) {
 
 std::string opening_words(const Opening& o, const SolidView& solid) {
   const std::string what =
-      o.through ? std::string("hole through it") : fmt::format("hollow {} deep", spoken_length(o.depth_m));
+      o.through ? std::string(tr("hole through it")) : phrase("hollow {} deep", spoken_length(o.depth_m));
   return fmt::format("{}, {}, {}, {}", what, region_of(o.place, solid),
                      spoken_lengths(o.width_m, "by", o.height_m),
                      from_middle_words(from_middle(o.place, solid)));
@@ -101,8 +102,8 @@ const PoseWords& words_for(models::SolidPose pose) {
 std::string extents(const SolidView& solid) {
   const Vec3 size = solid.size_m;
   const bool flat = solid.pose == models::SolidPose::flat;
-  return fmt::format("{} wide, {} {} and {} {}", spoken_length(size.x), spoken_length(size.y),
-                     flat ? "deep" : "high", spoken_length(size.z), flat ? "high" : "deep");
+  return phrase(flat ? "{} wide, {} deep and {} high" : "{} wide, {} high and {} deep", spoken_length(size.x),
+                spoken_length(size.y), spoken_length(size.z));
 }
 
 std::string part_places(std::span<const Peak> parts, const SolidView& solid) {
@@ -118,16 +119,16 @@ std::string brief_of(const SolidShape& shape, const SolidView& solid, const std:
   seen.push_back(outline_words(shape));
   seen.push_back(openings_words(shape));
   std::string words =
-      fmt::format("{} A solid, {}. {}: {}. ", heading, extents(solid), pose.seen, fmt::join(seen, "; "));
-  if (shape.is_flat) return words + fmt::format("{}.", pose.flat_surface);
+      phrase("{} A solid, {}. {}: {}.", heading, extents(solid), tr(pose.seen), fmt::join(seen, "; ")) + " ";
+  if (shape.is_flat) return words + fmt::format("{}.", tr(pose.flat_surface));
   const std::size_t listed_parts = std::min(shape.parts.size(), kMostParts);
-  const char* const most = shape.parts.size() > kMostParts ? "; the most prominent" : "";
+  const char* const most = shape.parts.size() > kMostParts ? tr("; the most prominent") : "";
   if (shape.parts.size() > 1)
     words += fmt::format("{} {}{}: {}. ", capitalised(counted(shape.parts.size(), "part", "parts")),
-                         pose.rise, most, part_places({shape.parts.data(), listed_parts}, solid));
-  return words + fmt::format("{} place: {}, {} {}.", capitalised(pose.foremost),
-                             region_of(shape.highest, solid), spoken_length(shape.highest_m - solid.base_m),
-                             pose.from_base);
+                         tr(pose.rise), most, part_places({shape.parts.data(), listed_parts}, solid));
+  return words + phrase("{} place: {}, {} {}.", capitalised(tr(pose.foremost)),
+                        region_of(shape.highest, solid), spoken_length(shape.highest_m - solid.base_m),
+                        tr(pose.from_base));
 }
 
 std::string details_of(const SolidShape& shape, const SolidView& solid, Place probe) {
@@ -135,17 +136,17 @@ std::string details_of(const SolidShape& shape, const SolidView& solid, Place pr
   std::string words;
   if (!shape.is_flat) {
     const Place at = shape.highest;
-    words = fmt::format(
-        "From the probe to the {} place: {}.", pose.foremost,
+    words = phrase(
+        "From the probe to the {} place: {}.", tr(pose.foremost),
         offset_words(at.x_m + solid.surface_at.x_m - probe.x_m, at.y_m + solid.surface_at.y_m - probe.y_m));
   }
   const std::size_t listed_parts = shape.is_flat ? 0 : std::min(shape.parts.size(), kMostParts);
   for (std::size_t k = 0; k < listed_parts; ++k) {
     const Peak& part = shape.parts[k];
     const std::string rises =
-        k == 0 ? "" : fmt::format(", {} {}", spoken_length(part.prominence_m), pose.above);
-    words += fmt::format(" {}: {} {} {}{}, {}.", capitalised(region_of(part.place, solid)), pose.top,
-                         spoken_length(part.height_m - solid.base_m), pose.from_base, rises,
+        k == 0 ? "" : fmt::format(", {} {}", spoken_length(part.prominence_m), tr(pose.above));
+    words += fmt::format(" {}: {} {} {}{}, {}.", capitalised(region_of(part.place, solid)), tr(pose.top),
+                         spoken_length(part.height_m - solid.base_m), tr(pose.from_base), rises,
                          from_middle_words(from_middle(part.place, solid)));
   }
   for (std::size_t k = 0; k < std::min(shape.openings.size(), kMostParts); ++k)
@@ -180,16 +181,17 @@ std::array<double, 9> mean_heights_m(const SolidView& solid) {
 }
 
 std::string ninths_of(const SolidView& solid) {
-  constexpr std::array kRows{"Upper", "Middle", "Lower"};
-  std::string words = words_for(solid.pose).averages;
+  constexpr std::array kRows{"Upper third, left to right: {}.", "Middle third, left to right: {}.",
+                             "Lower third, left to right: {}."};
+  std::string words = tr(words_for(solid.pose).averages);
   const std::array<double, 9> heights_m = mean_heights_m(solid);
   for (std::size_t row = 0; row < 3; ++row) {
     std::array<std::string, 3> heights;
     for (std::size_t column = 0; column < 3; ++column) {
       const double height_m = heights_m.at(3 * row + column);
-      heights.at(column) = std::isnan(height_m) ? "nothing" : figure(std::round(1e3 * height_m));
+      heights.at(column) = std::isnan(height_m) ? tr("nothing") : figure(std::round(1e3 * height_m));
     }
-    words += fmt::format(" {} third, left to right: {}.", kRows.at(row), fmt::join(heights, ", "));
+    words += " " + phrase(kRows.at(row), fmt::join(heights, ", "));
   }
   return words;
 }

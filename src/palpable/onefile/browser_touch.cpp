@@ -183,7 +183,7 @@ Result<void> BrowserTouch::attempt(const protocol::Edit& edit) {
   return prepare(std::make_shared<const models::Scene>(*std::move(changed)), settings);
 }
 
-void BrowserTouch::save() { say("answer", "This page is a file of its own and saves none."); }
+void BrowserTouch::save() { say("answer", describe::tr("This page is a file of its own and saves none.")); }
 
 void BrowserTouch::pause(bool paused) {
   paused_ = paused;

@@ -24,6 +24,7 @@ void PageTalk::receive(std::string_view text) {
   const auto message = page::protocol::parse_from_page(text);
   if (!message) return;
   quiet_s_ = 0.0;
+  const describe::LanguageScope scope(language_);
   std::visit([this](const auto& m) { handle(m); }, *message);
 }
 
@@ -33,7 +34,12 @@ void PageTalk::handle(const page::protocol::LookAround& question) {
   send({page::text_frame(touch_.around(question))});
 }
 
+void PageTalk::handle(const page::protocol::Language& language) {
+  language_ = describe::language_from(language.language).value_or(language_);
+}
+
 bool PageTalk::advance(double seconds) {
+  const describe::LanguageScope scope(language_);
   touch_.advance(seconds);
   auto state = touch_.state();
   for (auto& probe : state.probes) probe.page = kPage;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/describe/language.hpp"
 #include "palpable/onefile/browser_touch.hpp"
 #include "palpable/page/host_changes.hpp"
 #include "palpable/page/protocol.gen.hpp"
@@ -43,6 +44,7 @@ class PageTalk {
   void handle(const page::protocol::UndoName& undo) { touch_.undo_name(undo); }
   void handle(const page::protocol::Find& find) { touch_.find(find); }
   void handle(const page::protocol::Visible&) {}
+  void handle(const page::protocol::Language& language);
   // A file is not shared.
   void handle(const page::protocol::Invite&) {}
   void handle(const page::protocol::Withdraw&) {}
@@ -55,6 +57,7 @@ class PageTalk {
   std::vector<page::protocol::ProbeState> sent_probes_;
   /// Time without a change or message.
   double quiet_s_ = 0.0;
+  describe::Language language_ = describe::Language::english;
 };
 
 }  // namespace palpable::onefile

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/describe/language.hpp"
 #include "palpable/page/channel.hpp"
 #include "palpable/page/host_changes.hpp"
 #include "palpable/page/protocol.hpp"
@@ -55,6 +56,8 @@ class Client : public std::enable_shared_from_this<Client> {
   /// `hello.page`; set by the server.
   std::int64_t page = 0;
   bool visible = true;
+  /// Of the answers to its questions.
+  describe::Language language = describe::Language::english;
   /// A state was skipped: the next one is sent even if nothing has changed.
   bool is_behind = true;
   /// The probes that this page has moved and not yet lifted.

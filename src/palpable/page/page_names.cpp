@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/page_names.hpp"
 
+#include "palpable/describe/language.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/describe/place_words.hpp"
 
@@ -28,8 +29,8 @@ void tell_apart(const models::Scene& scene, const describe::PlaceGuide& guide,
     for (std::size_t k = 0; k < entries.size(); ++k) {
       const Place at = guide.places()[seen[entries[k]].place].name.at;
       places[entries[k]].words =
-          fmt::format("{}, {} of {}, {}", words, k + 1, entries.size(),
-                      describe::from_middle_words({at.x_m - middle.x, at.y_m - middle.y}));
+          describe::phrase("{}, {} of {}, {}", words, k + 1, entries.size(),
+                           describe::from_middle_words({at.x_m - middle.x, at.y_m - middle.y}));
     }
   }
 }
@@ -37,10 +38,12 @@ void tell_apart(const models::Scene& scene, const describe::PlaceGuide& guide,
 }  // namespace
 
 const describe::PlaceGuide& PageNames::guide(const models::Scene& scene) {
-  if (guide_ == nullptr || !guide_->is_of(scene)) {
-    guide_ = std::make_unique<const describe::PlaceGuide>(scene);
-    ++list_;
-  }
+  const bool is_of_scene = guide_ != nullptr && guide_->is_of(scene);
+  if (is_of_scene && language_ == describe::current_language()) return *guide_;
+  guide_ = std::make_unique<const describe::PlaceGuide>(scene);
+  language_ = describe::current_language();
+  // In another language the places are the same, in the same order.
+  if (!is_of_scene) ++list_;
   return *guide_;
 }
 
@@ -66,7 +69,7 @@ Result<std::optional<std::size_t>> PageNames::place_in_list(const models::Scene&
   const auto count = guide(scene).places().size();
   if (!place) return std::optional<std::size_t>();
   if (list != list_ || static_cast<std::size_t>(*place) >= count)
-    return Error{ErrorCode::usage, "the names have changed: list them anew", {}};
+    return Error{ErrorCode::usage, describe::tr("the names have changed: list them anew"), {}};
   return std::optional(static_cast<std::size_t>(*place));
 }
 
@@ -101,8 +104,13 @@ std::optional<std::size_t> PageNames::target(const models::Scene& scene, std::si
   const auto& wanted = targets_.at(probe);
   if (!wanted) return std::nullopt;
   const auto& places = guide(scene).places();
-  const auto found = std::find_if(places.begin(), places.end(),
-                                  [&](const describe::NamedPlace& place) { return place.name == *wanted; });
+  auto found = std::find_if(places.begin(), places.end(),
+                            [&](const describe::NamedPlace& place) { return place.name == *wanted; });
+  // What the program found has another name in another language.
+  if (found == places.end())
+    found = std::find_if(places.begin(), places.end(), [&](const describe::NamedPlace& place) {
+      return !place.written && place.name.at == wanted->at && place.name.extent == wanted->extent;
+    });
   if (found == places.end()) return std::nullopt;
   return static_cast<std::size_t>(found - places.begin());
 }
@@ -133,8 +141,8 @@ protocol::Words PageNames::way(const models::Scene& scene, const protocol::Ask& 
     words.y_m = way->at.y_m;
     return words;
   }
-  words.text =
-      fmt::format("Here: {}.{}{}", named.words, named.name.sentence.empty() ? "" : " ", named.name.sentence);
+  words.text = describe::phrase("Here: {}.", named.words) + (named.name.sentence.empty() ? "" : " ") +
+               named.name.sentence;
   targets_.at(probe).reset();
   return words;
 }

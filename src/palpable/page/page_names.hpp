@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/result.hpp"
+#include "palpable/describe/language.hpp"
 #include "palpable/describe/name_history.hpp"
 #include "palpable/describe/place_guide.hpp"
 #include "palpable/page/protocol.gen.hpp"
@@ -50,6 +51,8 @@ class PageNames {
                                                    std::optional<std::int64_t> place);
 
   std::unique_ptr<const describe::PlaceGuide> guide_;
+  /// Of the names that the guide found.
+  describe::Language language_ = describe::Language::english;
   /// Rises with each new guide.
   std::int64_t list_ = 0;
   describe::NameHistory history_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/pages.hpp"
 
+#include "palpable/describe/language.hpp"
 #include "palpable/page/page_state.hpp"
 #include "palpable/page/roles.hpp"
 
@@ -54,9 +55,6 @@ void Pages::greet(Client& client) {
   for (const auto& frame : changes_->everything(client.page, guest)) client.send(frame);
   if (guest) {
     options_.share->set_presence(guest->guest, Presence::here);
-    const std::string may = guest->probe ? "you touch with probe " + std::to_string(*guest->probe + 1)
-                                         : "you see and hear, and do not touch";
-    client.send(text_frame(protocol::Notice{"info", "You are " + guest->name + ": " + may + ".", {}}));
   } else if (options_.share != nullptr) {
     client.send(text_frame(options_.share->sharing()));
   }
@@ -98,13 +96,14 @@ bool Pages::admits(Client& client, const protocol::FromPage& message) {
       return false;
   }
   if (what == Ruling::question) return true;
-  client.send(
-      text_frame(protocol::Notice{"answer", "Only the person who shares the scene can do that.", {}}));
+  client.send(text_frame(
+      protocol::Notice{"answer", describe::tr("Only the person who shares the scene can do that."), {}}));
   return false;
 }
 
 void Pages::pass(Client& client, const protocol::FromPage& message) {
   if (host_ == nullptr) return;
+  const describe::LanguageScope scope(client.language);
   if (client.guest && !admits(client, message)) return;
   std::visit([&](const auto& m) { handle(client, m); }, message);
   note_activity();
@@ -126,6 +125,7 @@ void Pages::show(std::shared_ptr<PageHost> host) {
 
 void Pages::update() {
   if (host_ == nullptr) return;
+  const describe::LanguageScope scope(language_);
   for (const auto& notice : changes_->notices()) send_notice(notice);
   if (options_.share != nullptr) send_sharing();
   if (clients_.empty()) return;
@@ -250,6 +250,13 @@ void Pages::handle(Client& client, const protocol::Visible& visible) {
     client.moved.reset();
   }
   options_.share->set_presence(client.guest->number, visible.visible ? Presence::here : Presence::asleep);
+}
+
+void Pages::handle(Client& client, const protocol::Language& language) {
+  const auto known = describe::language_from(language.language);
+  if (!known) return;
+  client.language = *known;
+  if (!client.guest) language_ = *known;
 }
 
 void Pages::handle(Client& client, const protocol::Invite& invite) {

@@ -77,6 +77,7 @@ class Pages {
   void handle(Client&, const protocol::UndoName& undo) { host_->undo_name(undo); }
   void handle(Client&, const protocol::Find& find) { host_->find(find); }
   void handle(Client& client, const protocol::Visible& visible);
+  void handle(Client& client, const protocol::Language& language);
   void handle(Client& client, const protocol::Invite& invite);
   void handle(Client& client, const protocol::Withdraw& withdraw);
   void handle(Client& client, const protocol::ShowOut& guest);
@@ -95,6 +96,8 @@ class Pages {
   std::int64_t next_page_ = 1;
   std::uint64_t sent_sharing_ = 0;
   /// The page that last moved each probe.
+  /// Of what is said to all: that of the page of this machine that told its own last.
+  describe::Language language_ = describe::Language::english;
   std::array<std::optional<std::int64_t>, protocol::kMostProbes> movers_;
 };
 

@@ -21,6 +21,7 @@ struct Rules {
   Ruling operator()(const protocol::Ask&) const { return Ruling::question; }
   Ruling operator()(const protocol::LookAround&) const { return Ruling::question; }
   Ruling operator()(const protocol::Visible&) const { return Ruling::pass; }
+  Ruling operator()(const protocol::Language&) const { return Ruling::pass; }
   Ruling operator()(const protocol::Change&) const { return Ruling::refuse; }
   Ruling operator()(const protocol::Edit&) const { return Ruling::refuse; }
   Ruling operator()(const protocol::Save&) const { return Ruling::refuse; }

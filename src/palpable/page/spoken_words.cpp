@@ -3,6 +3,7 @@
 #include "palpable/page/spoken_words.hpp"
 
 #include "palpable/describe/found_places.hpp"
+#include "palpable/describe/language.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/describe/scene_words.hpp"
 
@@ -38,10 +39,12 @@ protocol::Words SpokenWords::answer(const protocol::Ask& ask, const models::Scen
   }
   if (ask.what != "surface") return {ask.serial, text_of(ask, scene, height_factor, force_N), {}, {}};
   const auto surface = describe::nearest_surface(scene, place);
-  if (!surface) return {ask.serial, "There is nothing to touch.", {}, {}};
+  if (!surface) return {ask.serial, describe::tr("There is nothing to touch."), {}, {}};
   commentaries_.at(static_cast<std::size_t>(ask.probe)).heard(scene, *surface, now_s());
-  return {ask.serial, sentence("at the surface, " + describe::step_words(scene, height_factor, *surface)),
-          surface->x_m, surface->y_m};
+  return {
+      ask.serial,
+      sentence(describe::phrase("at the surface, {}", describe::step_words(scene, height_factor, *surface))),
+      surface->x_m, surface->y_m};
 }
 
 std::string SpokenWords::text_of(const protocol::Ask& ask, const models::Scene& scene, double height_factor,
@@ -81,7 +84,8 @@ std::vector<protocol::Notice> SpokenWords::remarks(const protocol::State& state,
                      .at(scene, height_factor, place_of(probe), now);
     if (!words) continue;
     remarks.push_back(
-        {"motion", state.probes.size() > 1 ? fmt::format("Probe {}: {}", probe.probe + 1, *words) : *words,
+        {"motion",
+         state.probes.size() > 1 ? describe::phrase("Probe {}: {}", probe.probe + 1, *words) : *words,
          probe.probe});
   }
   return remarks;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/touch_host.hpp"
 
+#include "palpable/describe/language.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/haptics/law/laws.hpp"
 #include "palpable/page/page_laws.hpp"
@@ -29,7 +30,7 @@ TouchHost::TouchHost(session::TouchSession& session, Options options)
       worker_([this] { work(); }) {
   for (auto& sentence : session_.notices()) say("info", std::move(sentence));
   if (const auto file = formats::UnsavedScene::of_earlier_touch(options_.save_as); !file.empty())
-    say("info", "Names of an earlier touch that were not saved are in " + file.string());
+    say("info", describe::phrase("Names of an earlier touch that were not saved are in {}", file.string()));
 }
 
 TouchHost::~TouchHost() {
@@ -47,7 +48,8 @@ protocol::Words TouchHost::answer(const protocol::Ask& ask) {
   auto words = words_.answer(ask, *named_scene(), session_.settings().height_factor, force_N);
   const bool is_first = page_scene_ == nullptr || page_scene_->about.scene == 0;
   if (ask.what == "opening" && options_.better_follows && is_first)
-    words.text += " A finer version of the scene is being made: it takes its place by itself.";
+    words.text += std::string(" ") +
+                  describe::tr("A finer version of the scene is being made: it takes its place by itself.");
   return words;
 }
 
@@ -117,7 +119,7 @@ void TouchHost::watch_pull() {
   const Vec3 at = session_.latest().position.v;
   const auto scene = named_scene();
   if (pull_.is_pushed_away(*scene, {at.x, at.y})) {
-    say("info", "The pull has ended: the hand was moved away.");
+    say("info", describe::tr("The pull has ended: the hand was moved away."));
     end_pull();
   } else if (!words_.names().seen(*scene, 0, {at.x, at.y})) {
     end_pull();
@@ -277,6 +279,7 @@ void TouchHost::move_explorer(const protocol::MoveExplorer& pose) {
 }
 
 std::optional<protocol::Notice> TouchHost::next_notice() {
+  language_ = describe::current_language();
   take_notices();
   const std::lock_guard lock(mutex_);
   if (notices_.empty()) return {};
@@ -288,21 +291,22 @@ std::optional<protocol::Notice> TouchHost::next_notice() {
 void TouchHost::take_notices() {
   using Kind = haptics::TouchEvent::Kind;
   if (const auto fault = session_.take_recording_fault())
-    say("warning", "The recording has ended: " + fault->sentence());
+    say("warning", describe::phrase("The recording has ended: {}", fault->sentence()));
   if (const std::string step = session_.take_guidance(); !step.empty()) say("info", step);
   for (const auto& event : session_.take_events()) {
     // No fault: a pointer is lost whenever no page is open, an additional probe whenever it is lifted.
     const bool device = event.probe < session_.hands() && !pointer_moves();
     if (event.kind == Kind::fault && device) {
       const auto fault = session_.device_fault(event.probe);
-      say("fault", session_.said_of(event.probe,
-                                    fault.empty() ? "The device does not answer: its force is off" : fault));
+      say("fault", session_.said_of(
+                       event.probe,
+                       fault.empty() ? describe::tr("The device does not answer: its force is off") : fault));
     } else if (event.kind == Kind::recovered && device) {
-      say("recovered", session_.said_of(event.probe, "The device answers again"));
+      say("recovered", session_.said_of(event.probe, describe::tr("The device answers again")));
     } else if (const auto words = session_.event_words(event); !words.empty()) {
       say("info", words);
     } else if (event.kind == Kind::not_finite) {
-      say("fault", "The law gave a force that is not a number: the force is off");
+      say("fault", describe::tr("The law gave a force that is not a number: the force is off"));
     }
   }
 }
@@ -324,6 +328,7 @@ void TouchHost::work() {
 }
 
 void TouchHost::carry_out(const Tasks& tasks) {
+  const describe::LanguageScope scope(language_);
   if (tasks.better) report([&] { return swap_in(*tasks.better); });
   if (tasks.recentre) session_.recentre();
   if (tasks.guide) report([&] { return session_.change_guide(*tasks.guide); });
@@ -362,7 +367,7 @@ Result<void> TouchHost::set_explorer_pose(const session::ExplorerPose& pose) {
 
 Result<void> TouchHost::write_scene() {
   if (auto saved = unsaved_.save(with_edited_names(*session_.scene())); !saved) return saved;
-  say("answer", "The scene is saved as " + options_.save_as.string());
+  say("answer", describe::phrase("The scene is saved as {}", options_.save_as.string()));
   return {};
 }
 
@@ -371,7 +376,7 @@ Result<void> TouchHost::keep_unsaved() {
   const bool had_none = unsaved_.file().empty();
   if (auto kept = unsaved_.keep(with_edited_names(*session_.scene())); !kept) return kept;
   if (had_none && !unsaved_.file().empty())
-    say("info", "Until you save, names are kept in " + unsaved_.file().string());
+    say("info", describe::phrase("Until you save, names are kept in {}", unsaved_.file().string()));
   return {};
 }
 

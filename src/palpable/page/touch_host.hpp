@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/result.hpp"
+#include "palpable/describe/language.hpp"
 #include "palpable/formats/scene/unsaved_scene.hpp"
 #include "palpable/page/host.hpp"
 #include "palpable/page/page_materials.hpp"
@@ -155,6 +156,8 @@ class TouchHost final : public PageHost {
   // Used by the worker alone.
   bool edited_ = false;
   formats::UnsavedScene unsaved_;
+  /// Of what is said to all: what the worker says follows the pages' last choice.
+  std::atomic<describe::Language> language_ = describe::Language::english;
 
   std::thread worker_;
 };

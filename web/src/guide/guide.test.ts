@@ -4,7 +4,8 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { Surface, type Place } from '../surface';
 import { Guide, type GuideView } from './guide';
 import { noProgress, progressCookie, readProgress, type Progress } from './memory';
-import { meant, sentenceOf, stepNames, stepsOf, wayWords, type Situation } from './steps';
+import { meant, sentenceOf, stepNames, stepsOf, type Situation } from './steps';
+import { wayWords } from '../way_words';
 
 const side = 101;
 /** A plate of 100 mm with a block of 10 mm, from x = 20 mm on. */

@@ -1,10 +1,12 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The guided start: says a step, waits until it is done on the scene, and goes on.
+import { t } from '../language';
 import type { Place, Surface } from '../surface';
 import { Edges } from './edges';
 import type { Progress } from './memory';
-import { meant, sentenceOf, stepNames, stepsOf, wayWords, type Situation, type StepName, type Way } from './steps';
+import { meant, sentenceOf, stepNames, stepsOf, type Situation, type StepName, type Way } from './steps';
+import { wayWords } from '../way_words';
 
 /** What a person has done, besides moving. */
 export type Deed = 'pressed' | 'touched' | 'asked where' | 'listed' | 'found' | 'undid';
@@ -82,7 +84,7 @@ export class Guide {
     this.hasNames = null;
     const goesOn = kept > 0 && kept < stepNames.length;
     this.enter(this.possible(stepNames[goesOn ? kept : 0]!));
-    this.say(goesOn ? 'You left it here. ' : '', 0);
+    this.say(goesOn ? `${t('You left it here.')} ` : '', 0);
   }
   /** The person has answered the offer of it, in whatever way. */
   offered(): void {
@@ -175,7 +177,7 @@ export class Guide {
   }
 
   private goOn(): void {
-    if (this.isDone()) this.next('Good. ', pause);
+    if (this.isDone()) this.next(`${t('Good.')} `, pause);
   }
 
   private next(before: string, after: number): void {
@@ -183,7 +185,7 @@ export class Guide {
     const following = stepNames[stepNames.indexOf(this.step) + 1];
     if (following === undefined) return void this.leave();
     const step = this.possible(following);
-    const nothing = following === 'find' && step !== 'find' ? 'Nothing has a name here yet. ' : '';
+    const nothing = following === 'find' && step !== 'find' ? `${t('Nothing has a name here yet.')} ` : '';
     this.enter(step);
     this.say(before + nothing, after);
   }
@@ -233,7 +235,7 @@ export class Guide {
     const at = this.target();
     const from = this.page.place();
     const text = sentenceOf(this.step, situation, at === null ? null : wayWords(at.x - from.x, at.y - from.y));
-    const title = `Step ${steps.indexOf(this.step) + 1} of ${steps.length}`;
+    const title = t('Step {step} of {steps}', { step: steps.indexOf(this.step) + 1, steps: steps.length });
     this.page.show({ way, title, text, meant: way === 'eyes' ? meant[this.step] : [], at: way === 'eyes' ? at : null });
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.insist(`${before}${title}: ${text}`), after);

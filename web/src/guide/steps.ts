@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The steps of the guided start, and their sentences: for the eyes or the ears, for keys, fingers or a device, and for the
 // kind of the scene.
+import { t } from '../language';
 
 /** In this order. A step that the scene or the device does not allow is left out. */
 export const stepNames = ['surface', 'edge', 'follow', 'height', 'where', 'list', 'find', 'undo', 'leave'] as const;
@@ -46,61 +47,79 @@ export const meant: Record<StepName, readonly string[]> = {
 
 type Sentence = (situation: Situation, way: string | null) => string;
 
-const line = (kind: string) => (kind === 'contours' ? 'line' : 'edge');
-/** How a probe is moved, as the beginning of a sentence. */
+const isDrawing = ({ kind }: Situation) => kind === 'contours';
+/** How a probe is moved, as a sentence. */
 const move = ({ input, way }: Situation) =>
   ({
-    keys: way === 'eyes' ? 'Move the marble with the mouse or the arrow keys' : 'Move with the arrow keys, with Shift in larger steps',
-    fingers: 'Drag a finger over the picture',
-    device: 'Move the handle of your device',
+    keys: way === 'eyes' ? t('Move the marble with the mouse or the arrow keys.') : t('Move with the arrow keys, with Shift in larger steps.'),
+    fingers: t('Drag a finger over the picture.'),
+    device: t('Move the handle of your device.'),
   })[input];
-const press = ({ input }: Situation, key: string, button: string) => (input === 'fingers' ? `Press the button “${button}”` : `Press ${key}, or the button “${button}”`);
+const press = ({ input }: Situation, key: string, button: string) =>
+  input === 'fingers' ? t('Press the button “{button}”:', { button }) : t('Press {key}, or the button “{button}”:', { key, button });
+const join = (...sentences: string[]) => sentences.filter((sentence) => sentence !== '').join(' ');
 
-/** The end of a sentence: where that is; nothing if it is not known. */
-const whereIs = (what: string, way: string | null) => (way === null ? '' : ` The ${what} is ${way === '' ? 'where you are' : way}.`);
+/** Where that is; nothing if it is not known. */
+const nearest = (way: string | null) => (way === null ? '' : way === '' ? t('The nearest one is where you are.') : t('The nearest one is {way}.', { way }));
+const highest = (way: string | null) => (way === null ? '' : way === '' ? t('The highest place is where you are.') : t('The highest place is {way}.', { way }));
+
+function edgeWords(situation: Situation): string {
+  if (isDrawing(situation)) return situation.sound ? t('Find a line: a short bright tone marks it.') : t('Find a line: a push to the side marks it.');
+  return situation.sound
+    ? t('Find an edge, where it gets steep: a short bright tone marks it.')
+    : t('Find an edge, where it gets steep: a push to the side marks it.');
+}
+
+function followWords(situation: Situation): string {
+  const hears = situation.way === 'ears' && situation.input !== 'device';
+  if (isDrawing(situation))
+    return hears
+      ? t('Follow the line for 10 millimetres: try a little to each side, and stay where you hear it.')
+      : t('Follow the line for 10 millimetres: try a little to each side, and stay where you feel it.');
+  return hears
+    ? t('Follow the edge for 10 millimetres: try a little to each side, and stay where you hear it.')
+    : t('Follow the edge for 10 millimetres: try a little to each side, and stay where you feel it.');
+}
 
 /** The sentences; `way`: to where the step leads, as "12 millimetres right"; empty: one is there; null: not known. */
 const sentences: Record<StepName, Sentence> = {
   surface: ({ input, way, kind }) => {
-    if (input === 'device') return 'Lower the handle of your device until something holds against it: that is the surface.';
-    if (input === 'fingers') return 'Put a finger on the picture and drag it. A marble follows it over the surface, slower uphill and faster downhill.';
-    if (way === 'eyes') return 'Move the mouse over the picture: the marble follows it over the surface, slower uphill and faster downhill. Its arrow is the force.';
-    const first = kind.endsWith('field') || kind.endsWith('grid') ? 'Press End: it takes you to the surface. Then press' : 'Press';
-    return `${first} Page Down a few times: you press deeper into the surface, and its force grows. A knock is a contact.`;
+    if (input === 'device') return t('Lower the handle of your device until something holds against it: that is the surface.');
+    if (input === 'fingers') return t('Put a finger on the picture and drag it. A marble follows it over the surface, slower uphill and faster downhill.');
+    if (way === 'eyes') return t('Move the mouse over the picture: the marble follows it over the surface, slower uphill and faster downhill. Its arrow is the force.');
+    const isSolid = kind.endsWith('field') || kind.endsWith('grid');
+    return join(
+      isSolid ? t('Press End: it takes you to the surface.') : '',
+      t('Press Page Down a few times: you press deeper into the surface, and its force grows. A knock is a contact.'),
+    );
   },
-  edge: (situation, way) => {
-    const what = line(situation.kind);
-    const tone = situation.sound ? 'a short bright tone' : 'a push to the side';
-    const end = situation.kind === 'contours' && situation.input === 'keys' ? ' End takes you to the nearest one.' : '';
-    return `Find ${what === 'edge' ? 'an edge, where it gets steep' : 'a line'}: ${tone} marks it. ${move(situation)}.${whereIs('nearest one', way)}${end}`;
-  },
-  follow: ({ kind, input, way }) =>
-    `Follow the ${line(kind)} for 10 millimetres: try a little to each side, and stay where you ${way === 'ears' && input !== 'device' ? 'hear' : 'feel'} it. It need not be in one go.`,
+  edge: (situation, way) =>
+    join(edgeWords(situation), move(situation), nearest(way), isDrawing(situation) && situation.input === 'keys' ? t('End takes you to the nearest one.') : ''),
+  follow: (situation) => join(followWords(situation), t('It need not be in one go.')),
   height: (situation, way) =>
     situation.sound
-      ? `Heights are tones: the higher the place, the higher the tone. ${move(situation)}, up and down, until you have heard low and high.${whereIs('highest place', way)}`
-      : `Heights are figures below the picture. ${move(situation)}, up and down, and watch “Height”.${whereIs('highest place', way)}`,
-  where: (situation) => `${press(situation, 'P', 'Where am I?')}: where you are and what is there is said, and stands below the picture.`,
-  list: (situation) => `${press(situation, 'L', 'What is here?')}: a list of names opens, the nearest first. Look through it; ${situation.input === 'fingers' ? 'Close' : 'Escape'} closes it.`,
-  find: (situation) => {
-    const by = situation.sound ? 'words and by pulses, which come from its side and are quicker the nearer it is' : 'words';
-    return `Open the list once more, choose a name, and ${situation.input === 'fingers' ? 'press “Lead me there”' : 'press Enter'}. You are led by ${by}. Go there.`;
-  },
+      ? join(t('Heights are tones: the higher the place, the higher the tone.'), move(situation), t('Go up and down until you have heard low and high.'), highest(way))
+      : join(t('Heights are figures below the picture.'), move(situation), t('Go up and down, and watch “Height”.'), highest(way)),
+  where: (situation) => join(press(situation, 'P', t('Where am I?')), t('where you are and what is there is said, and stands below the picture.')),
+  list: (situation) =>
+    join(
+      press(situation, 'L', t('What is here?')),
+      t('a list of names opens, the nearest first. Look through it.'),
+      situation.input === 'fingers' ? t('“Close” closes it.') : t('Escape closes it.'),
+    ),
+  find: (situation) =>
+    join(
+      situation.input === 'fingers' ? t('Open the list once more, choose a name, and press “Lead me there”.') : t('Open the list once more, choose a name, and press Enter.'),
+      situation.sound ? t('You are led by words and by pulses, which come from its side and are quicker the nearer it is. Go there.') : t('You are led by words. Go there.'),
+    ),
   undo: ({ input, way }) =>
     input === 'fingers' || way === 'eyes'
-      ? 'Every change of a setting can be undone. Choose other “Colours” in the settings, then press “Undo”.'
-      : 'Every change of a setting can be undone. Press M, which turns the sound off, or on. Then press Control and Z: that is undone.',
+      ? t('Every change of a setting can be undone. Choose other “Colours” in the settings, then press “Undo”.')
+      : t('Every change of a setting can be undone. Press M, which turns the sound off, or on. Then press Control and Z: that is undone.'),
   leave: ({ input }) =>
-    `That was the guided start. ${input === 'fingers' ? 'Press “Leave”' : 'Press Escape, or the button “Leave”'}, and explore on your own.${input === 'fingers' ? '' : ' D describes the scene, H tells all keys.'}`,
+    input === 'fingers'
+      ? t('That was the guided start. Press “Leave”, and explore on your own.')
+      : t('That was the guided start. Press Escape, or the button “Leave”, and explore on your own. D describes the scene, H tells all keys.'),
 };
 
 export const sentenceOf = (step: StepName, situation: Situation, way: string | null = null): string => sentences[step](situation, way);
-
-/** "12 millimetres right, 5 millimetres up"; empty within a millimetre. Metres, from here to there. */
-export function wayWords(dx: number, dy: number): string {
-  const part = (metres: number, positive: string, negative: string) => {
-    const millimetres = Math.round(Math.abs(metres) * 1000);
-    return millimetres === 0 ? [] : [`${millimetres} ${millimetres === 1 ? 'millimetre' : 'millimetres'} ${metres > 0 ? positive : negative}`];
-  };
-  return [...part(dx, 'right', 'left'), ...part(dy, 'up', 'down')].join(', ');
-}

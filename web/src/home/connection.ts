@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The WebSocket to the program.
+import { known, t } from '../language';
 import { readMessage, readRaster, writeMessage, type HeightsFrame, type PictureFrame } from '../codec';
 import { enter, type Loss } from '../enter';
 import type { FromPage, ToPage } from '../generated/protocol';
@@ -60,7 +61,7 @@ export class Connection implements Program {
       socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) => {
         const read = typeof data === 'string' ? readMessage(data) : readRaster(data);
         if (typeof read === 'string') {
-          complaint = `the program sent something that this page does not understand (${read})`;
+          complaint = t('the program sent something that this page does not understand ({read})', { read });
           socket.close();
         } else if ('kind' in read && !('type' in read)) {
           this.receiver.raster(read);
@@ -74,9 +75,9 @@ export class Connection implements Program {
 }
 
 function lossOf(reason: string): Loss {
-  if (reason === 'the session has ended') return { sentence: 'The session has ended. Start palpable again to go on.', final: true };
-  if (reason === 'another scene was opened') return { sentence: 'Another scene was opened in another page. It will be shown here, too.', final: false };
-  if (reason === 'shown out') return { sentence: 'The person who shares the scene has ended your access.', final: true };
-  if (reason === 'opened in another tab') return { sentence: 'The scene was opened again on this device, and goes on there.', final: true };
-  return { sentence: `The connection was lost${reason === '' ? '' : `: ${reason}`}. Trying again.`, final: false };
+  if (reason === 'the session has ended') return { sentence: t('The session has ended. Start palpable again to go on.'), final: true };
+  if (reason === 'another scene was opened') return { sentence: t('Another scene was opened in another page. It will be shown here, too.'), final: false };
+  if (reason === 'shown out') return { sentence: t('The person who shares the scene has ended your access.'), final: true };
+  if (reason === 'opened in another tab') return { sentence: t('The scene was opened again on this device, and goes on there.'), final: true };
+  return { sentence: reason === '' ? t('The connection was lost. Trying again.') : t('The connection was lost: {reason}. Trying again.', { reason: known(reason) }), final: false };
 }

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // True depth on the screen in the settings: what is shown of the depth in words, measuring the screen, and full screen.
+import { t } from '../language';
 import { element } from '../dom';
 import { Calibration } from '../settings/calibration';
 import type { Preferences } from '../settings/preferences';
@@ -62,23 +63,23 @@ export class DepthPanel {
   }
 
   private words(): string {
-    if (element<HTMLSelectElement>('view').disabled) return 'True depth needs WebGL, which this browser does not offer.';
+    if (element<HTMLSelectElement>('view').disabled) return t('True depth needs WebGL, which this browser does not offer.');
     const page = this.target.page();
-    return page.view === 'flat' ? 'True depth needs the view in 3D.' : depthWords(this.stage.fit, page);
+    return page.view === 'flat' ? t('True depth needs the view in 3D.') : depthWords(this.stage.fit, page);
   }
 
   private screenWords(): string {
     const { pixelSize } = this.target.page();
     const pixel = cssPixel(pixelSize, window.devicePixelRatio);
     const width = Math.round((window.screen.width * pixel) / 10);
-    return pixelSize > 0 ? `The screen is ${width} centimetres wide, as measured.` : `The screen was not measured: it is taken to be ${width} centimetres wide.`;
+    return pixelSize > 0 ? t('The screen is {width} centimetres wide, as measured.', { width }) : t('The screen was not measured: it is taken to be {width} centimetres wide.', { width });
   }
 
   private fillScreen(): void {
     const { element: stage } = this.stage;
     stage.requestFullscreen().then(
       () => stage.focus({ preventScroll: true }),
-      () => this.target.say('This browser refuses full screen.'),
+      () => this.target.say(t('This browser refuses full screen.')),
     );
   }
 }

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The guided start on this page: what it learns of the touch, and how it is offered, begun and left.
+import { t } from '../language';
 import { element } from '../dom';
 import { Guide, type GuideView } from '../guide/guide';
 import { GuidePanel } from '../guide/guide_panel';
@@ -81,7 +82,7 @@ export class GuidedStart {
   offer(): string {
     if (!this.guide.isToBeOffered) return '';
     this.choose();
-    return withoutKeys.matches ? ' A guided start of two minutes is offered above the picture.' : ' I begins a guided start of two minutes.';
+    return withoutKeys.matches ? ` ${t('A guided start of two minutes is offered above the picture.')}` : ` ${t('I begins a guided start of two minutes.')}`;
   }
 
   /** The key: begins it for the ears, or goes on with the way that was left; while it runs, says its step again. */
@@ -96,7 +97,7 @@ export class GuidedStart {
   leave(): boolean {
     if (!this.guide.isRunning) return false;
     const isDone = this.guide.leave();
-    this.page.say(isDone ? 'The guided start is done. I begins it anew.' : 'The guided start is left. I goes on with it.', Importance.answer);
+    this.page.say(isDone ? t('The guided start is done. I begins it anew.') : t('The guided start is left. I goes on with it.'), Importance.answer);
     this.toStage();
     return true;
   }
@@ -143,7 +144,7 @@ export class GuidedStart {
   private decline(): void {
     this.guide.offered();
     this.panel.show(null);
-    this.page.say('The guided start is under “Guided start”, below the picture.', Importance.answer);
+    this.page.say(t('The guided start is under “Guided start”, below the picture.'), Importance.answer);
     this.toStage();
   }
 

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The camera that follows the head: its switch in the depth settings, and the view that it moves.
+import { t } from '../language';
 import { element } from '../dom';
 import { ranges, type Preferences } from '../settings/preferences';
 import { RangeInput } from '../settings/range_input';
@@ -16,11 +17,11 @@ import type { DepthTarget } from './depth_panel';
 /** Smaller motions of the head are not drawn, metres. */
 const leastMotion = 0.0002;
 
-const percent = (value: number) => `${value} %`;
+const percent = (value: number) => t('{value} %', { value });
 const sliders = [
-  { id: 'camera-angle', key: 'cameraAngle', words: (value: number) => `${value}°` },
+  { id: 'camera-angle', key: 'cameraAngle', words: (value: number) => t('{value}°', { value }) },
   { id: 'camera-tilt', key: 'cameraTilt', words: tiltWords },
-  { id: 'camera-above', key: 'cameraAbove', words: (value: number) => `${value} mm` },
+  { id: 'camera-above', key: 'cameraAbove', words: (value: number) => t('{value} mm', { value }) },
   { id: 'head-gain-x', key: 'headGainX', words: percent },
   { id: 'head-gain-y', key: 'headGainY', words: percent },
   { id: 'head-gain-z', key: 'headGainZ', words: percent },
@@ -52,7 +53,7 @@ export class HeadPanel {
   follow(): void {
     const page = this.target.page();
     const isFlat = page.view === 'flat' || element<HTMLSelectElement>('view').disabled;
-    sliders.forEach(({ key, words: its }, k) => this.ranges[k]!.show({ ...ranges[key], value: page[key], words: its, disabled: isFlat ? 'in 3D only' : null }));
+    sliders.forEach(({ key, words: its }, k) => this.ranges[k]!.show({ ...ranges[key], value: page[key], words: its, disabled: isFlat ? t('in 3D only') : null }));
     this.input.disabled = isFlat;
     if (this.camera !== null && (isFlat || page.depthMode === 'plain')) this.stop(words.off);
   }

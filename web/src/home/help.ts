@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The help dialog, whose table is generated from keys.ts, and the line of hints under the picture.
+import { rounded, t } from '../language';
 import { element } from '../dom';
 import { keyRows, coarseStep, fineStep } from './keys';
 
@@ -28,7 +29,7 @@ export function showHelp(): void {
 
 /** Shows the step of the arrow keys for a scene of this scale. */
 export function showSteps(scale: number): void {
-  const millimetres = (metres: number) => `${Number((metres * scale * 1000).toPrecision(3))}\u00A0mm`;
+  const millimetres = (metres: number) => t('{value} mm', { value: rounded(metres * scale * 1000, 3) });
   element('step-fine').textContent = millimetres(fineStep);
   element('step-coarse').textContent = millimetres(coarseStep);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The keys and their actions: one table for the page and its help.
 
+import { t } from '../language';
 import { pace, turnBy } from '../probe/explorer';
 
 export interface Move {
@@ -67,8 +68,8 @@ interface KeyRow {
 
 export const keyRows: KeyRow[] = [
   {
-    shown: 'Arrow keys',
-    does: 'Move the probe by 1 millimetre; with Shift by 5',
+    shown: t('Arrow keys'),
+    does: t('Move the probe by 1 millimetre; with Shift by 5'),
     keys: Object.keys(arrows),
     act: (target, { key, shiftKey }) => {
       const [x, y] = arrows[key] ?? [0, 0];
@@ -77,59 +78,59 @@ export const keyRows: KeyRow[] = [
     },
   },
   {
-    shown: 'Page Down, Page Up',
-    does: 'Press half a millimetre deeper; lift',
+    shown: t('Page Down, Page Up'),
+    does: t('Press half a millimetre deeper; lift'),
     keys: ['PageDown', 'PageUp'],
     act: (target, { key }) => target.move({ x: 0, y: 0, press: key === 'PageDown' ? pressStep : -pressStep }),
   },
-  { shown: 'D', does: 'Describe the scene; again for more', keys: ['d'], act: (target) => target.describe() },
-  { shown: 'P', does: 'Say position and height', keys: ['p'], act: (target) => target.where() },
-  { shown: 'Home', does: 'Back to the middle', keys: ['Home'], act: (target) => target.recentre() },
-  { shown: 'End', does: 'To the nearest surface, line or street', keys: ['End'], act: (target) => target.toSurface() },
-  { shown: 'L', does: 'What is here: list the names, the nearest first; Enter leads to one', keys: ['l'], act: (target) => target.listPlaces() },
-  { shown: 'T', does: 'Type a name for this place', keys: ['t'], act: (target) => target.nameHere() },
-  { shown: 'G', does: 'Say the way to the name again', keys: ['g'], act: (target) => target.sayWay() },
-  { shown: 'Escape', does: 'Leave the headset; no longer be led to a name; leave the guided start', keys: ['Escape'], act: (target) => target.leave() },
+  { shown: 'D', does: t('Describe the scene; again for more'), keys: ['d'], act: (target) => target.describe() },
+  { shown: 'P', does: t('Say position and height'), keys: ['p'], act: (target) => target.where() },
+  { shown: t('Home'), does: t('Back to the middle'), keys: ['Home'], act: (target) => target.recentre() },
+  { shown: t('End'), does: t('To the nearest surface, line or street'), keys: ['End'], act: (target) => target.toSurface() },
+  { shown: 'L', does: t('What is here: list the names, the nearest first; Enter leads to one'), keys: ['l'], act: (target) => target.listPlaces() },
+  { shown: 'T', does: t('Type a name for this place'), keys: ['t'], act: (target) => target.nameHere() },
+  { shown: 'G', does: t('Say the way to the name again'), keys: ['g'], act: (target) => target.sayWay() },
+  { shown: t('Escape'), does: t('Leave the headset; no longer be led to a name; leave the guided start'), keys: ['Escape'], act: (target) => target.leave() },
   {
     shown: 'W, S',
-    does: 'In the egocentric view: walk 5 millimetres ahead, back; with Shift 20',
+    does: t('In the egocentric view: walk 5 millimetres ahead, back; with Shift 20'),
     keys: ['w', 's'],
     act: (target, { key, shiftKey }) => target.walk({ ahead: (key.toLowerCase() === 'w' ? 1 : -1) * (shiftKey ? 4 : 1) * pace, left: 0 }),
   },
   {
     shown: 'A, F',
-    does: 'In the egocentric view: turn left, right by 15 degrees; with Shift by 45',
+    does: t('In the egocentric view: turn left, right by 15 degrees; with Shift by 45'),
     keys: ['a', 'f'],
     act: (target, { key, shiftKey }) => target.walk({ ahead: 0, left: (key.toLowerCase() === 'a' ? 1 : -1) * (shiftKey ? 3 : 1) * turnBy }),
   },
-  { shown: 'E', does: 'In the egocentric view: say where you stand', keys: ['e'], act: (target) => target.pose() },
+  { shown: 'E', does: t('In the egocentric view: say where you stand'), keys: ['e'], act: (target) => target.pose() },
   {
-    shown: '1 to 9, 0',
-    does: 'Select the probe of that number (0 is the tenth); a new one is added at the place of the current one',
+    shown: t('1 to 9, 0'),
+    does: t('Select the probe of that number (0 is the tenth); a new one is added at the place of the current one'),
     keys: [...'1234567890'],
     act: (target, { key }) => target.choose((Number(key) + 9) % 10),
   },
-  { shown: 'Delete', does: 'Remove this probe; the first one cannot be removed', keys: ['Delete', 'Backspace'], act: (target) => target.take() },
-  { shown: 'N', does: 'Say where every probe is and what it feels', keys: ['n'], act: (target) => target.describeProbes() },
-  { shown: 'Space', does: 'Pause, resume', keys: [' '], act: (target) => target.pause() },
-  { shown: '+, −', does: 'Zoom the picture in, out', keys: ['+', '=', '-'], act: (target, { key }) => target.zoom(key === '-' ? 0.8 : 1.25) },
+  { shown: t('Delete'), does: t('Remove this probe; the first one cannot be removed'), keys: ['Delete', 'Backspace'], act: (target) => target.take() },
+  { shown: 'N', does: t('Say where every probe is and what it feels'), keys: ['n'], act: (target) => target.describeProbes() },
+  { shown: t('Space'), does: t('Pause, resume'), keys: [' '], act: (target) => target.pause() },
+  { shown: '+, −', does: t('Zoom the picture in, out'), keys: ['+', '=', '-'], act: (target, { key }) => target.zoom(key === '-' ? 0.8 : 1.25) },
   {
     shown: 'C',
-    does: 'Move the picture: arrows turn it, with Shift they shift it; C again moves the probe',
+    does: t('Move the picture: arrows turn it, with Shift they shift it; C again moves the probe'),
     keys: ['c'],
     act: (target) => target.moveView(),
   },
   {
     shown: 'V',
-    does: 'In a depth mode, move your head: arrows move it, with Shift up and down nearer and farther; V again moves the probe',
+    does: t('In a depth mode, move your head: arrows move it, with Shift up and down nearer and farther; V again moves the probe'),
     keys: ['v'],
     act: (target) => target.moveHead(),
   },
-  { shown: 'R', does: 'Reset the picture', keys: ['r'], act: (target) => target.resetView() },
-  { shown: 'M', does: 'Sound off, on', keys: ['m'], act: (target) => target.mute() },
-  { shown: 'I', does: 'Guided start: begin, or say the step again', keys: ['i'], act: (target) => target.guide() },
-  { shown: 'K', does: 'In the guided start, skip a step', keys: ['k'], act: (target) => target.skipStep() },
-  { shown: 'H or ?', does: 'This help', keys: ['h', '?'], act: (target) => target.help() },
+  { shown: 'R', does: t('Reset the picture'), keys: ['r'], act: (target) => target.resetView() },
+  { shown: 'M', does: t('Sound off, on'), keys: ['m'], act: (target) => target.mute() },
+  { shown: 'I', does: t('Guided start: begin, or say the step again'), keys: ['i'], act: (target) => target.guide() },
+  { shown: 'K', does: t('In the guided start, skip a step'), keys: ['k'], act: (target) => target.skipStep() },
+  { shown: t('H or ?'), does: t('This help'), keys: ['h', '?'], act: (target) => target.help() },
 ];
 
 /** Runs the key's action; false if it has none. */

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Spoken descriptions of the scene and the probes: the program makes the sentences (docs/adr/0006), and the page requests
 // them.
+import { t } from '../language';
 import type { Ask, Words as Answer } from '../generated/protocol';
 import type { Probes } from '../probe/probes';
 import { noScene, type Words } from '../sound/announcer';
@@ -51,7 +52,7 @@ export class Narrator {
   /** The place after a step. */
   step(free: boolean): Words {
     this.part = 0;
-    return () => this.named(this.ask('step').then((words) => words && (free ? words : `Rim of the scene. ${words}`)));
+    return () => this.named(this.ask('step').then((words) => words && (free ? words : `${t('Rim of the scene.')} ${words}`)));
   }
   press(): Words {
     this.part = 0;
@@ -66,8 +67,8 @@ export class Narrator {
     return async () => {
       const { states, own } = this.probes;
       if (this.frames.surface === null || states.length === 0) return noScene;
-      const each = await Promise.all(states.map(async ({ probe }) => `Probe ${probe + 1}: ${await this.ask('probe', probe)}`));
-      const count = each.length === 1 ? 'One probe.' : `${each.length} probes, the keys move probe ${own.chosen + 1}.`;
+      const each = await Promise.all(states.map(async ({ probe }) => t('Probe {probe}: {words}', { probe: probe + 1, words: (await this.ask('probe', probe)) ?? '' })));
+      const count = each.length === 1 ? t('One probe.') : t('{count, plural, one {# probe} other {# probes}}, the keys move probe {probe}.', { count: each.length, probe: own.chosen + 1 });
       return `${count} ${each.join(' ')}`;
     };
   }
@@ -82,7 +83,7 @@ export class Narrator {
   }
   /** What is in the middle, for scenes that may be empty there. */
   middle(): Words {
-    return () => this.ask('step').then((words) => words && this.probes.named(`In the middle. ${words}`));
+    return () => this.ask('step').then((words) => words && this.probes.named(`${t('In the middle.')} ${words}`));
   }
 
   place(): Place {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The force over the last seconds, as a line.
 
+import { rounded, t } from '../language';
+
 const seconds = 10;
 
 export class ForcePlot {
@@ -59,7 +61,7 @@ export class ForcePlot {
     pen.textBaseline = 'middle';
     pen.textAlign = 'right';
     for (const tick of [0, this.top / 2, this.top]) {
-      pen.fillText(`${tick}`, left - 6, y(tick));
+      pen.fillText(rounded(tick, 3), left - 6, y(tick));
       pen.beginPath();
       pen.moveTo(left, y(tick));
       pen.lineTo(right, y(tick));
@@ -67,9 +69,9 @@ export class ForcePlot {
     }
     pen.textBaseline = 'alphabetic';
     pen.textAlign = 'left';
-    pen.fillText(`${seconds} s ago`, left, height - 3);
+    pen.fillText(t('{seconds} s ago', { seconds }), left, height - 3);
     pen.textAlign = 'right';
-    pen.fillText('now', right, height - 3);
+    pen.fillText(t('now'), right, height - 3);
     this.line(pen, style.getPropertyValue('--accent'), (t) => right - ((right - left) * t) / seconds, y);
   }
 

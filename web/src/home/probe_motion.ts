@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The motion of this page's probes: moved by keys, sent to the program, and sonified.
+import { t } from '../language';
 import type { FromPage, Scene } from '../generated/protocol';
 import type { Finder } from '../names/finder';
 import { pressScale } from '../probe/page_probe';
@@ -50,20 +51,20 @@ export class ProbeMotion {
     const surface = this.page.surface();
     if (surface === null) return;
     const { own } = this.probes;
-    if (!own.movable()) return this.page.say(`The probe is moved by ${this.page.device()}.`, Importance.answer);
+    if (!own.movable()) return this.page.say(t('The probe is moved by {device}.', { device: this.page.device() }), Importance.answer);
     // In the egocentric view arrows are relative to the explorer's heading, otherwise to the scene.
     const way = this.walking.inScene({ x: by.x * surface.scale, y: by.y * surface.scale });
     const free = own.current.step(way.x, way.y, by.press * pressScale(surface.scale), surface, performance.now());
     this.page.moves();
     if (by.press !== 0) return this.page.say(this.narrator.press(), Importance.motion);
     this.finder.moved(true);
-    this.page.say(this.finder.isLeading ? this.finder.words(free ? '' : 'Rim of the scene. ') : this.narrator.step(free), Importance.motion);
+    this.page.say(this.finder.isLeading ? this.finder.words(free ? '' : `${t('Rim of the scene.')} `) : this.narrator.step(free), Importance.motion);
   }
 
   /** Moves to the nearest surface, and says what is there. */
   toSurface(): void {
     const { own } = this.probes;
-    if (!own.movable()) return this.page.say(`The probe is moved by ${this.page.device()}.`, Importance.answer);
+    if (!own.movable()) return this.page.say(t('The probe is moved by {device}.', { device: this.page.device() }), Importance.answer);
     this.page.say(async () => {
       const answer = await this.narrator.surface();
       if (answer === null) return null;
@@ -75,7 +76,7 @@ export class ProbeMotion {
 
   recentre(): void {
     const { own } = this.probes;
-    if (own.isGuest && !own.movable()) return this.page.say(`The probe is moved by ${this.page.device()}.`, Importance.answer);
+    if (own.isGuest && !own.movable()) return this.page.say(t('The probe is moved by {device}.', { device: this.page.device() }), Importance.answer);
     const scene = this.page.scene();
     own.current.jump({ x: scene?.middle_x_m ?? 0, y: scene?.middle_y_m ?? 0 }, performance.now());
     this.walking.reset();
@@ -83,7 +84,7 @@ export class ProbeMotion {
     this.walking.sendPose();
     this.page.moves();
     const mayBeEmpty = scene?.kind.endsWith('field') ?? false;
-    this.page.say(mayBeEmpty ? this.narrator.middle() : this.probes.named('In the middle.'), Importance.answer);
+    this.page.say(mayBeEmpty ? this.narrator.middle() : this.probes.named(t('In the middle.')), Importance.answer);
   }
 
   /** Advances the marbles and sends their places; true while they move. */

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The displayed figures: status, position, height, force and its plot, rates; and the banner for errors.
+import { fixed, t } from '../language';
 import { element } from '../dom';
 import { figuresEvery, millimetreFigure } from '../figures';
 import type { ProbeState, State } from '../generated/protocol';
@@ -40,7 +41,7 @@ export class Readouts {
 
   /** Names the coordinate towards the person: of an upright solid it is not a height. */
   setUpright(upright: boolean): void {
-    for (const id of ['read-height-name', 'probe-height-name']) write(id, upright ? 'Towards you, mm' : 'Height, mm');
+    for (const id of ['read-height-name', 'probe-height-name']) write(id, upright ? t('Towards you, mm') : t('Height, mm'));
   }
 
   /** Takes a new tick; `probe`: the selected one. Shown a little later, at a readable rate. */
@@ -68,8 +69,8 @@ export class Readouts {
   }
 
   pose({ x, y, heading }: ExplorerPose): void {
-    const facing = heading === 0 ? 'up' : `${Math.abs(heading)}° ${heading > 0 ? 'left' : 'right'}`;
-    write('read-pose', `${millimetreFigure(x)}, ${millimetreFigure(y)}, facing ${facing}`);
+    const facing = heading === 0 ? t('up') : heading > 0 ? t('{heading}° left', { heading }) : t('{heading}° right', { heading: -heading });
+    write('read-pose', t('{x}, {y}, facing {facing}', { x: millimetreFigure(x), y: millimetreFigure(y), facing }));
   }
 
   /** Clears all figures. */
@@ -79,7 +80,7 @@ export class Readouts {
     this.plot.forget();
     for (const id of ['read-position', 'read-height', 'read-force']) write(id, '–');
     write('rates', this.device);
-    write('plot-words', 'No force.');
+    write('plot-words', t('No force.'));
     this.plot.draw();
   }
 
@@ -101,13 +102,13 @@ export class Readouts {
   private renew(now: number): void {
     if (this.shown === null) return;
     const { x_m, y_m, surface_m } = this.shown;
-    write('read-position', `${millimetreFigure(x_m - this.middle.x, this.scale)}, ${millimetreFigure(y_m - this.middle.y, this.scale)}`);
+    write('read-position', t('{x}, {y}', { x: millimetreFigure(x_m - this.middle.x, this.scale), y: millimetreFigure(y_m - this.middle.y, this.scale) }));
     write('read-height', millimetreFigure(surface_m, this.scale));
-    write('read-force', newtons(this.shown).toFixed(2));
+    write('read-force', fixed(newtons(this.shown), 2));
     // Rounded, so that it changes rarely: each change is drawn.
-    const parts = [this.rate > 0 ? `Force ${10 * Math.round(this.rate / 10)} times a second` : '', this.device];
+    const parts = [this.rate > 0 ? t('Force {rate} times a second', { rate: 10 * Math.round(this.rate / 10) }) : '', this.device];
     write('rates', parts.filter((part) => part !== '').join(' · '));
-    write('plot-words', `Greatest in the last ten seconds: ${this.plot.greatest().toFixed(2)} N.`);
+    write('plot-words', t('Greatest in the last ten seconds: {greatest} N.', { greatest: fixed(this.plot.greatest(), 2) }));
     if (now - this.plottedAt < (this.calm.matches ? calmPlotEvery : plotEvery) || this.plot.isLevel()) return;
     this.plottedAt = now;
     this.plot.draw();

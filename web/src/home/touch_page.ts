@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The page: connects the program, the stage, the settings, the keys, sound and speech.
+import { known, language, t } from '../language';
 import type { HeightsFrame, PictureFrame } from '../codec';
 import { element } from '../dom';
 import { protocolVersion, type Hello, type Scene, type Settings as ProgramSettings, type State, type ToPage } from '../generated/protocol';
@@ -40,8 +41,8 @@ import { ViewActions } from './view_actions';
 
 const importanceOf = (level: string): Importance => ({ motion: Importance.motion, answer: Importance.answer, named: Importance.answer })[level] ?? Importance.news;
 const pauseWords = {
-  shown: { paused: 'Paused: no force.', resumed: 'Resumed.' },
-  duringReplay: { paused: 'The touch itself is paused now: no force.', resumed: 'The touch itself goes on now.' },
+  shown: { paused: t('Paused: no force.'), resumed: t('Resumed.') },
+  duringReplay: { paused: t('The touch itself is paused now: no force.'), resumed: t('The touch itself goes on now.') },
 };
 
 export class TouchPage {
@@ -269,7 +270,7 @@ export class TouchPage {
     const law = what === 'law' ? this.settings.controls.law()?.title : undefined;
     if (cells) return this.voice.say(cells, Importance.answer);
     if (what === 'depth-mode') return this.depth.say();
-    if (law !== undefined) return this.voice.say(`Force law: ${law}.`, Importance.answer);
+    if (law !== undefined) return this.voice.say(t('Force law: {law}.', { law: known(law) }), Importance.answer);
     const words = controlWords(document.activeElement);
     if (words !== null) this.voice.aloudOnly(words);
   }
@@ -292,14 +293,14 @@ export class TouchPage {
     const words = pauseWords[this.replay.isOpen ? 'duringReplay' : 'shown'];
     if (settings.paused !== this.paused) this.voice.say(settings.paused ? words.paused : words.resumed, Importance.news);
     this.paused = settings.paused;
-    element('pause').textContent = this.paused ? 'Resume' : 'Pause';
+    element('pause').textContent = this.paused ? t('Resume') : t('Pause');
     this.stage.element.toggleAttribute('data-paused', this.paused);
     this.showStatus();
     this.settings.receive(settings);
   }
 
   private showStatus(): void {
-    this.readouts.status(this.paused ? 'paused' : 'running', this.replay.isOpen ? 'Replaying' : this.paused ? 'Paused' : 'Touching');
+    this.readouts.status(this.paused ? 'paused' : 'running', this.replay.isOpen ? t('Replaying') : this.paused ? t('Paused') : t('Touching'));
   }
 
   // The program.
@@ -307,6 +308,7 @@ export class TouchPage {
   private opened(): void {
     this.connected = true;
     this.settings.connected();
+    this.connection.send({ type: 'language', language });
     this.connection.send({ type: 'visible', visible: !document.hidden });
   }
 
@@ -320,7 +322,7 @@ export class TouchPage {
     this.showProbes();
     this.alert(sentence);
     if (this.surface === null) showNoScene();
-    this.readouts.status('fault', !final ? 'Not connected' : this.surface === null ? 'No access' : 'Ended');
+    this.readouts.status('fault', !final ? t('Not connected') : this.surface === null ? t('No access') : t('Ended'));
   }
 
   private receive(message: ToPage): void {
@@ -375,7 +377,7 @@ export class TouchPage {
     // Moves the device's middle to the place of this page's explorer.
     if (hello.pointer_moves) this.walking.show();
     else this.walking.sendPose();
-    if (hello.version !== protocolVersion) this.alert('This page and the program are of different versions: reload the page.');
+    if (hello.version !== protocolVersion) this.alert(t('This page and the program are of different versions: reload the page.'));
   }
 
   private receiveRaster(frame: HeightsFrame | PictureFrame): void {
@@ -416,7 +418,7 @@ export class TouchPage {
 
   private showState(state: State): void {
     const taken = this.probes.receive(state, performance.now());
-    if (taken !== null) this.voice.say(`Another page moves probe ${taken + 1} now.`, Importance.news);
+    if (taken !== null) this.voice.say(t('Another page moves probe {taken} now.', { taken: taken + 1 }), Importance.news);
     const { states, chosen } = this.probes;
     this.readouts.state(state, chosen ?? states[0]);
     this.actions.show();
@@ -474,7 +476,7 @@ export class TouchPage {
     stage.addEventListener('keydown', (event) => {
       this.wake();
       if (!this.connected && !['Tab', 'h', 'H', '?'].includes(event.key)) {
-        if (event.key.length === 1 || event.key.startsWith('Arrow')) this.voice.say('Palpable is not connected: nothing can be felt.', Importance.answer);
+        if (event.key.length === 1 || event.key.startsWith('Arrow')) this.voice.say(t('Palpable is not connected: nothing can be felt.'), Importance.answer);
         return;
       }
       if (this.stage.moveViewBy(event) || press(event, this.keys)) event.preventDefault();

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The settings of the page and of the touch: the panels show and change the store, and the page follows it.
+import { t } from '../language';
 import { element } from '../dom';
 import type { Change, Edit, Law, Materials, Settings as ProgramSettings } from '../generated/protocol';
 import { Controls } from '../settings/controls';
@@ -24,6 +25,9 @@ export interface SettingsPage {
   /** The user has changed a setting. */
   changed(settings: Settings, what: string): void;
 }
+
+const undoWords = (changed: string | null) => (changed === null ? t('Nothing to undo.') : t('Undone: {changed}.', { changed }));
+const redoWords = (changed: string | null) => (changed === null ? t('Nothing to redo.') : t('Redone: {changed}.', { changed }));
 
 export class TouchSettings {
   readonly controls: Controls;
@@ -60,24 +64,24 @@ export class TouchSettings {
   toggleSound(): void {
     const sound = !this.now.page.sound;
     this.changePage({ sound }, 'sound');
-    this.page.say(sound ? 'Sound on.' : 'Sound off.');
+    this.page.say(sound ? t('Sound on.') : t('Sound off.'));
   }
   /** False: there is nothing to undo or redo, which is said. */
   undoOrRedo(which: 'undo' | 'redo'): boolean {
     const changed = this.store.undoOrRedo(which);
     if (changed !== null) this.apply();
-    this.page.say(changed === null ? `Nothing to ${which}.` : `${which === 'undo' ? 'Undone' : 'Redone'}: ${changed}.`);
+    this.page.say(which === 'undo' ? undoWords(changed) : redoWords(changed));
     return changed !== null;
   }
   reset(): void {
     this.store.reset();
     this.apply();
-    this.page.say('All settings were reset.');
+    this.page.say(t('All settings were reset.'));
   }
   /** Selects the region with this label for editing. */
   editRegion(label: number): void {
     const found = this.materials.choose(label);
-    this.page.say(found ? `Editing ${this.materials.name()}.` : 'There is no region here.');
+    this.page.say(found ? t('Editing {name}.', { name: this.materials.name() }) : t('There is no region here.'));
   }
 
   // The program.

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Leads a probe to a named place: by words after each step, and by pulses from the place's side.
+import { t } from '../language';
 import type { Words as Answer } from '../generated/protocol';
 import { Importance, type Words } from '../sound/announcer';
 import type { Feedback } from '../sound/feedback';
@@ -54,7 +55,7 @@ export class Finder {
     this.reached = this.target = null;
     this.movedAt = performance.now();
     this.from = this.page.place();
-    this.page.say(this.words(`Looking for ${name}. `), Importance.answer);
+    this.page.say(this.words(`${t('Looking for {name}.', { name })} `), Importance.answer);
   }
   stop(): void {
     this.name = this.target = null;

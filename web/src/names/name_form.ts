@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The dialog that gives a name to a point, or to what is there.
+import { t } from '../language';
 import { element } from '../dom';
 import type { Around, AroundPlace } from '../generated/protocol';
 import type { Place } from '../surface';
@@ -16,7 +17,7 @@ export interface Named {
 
 /** Why a name cannot be given; null: it can. */
 export function problemOf(name: string): string | null {
-  return name.replace(/[\p{Cc}\p{Cf}\s]/gu, '') === '' ? 'Type a name first.' : null;
+  return name.replace(/[\p{Cc}\p{Cf}\s]/gu, '') === '' ? t('Type a name first.') : null;
 }
 
 export class NameForm {
@@ -57,11 +58,11 @@ export class NameForm {
     this.at = at;
     const here = around.places.filter(({ here: covers }) => covers);
     this.named = only ? [only] : [null, ...here];
-    const words = (place: AroundPlace | null) => (place === null ? 'this point' : `${place.written ? 'instead of' : 'the whole of'} ${place.name}`);
+    const words = (place: AroundPlace | null) => (place === null ? t('this point') : place.written ? t('instead of {name}', { name: place.name }) : t('the whole of {name}', { name: place.name }));
     this.of.replaceChildren(...this.named.map((place) => new Option(words(place))));
     this.of.disabled = this.named.length === 1;
     element('name-problem').textContent = '';
-    element('name-title').textContent = only ? `Rename ${only.name}` : 'Name a place';
+    element('name-title').textContent = only ? t('Rename {name}', { name: only.name }) : t('Name a place');
     this.name.value = this.sentence.value = '';
     this.fill();
     this.dialog.showModal();

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Names of points and regions, by key and by button: listing, naming, finding, and undoing changes of names.
+import { t } from '../language';
 import { element } from '../dom';
 import type { Around, AroundPlace, FromPage, Words as Answer } from '../generated/protocol';
 import { Importance, noScene, type Words } from '../sound/announcer';
@@ -67,7 +68,7 @@ export class Names {
   nameByButton(event: Event): void {
     if (!(event instanceof MouseEvent) || event.detail === 0) return this.nameHere();
     this.setNaming(!this.naming);
-    this.page.say(this.naming ? 'Click the place to name.' : 'Nothing is named.', Importance.answer);
+    this.page.say(this.naming ? t('Click the place to name.') : t('Nothing is named.'), Importance.answer);
   }
   /** A click on the surface; false if it names nothing. */
   clicked(place: Place | null): boolean {
@@ -76,14 +77,14 @@ export class Names {
     return true;
   }
   sayWay(): void {
-    const none = this.finder.reached === null ? 'You are led to no name.' : `${this.finder.reached} was reached.`;
-    this.page.say(this.finder.isLeading ? this.finder.words() : `${none} L lists the names.`, Importance.answer);
+    const none = this.finder.reached === null ? t('You are led to no name.') : t('{name} was reached.', { name: this.finder.reached });
+    this.page.say(this.finder.isLeading ? this.finder.words() : `${none} ${t('L lists the names.')}`, Importance.answer);
   }
   /** False: the probe is led to no name. */
   stopFinding(): boolean {
     if (!this.finder.isLeading) return false;
     this.finder.stop();
-    this.page.say('No longer led.', Importance.answer);
+    this.page.say(t('No longer led.'), Importance.answer);
     return true;
   }
 

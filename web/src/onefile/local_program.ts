@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The page's program in the page itself: the messages of protocol.json go to the touch module and come from it.
+import { t } from '../language';
 import { readMessage, readRaster, writeMessage } from '../codec';
 import type { FromPage, ToPage } from '../generated/protocol';
 import type { Program, Receiver } from '../home/connection';
@@ -67,7 +68,7 @@ export class LocalProgram implements Program {
 
   private deliverFrame(frame: string | ArrayBuffer): void {
     const read = typeof frame === 'string' ? readMessage(frame) : readRaster(frame);
-    if (typeof read === 'string') this.receiver.closed({ sentence: `The page's parts do not fit together: ${read}.`, final: true });
+    if (typeof read === 'string') this.receiver.closed({ sentence: t('The page’s parts do not fit together: {read}.', { read }), final: true });
     else if ('kind' in read && !('type' in read)) this.receiver.raster(read);
     else this.receiver.message(read as ToPage);
   }

@@ -1,10 +1,13 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // A page that is a file of its own (`palpable export SCENE -o x.html`).
+import { t } from '../language';
 import { element } from '../dom';
 import { noProgress } from '../guide/memory';
 import { TouchPage } from '../home/touch_page';
 import { defaults } from '../settings/preferences';
+import { offerLanguages } from '../language_choice';
+import { translatePage } from '../static_text';
 import { isComplete, picture, unpacked } from './embedded';
 import { LocalProgram } from './local_program';
 import { TouchModule, type Row } from './touch_module';
@@ -16,8 +19,8 @@ declare global {
   }
 }
 
-const damaged = 'This file is damaged: its scene cannot be read. Get it again from where it came from.';
-const tooOld = 'This browser is too old for this page: it needs WebAssembly and DecompressionStream.';
+const damaged = t('This file is damaged: its scene cannot be read. Get it again from where it came from.');
+const tooOld = t('This browser is too old for this page: it needs WebAssembly and DecompressionStream.');
 
 async function openTouch(): Promise<TouchModule> {
   if (typeof WebAssembly === 'undefined' || typeof DecompressionStream === 'undefined') throw new Error(tooOld);
@@ -30,11 +33,13 @@ async function openTouch(): Promise<TouchModule> {
 }
 
 function start(): void {
+  translatePage();
+  offerLanguages();
   const opened = openTouch();
   window.palpable = { probe: async (rows, options = {}) => (await opened).probe(rows, options) };
   // There is no other file to save to, and nothing is kept in a browser that belongs to somebody else's address.
   element('save').hidden = true;
-  element('stored-data').textContent = 'Nothing is stored, and no data leaves this page: it asks no address for anything.';
+  element('stored-data').textContent = t('Nothing is stored, and no data leaves this page: it asks no address for anything.');
   new TouchPage(
     (receiver) => new LocalProgram(receiver, opened),
     // From above: quick on every phone. In 3D is a setting.

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Adding, selecting and removing probes by key, panel and fingers, with spoken messages.
+import { t } from '../language';
 import { Importance, noScene, type Words } from '../sound/announcer';
 import type { FromPage } from '../generated/protocol';
 import type { Probes } from './probes';
@@ -32,9 +33,8 @@ export class ProbeActions implements ProbesTarget {
     const { own } = this.probes;
     const before = own.numbers.length;
     if (this.page.surface() === null) return this.page.say(noScene, Importance.answer);
-    if (!own.choose(probe, this.probes.placeOf(own.chosen))) return this.page.say('There is no probe of that number.', Importance.answer);
-    const how = own.numbers.length > before ? ' added' : '';
-    this.page.say(this.page.chosenWords(`Probe ${probe + 1}${how}`), Importance.answer);
+    if (!own.choose(probe, this.probes.placeOf(own.chosen))) return this.page.say(t('There is no probe of that number.'), Importance.answer);
+    this.page.say(this.page.chosenWords(own.numbers.length > before ? t('Probe {probe} added', { probe: probe + 1 }) : t('Probe {probe}', { probe: probe + 1 })), Importance.answer);
     this.changed();
   }
   add(): void {
@@ -44,11 +44,11 @@ export class ProbeActions implements ProbesTarget {
   take(): void {
     const probe = this.probes.own.chosen;
     if (!this.probes.own.remove(probe)) {
-      const words = probe === 0 || this.probes.own.isGuest ? 'The first probe cannot be removed.' : 'A device moves this probe: it cannot be removed.';
+      const words = probe === 0 || this.probes.own.isGuest ? t('The first probe cannot be removed.') : t('A device moves this probe: it cannot be removed.');
       return this.page.say(words, Importance.answer);
     }
     this.lift(probe);
-    this.page.say(`Probe ${probe + 1} removed. The keys move probe 1.`, Importance.answer);
+    this.page.say(t('Probe {probe} removed. The keys move probe 1.', { probe: probe + 1 }), Importance.answer);
   }
   describeProbes(): void {
     this.page.say(this.page.allWords(), Importance.answer);
@@ -56,17 +56,17 @@ export class ProbeActions implements ProbesTarget {
 
   /** A finger has added a probe, has lifted it, or found none left. */
   came(probe: number): void {
-    this.page.say(`Probe ${probe + 1} touches.`, Importance.motion);
+    this.page.say(t('Probe {probe} touches.', { probe: probe + 1 }), Importance.motion);
     this.changed();
   }
   left(probe: number): void {
-    this.page.say(`Probe ${probe + 1} lifted.`, Importance.motion);
+    this.page.say(t('Probe {probe} lifted.', { probe: probe + 1 }), Importance.motion);
     this.lift(probe);
   }
   full(): void {
     const { own } = this.probes;
-    if (own.isGuest) return this.page.say(own.movable() ? 'You touch with one probe.' : 'You look: others move the probes.', Importance.answer);
-    this.page.say(`More than ${this.probes.own.numbers.length} probes cannot touch at once.`, Importance.news);
+    if (own.isGuest) return this.page.say(own.movable() ? t('You touch with one probe.') : t('You look: others move the probes.'), Importance.answer);
+    this.page.say(t('More than {count} probes cannot touch at once.', { count: this.probes.own.numbers.length }), Importance.news);
   }
 
   /** Shows the newest figures at a readable rate. */

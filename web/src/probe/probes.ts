@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // All probes: this page's own, and the program's state of each.
+import { t } from '../language';
 import type { ProbeState, State } from '../generated/protocol';
 import type { Place, Surface } from '../surface';
 import type { ProbeView } from '../view/view';
@@ -71,7 +72,7 @@ export class Probes {
 
   /** Adds the probe's number to a sentence if there are several. */
   named(words: string): string {
-    return this.own.several ? `Probe ${this.own.chosen + 1}: ${words}` : words;
+    return this.own.several ? t('Probe {probe}: {words}', { probe: this.own.chosen + 1, words }) : words;
   }
 
   /** The probes for drawing. */

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The panel of several probes: the selected one, and the force on each.
+import { fixed, t } from '../language';
 import { element } from '../dom';
 import type { ProbeState } from '../generated/protocol';
 import { newtons } from './probes';
@@ -31,7 +32,7 @@ export class ProbesPanel {
     element<HTMLButtonElement>('probe-add').disabled = !canAdd;
     if (this.offered !== numbers.join()) {
       this.offered = numbers.join();
-      this.choice.replaceChildren(...numbers.map((probe) => new Option(probe === 0 ? '1, the first' : String(probe + 1), String(probe))));
+      this.choice.replaceChildren(...numbers.map((probe) => new Option(probe === 0 ? t('1, the first') : String(probe + 1), String(probe))));
     }
     this.choice.value = String(chosen);
   }
@@ -42,7 +43,7 @@ export class ProbesPanel {
     while (this.rows.rows.length > states.length) this.rows.deleteRow(-1);
     while (this.rows.rows.length < states.length) this.rows.append(emptyRow());
     states.forEach((one, k) => {
-      const figures = [one.probe + 1, `${millimetreFigure(one.x_m, scale)}, ${millimetreFigure(one.y_m, scale)}`, millimetreFigure(one.surface_m, scale), newtons(one).toFixed(2)];
+      const figures = [one.probe + 1, t('{x}, {y}', { x: millimetreFigure(one.x_m, scale), y: millimetreFigure(one.y_m, scale) }), millimetreFigure(one.surface_m, scale), fixed(newtons(one), 2)];
       figures.forEach((figure, column) => {
         const cell = this.rows.rows[k]!.cells[column]!;
         if (cell.textContent !== String(figure)) cell.textContent = String(figure);

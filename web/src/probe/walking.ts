@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Walking in the egocentric view: the explorer moves and turns with this page's probes, and the pose is spoken, sent and
 // drawn.
+import { t } from '../language';
 import { element } from '../dom';
 import { Explorer, type ExplorerPose } from './explorer';
 import type { FromPage } from '../generated/protocol';
@@ -44,10 +45,10 @@ export class Walking {
   walk({ ahead, left }: Walk): void {
     const surface = this.page.surface();
     if (surface === null) return;
-    if (!this.egocentric) return this.page.say('Walking is for the egocentric view: start with --view egocentric.');
+    if (!this.egocentric) return this.page.say(t('Walking is for the egocentric view: start with --view egocentric.'));
     const before = this.explorer.pose;
     if (left !== 0) this.explorer.turn(left);
-    if (ahead !== 0 && !this.explorer.walk(ahead * surface.scale, surface)) this.page.say('The scene ends here.');
+    if (ahead !== 0 && !this.explorer.walk(ahead * surface.scale, surface)) this.page.say(t('The scene ends here.'));
     for (const probe of this.probes.numbers) {
       const moved = this.probes.at(probe)!;
       const place = this.explorer.carried(moved.place, before);
@@ -57,7 +58,7 @@ export class Walking {
   }
 
   sayPose(): void {
-    if (!this.egocentric) return this.page.say('This is the exocentric view: you look from outside.');
+    if (!this.egocentric) return this.page.say(t('This is the exocentric view: you look from outside.'));
     this.sendPose();
   }
 

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Records a canvas, with sound, as a WebM file by the browser's own encoder.
+import { withDuration } from './webm_duration';
 
 const types = ['video/webm;codecs=vp9,opus', 'video/webm;codecs=vp8,opus', 'video/webm'];
 const framesPerSecond = 30;
@@ -40,6 +41,7 @@ export class Clip {
       this.recorder.stop();
     });
     for (const track of this.stream.getTracks()) track.stop();
-    return new Blob(this.pieces, { type: 'video/webm' });
+    const recorded = new Uint8Array(await new Blob(this.pieces).arrayBuffer());
+    return new Blob([withDuration(recorded)], { type: 'video/webm' });
   }
 }

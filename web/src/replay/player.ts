@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Plays a recording: where it is, how fast it goes, and the states of its probes.
+import { fixed, listed, t } from '../language';
 import type { ProbeState, State } from '../generated/protocol';
 import type { Surface } from '../surface';
 import type { Recording } from './recording';
@@ -64,29 +65,33 @@ export class Player {
     return { type: 'state', t_s: t, rate_hz: 0, probes };
   }
 
-  /** "12.3 seconds of 65, in contact, 1.20 newtons". */
+  /** "12.3 seconds of 65 seconds, in contact, 1.20 newtons". */
   words(): string {
     const row = this.recording.tracks.get(0)?.at(this.recording.begin + this.now) ?? null;
-    const force = row === null ? 0 : Math.hypot(row.moment.fx, row.moment.fy, row.moment.fz);
-    const felt = row === null ? '' : row.moment.paused ? ', paused' : `, ${row.moment.contact ? 'in contact' : 'in free air'}, ${force.toFixed(2)} newtons`;
-    return `${spokenTime(this.now)} of ${spokenTime(this.length)}${felt}`;
+    const times = { now: spokenTime(this.now), length: spokenTime(this.length) };
+    if (row === null) return t('{now} of {length}', times);
+    const { paused, contact, fx, fy, fz } = row.moment;
+    if (paused) return t('{now} of {length}, paused', times);
+    const values = { ...times, force: fixed(Math.hypot(fx, fy, fz), 2) };
+    return contact ? t('{now} of {length}, in contact, {force} newtons', values) : t('{now} of {length}, in free air, {force} newtons', values);
   }
 }
 
 /** "12.3 seconds", "1 second", "2 minutes 5 seconds". */
 export function spokenTime(seconds: number): string {
-  const counted = (count: number, what: string) => `${count} ${what}${count === 1 ? '' : 's'}`;
-  if (seconds < 60) return counted(Number(seconds.toFixed(1)), 'second');
+  if (seconds < 60) return t('{count, plural, one {# second} other {# seconds}}', { count: Number(seconds.toFixed(1)) });
   const whole = Math.round(seconds);
   const [minutes, rest] = [Math.floor(whole / 60), whole % 60];
-  return `${counted(minutes, 'minute')}${rest > 0 ? ` ${counted(rest, 'second')}` : ''}`;
+  const long = t('{count, plural, one {# minute} other {# minutes}}', { count: minutes });
+  return rest > 0 ? `${long} ${t('{count, plural, one {# second} other {# seconds}}', { count: rest })}` : long;
 }
 
 /** What is said of a recording that does not fit. A scene that was replaced by a better one is the same. */
 export function otherWords(inputs: readonly string[], sceneName: string): string {
   const files = inputs.map((path) => path.split('/').pop()!);
-  if (files.length > 0 && files.every((file) => sceneName.includes(file))) return 'It was made on another version of this scene, whose heights differ.';
-  return `It seems to be of another scene than this one.${files.length > 0 ? ` It was made on ${files.join(' and ')}.` : ''}`;
+  if (files.length > 0 && files.every((file) => sceneName.includes(file))) return t('It was made on another version of this scene, whose heights differ.');
+  const other = t('It seems to be of another scene than this one.');
+  return files.length > 0 ? `${other} ${t('It was made on {files}.', { files: listed(files) })}` : other;
 }
 
 /** Whether a recording may have been made on this surface: where it touched, there is one. True if it does not tell. */

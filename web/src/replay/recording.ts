@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Reads a recording (docs/recording.md) of any length, block by block, into one track a probe.
+import { t } from '../language';
 import { Track, type Moment } from './track';
 
 export interface Recording {
@@ -128,9 +129,9 @@ class Reading {
 export async function readRecording(name: string, file: Blob, progress: (share: number) => void = () => undefined, mostRows?: number): Promise<Recording | string> {
   const blocks = new Blocks(file);
   const text = (bytes: Uint8Array | null) => (bytes === null ? '' : String.fromCharCode(...bytes));
-  if (text(await blocks.next(magic.length)) !== magic) return `${name} is not a recording of this version of Palpable.`;
+  if (text(await blocks.next(magic.length)) !== magic) return t('{name} is not a recording of this version of Palpable.', { name });
   const reading = new Reading(mostRows);
-  let fault: string | null = 'It was interrupted, and is played to there.';
+  let fault: string | null = t('It was interrupted, and is played to there.');
   for (;;) {
     const head = await blocks.next(chunkHead);
     if (head === null) break;
@@ -141,7 +142,7 @@ export async function readRecording(name: string, file: Blob, progress: (share: 
     const payload = size <= (isTicks ? mostChunk : mostText) ? await blocks.next(size) : null;
     if (payload === null) break;
     if (crc32(payload) !== sum || (kind === 'PROG' && !reading.scene(payload)) || (isTicks && !reading.ticks(payload))) {
-      fault = 'It is damaged, and is played to the damage.';
+      fault = t('It is damaged, and is played to the damage.');
       break;
     }
     progress(blocks.fraction);
@@ -150,6 +151,6 @@ export async function readRecording(name: string, file: Blob, progress: (share: 
     break;
   }
   const hand = reading.tracks.get(0);
-  if (hand === undefined || hand.rows < 2) return `${name} holds nothing that could be played.`;
+  if (hand === undefined || hand.rows < 2) return t('{name} holds nothing that could be played.', { name });
   return { name, begin: hand.first, end: hand.last, tracks: reading.tracks, inputs: reading.inputs, fault, contacts: reading.contacts };
 }

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // A recording on the page: opening it, the strip with its controls, and saving it as a clip.
+import { fixed, t } from '../language';
 import { element } from '../dom';
 import { download } from '../download';
 import type { State } from '../generated/protocol';
@@ -59,7 +60,7 @@ export class ReplayPanel {
       file.value = '';
       if (chosen) void this.open(chosen);
     });
-    this.speed.replaceChildren(...speeds.map((speed) => new Option(`${speed} ×`, String(speed), speed === 1, speed === 1)));
+    this.speed.replaceChildren(...speeds.map((speed) => new Option(t('{value} ×', { value: speed }), String(speed), speed === 1, speed === 1)));
     this.speed.addEventListener('change', () => this.player && (this.player.speed = Number(this.speed.value)));
     this.slider.addEventListener('input', () => this.seek(this.slider.valueAsNumber));
     document.addEventListener('visibilitychange', () => this.clip?.clip.pause(document.hidden));
@@ -81,30 +82,30 @@ export class ReplayPanel {
 
   async open(file: File): Promise<void> {
     const opening = ++this.opening;
-    this.page.say(`Reading ${file.name}.`);
+    this.page.say(t('Reading {name}.', { name: file.name }));
     let saidAt = performance.now();
     const progress = (share: number) => {
       if (performance.now() - saidAt < readSaidEvery || opening !== this.opening) return;
       saidAt = performance.now();
-      this.page.tell(`${Math.floor(100 * share)} percent read.`);
+      this.page.tell(t('{share} percent read.', { share: Math.floor(100 * share) }));
     };
-    const recording = await readRecording(file.name, file, progress).catch(() => `${file.name} cannot be read.`);
+    const recording = await readRecording(file.name, file, progress).catch(() => t('{name} cannot be read.', { name: file.name }));
     if (opening !== this.opening) return;
     const surface = this.page.surface();
-    if (typeof recording === 'string' || surface === null) return this.page.say(typeof recording === 'string' ? recording : 'There is no scene yet.');
+    if (typeof recording === 'string' || surface === null) return this.page.say(typeof recording === 'string' ? recording : t('There is no scene yet.'));
     this.close();
     this.player = new Player(recording);
     this.speed.value = '1';
     this.slider.max = String(Number(this.player.length.toFixed(2)));
     this.slider.step = this.player.length > 60 ? '1' : '0.1';
-    element('replay-title').textContent = `Replay of ${recording.name}`;
+    element('replay-title').textContent = t('Replay of {name}', { name: recording.name });
     const note = `${recording.fault ?? ''} ${fits(recording, surface) ? '' : otherWords(recording.inputs, this.page.sceneName())}`.trim();
     element('replay-note').textContent = note;
     this.strip.hidden = false;
     this.page.changed();
     this.show(true);
     element('replay-play').focus();
-    this.page.say(`Replay of ${recording.name}, ${spokenTime(this.player.length)}. ${note === '' ? '' : `${note} `}Space plays, left and right go back and on by a second.`);
+    this.page.say([t('Replay of {name}, {time}.', { name: recording.name, time: spokenTime(this.player.length) }), note, t('Space plays, left and right go back and on by a second.')].filter((part) => part !== '').join(' '));
   }
 
   /** Ends the replay: the page shows the touch again. */
@@ -116,7 +117,7 @@ export class ReplayPanel {
     const had = this.strip.contains(document.activeElement);
     this.strip.hidden = true;
     this.page.changed();
-    this.page.say(`The replay has ended: the page shows the touch again.${this.page.paused() ? ' It is paused: Space resumes it.' : ''}`);
+    this.page.say(t('The replay has ended: the page shows the touch again.') + (this.page.paused() ? ` ${t('It is paused: Space resumes it.')}` : ''));
     if (had) element('stage').focus({ preventScroll: true });
   }
 
@@ -127,7 +128,7 @@ export class ReplayPanel {
     else player.play();
     this.drawnAt = null;
     this.figures(true);
-    this.page.say(player.isPlaying ? 'Plays.' : `Stopped at ${player.words()}.`);
+    this.page.say(player.isPlaying ? t('Plays.') : t('Stopped at {words}.', { words: player.words() }));
     this.page.request();
   }
 
@@ -153,7 +154,7 @@ export class ReplayPanel {
     if (goesOn) return true;
     this.figures(true);
     if (this.clip) void this.endClip(true);
-    else this.page.tell('The end of the recording.');
+    else this.page.tell(t('The end of the recording.'));
     return false;
   }
 
@@ -190,7 +191,7 @@ export class ReplayPanel {
     const words = player.words();
     this.slider.setAttribute('aria-valuetext', words);
     element('replay-at-value').textContent = words;
-    element('replay-play').textContent = player.isPlaying ? 'Stop' : 'Play';
+    element('replay-play').textContent = player.isPlaying ? t('Stop') : t('Play');
   }
 
   // The clip.
@@ -199,7 +200,7 @@ export class ReplayPanel {
     const { player } = this;
     const [type, canvas] = [clipType(), this.page.canvas()];
     if (player === null) return;
-    if (type === null || canvas === null) return this.page.say('This browser cannot record clips.');
+    if (type === null || canvas === null) return this.page.say(t('This browser cannot record clips.'));
     player.pause();
     const sound = await this.page.tap();
     if (player !== this.player) return this.page.untap();
@@ -207,22 +208,22 @@ export class ReplayPanel {
       this.clip = { clip: new Clip(canvas, sound, type), from: player.time >= player.length ? 0 : player.time, said: 0 };
     } catch {
       this.page.untap();
-      return this.page.say('This browser refuses to record a clip.');
+      return this.page.say(t('This browser refuses to record a clip.'));
     }
     player.play();
     this.drawnAt = null;
     this.enable(false);
-    this.page.say('The clip is being recorded while the recording plays, from here to its end. Keep this page visible.');
+    this.page.say(t('The clip is being recorded while the recording plays, from here to its end. Keep this page visible.'));
     this.page.request();
   }
 
   private showClip(player: Player, clip: { from: number; said: number }): void {
     const share = (player.time - clip.from) / Math.max(1e-9, player.length - clip.from);
-    element('replay-words').textContent = `Recording the clip: ${Math.floor(100 * share)} %`;
+    element('replay-words').textContent = t('Recording the clip: {share} %', { share: Math.floor(100 * share) });
     const next = saidShares[clip.said];
     if (next === undefined || share < next) return;
     clip.said += 1;
-    this.page.tell(`${100 * next} percent of the clip.`);
+    this.page.tell(t('{next} percent of the clip.', { next: 100 * next }));
   }
 
   /** Saves it, or drops it. */
@@ -236,15 +237,15 @@ export class ReplayPanel {
     element('replay-words').textContent = '';
     const film = await running.clip.finish();
     this.page.untap();
-    if (!complete || player === null) return this.page.say('The clip was cancelled: nothing is saved.');
+    if (!complete || player === null) return this.page.say(t('The clip was cancelled: nothing is saved.'));
     const name = `${player.recording.name.replace(/\.[^.]*$/, '')}.webm`;
     download(name, film);
-    element('replay-words').textContent = `The clip is saved as ${name}.`;
-    this.page.say(`The clip is saved as ${name}, ${(film.size / 1e6).toFixed(1)} megabytes.`);
+    element('replay-words').textContent = t('The clip is saved as {name}.', { name });
+    this.page.say(t('The clip is saved as {name}, {size} megabytes.', { name, size: fixed(film.size / 1e6, 1) }));
   }
 
   private enable(free: boolean): void {
-    element('replay-clip').textContent = free ? 'Save as a clip' : 'Cancel the clip';
+    element('replay-clip').textContent = free ? t('Save as a clip') : t('Cancel the clip');
     for (const control of [this.slider, this.speed, element<HTMLButtonElement>('replay-play')]) control.disabled = !free;
   }
 }

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The dialog that measures the screen: the outline of a card is made as wide as a real card that is held against it.
+import { rounded, t } from '../language';
 import { element } from '../dom';
 import { card, cssPixel, measuredPixel } from './screen_size';
 
@@ -32,7 +33,7 @@ export class Calibration {
     this.input.max = String(Math.max(2 * least, element('card-frame').clientWidth));
     this.input.step = '1';
     this.input.value = String(Math.round(this.side / cssPixel(pixelSize, window.devicePixelRatio)));
-    element('card-side').textContent = this.side === card.long ? 'long' : 'short';
+    element('card-side').textContent = this.side === card.long ? t('long') : t('short');
     this.draw();
     this.input.focus();
   }
@@ -40,7 +41,7 @@ export class Calibration {
   private draw(): void {
     const width = this.input.valueAsNumber;
     const other = this.side === card.long ? card.short : card.long;
-    const words = `${width} pixels of ${(this.side / width).toPrecision(3)} mm`;
+    const words = t('{count} pixels of {side} mm', { count: width, side: rounded(this.side / width, 3) });
     const { style } = element('card');
     style.width = `${width}px`;
     style.height = `${(width * other) / this.side}px`;

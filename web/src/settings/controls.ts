@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The settings panel.
+import { known, t } from '../language';
 import { element } from '../dom';
 import type { Law } from '../generated/protocol';
 import { ParameterPanel } from './parameter_panel';
@@ -24,8 +25,9 @@ const pageSlider = (key: keyof typeof ranges, words: Slider['words'], id: string
   write: (settings, value) => ({ ...settings, page: { ...settings.page, [key]: value } }),
   words,
 });
+const percent = (value: number) => t('{value} %', { value });
 const soundSlider = (sound: 'contact' | 'slide' | 'height' | 'edge' | 'name' | 'find'): Slider =>
-  pageSlider(`${sound}Volume`, (value) => (value === 0 ? '0 %, off' : `${value} %`), `${sound}-volume`);
+  pageSlider(`${sound}Volume`, (value) => (value === 0 ? t('0 %, off') : percent(value)), `${sound}-volume`);
 const soundSliders = (['contact', 'slide', 'height', 'edge', 'name', 'find'] as const).map(soundSlider);
 
 const sliders: Slider[] = [
@@ -35,19 +37,19 @@ const sliders: Slider[] = [
     max: 4,
     read: ({ touch }) => touch.heightFactor,
     write: (settings, heightFactor) => ({ ...settings, touch: { ...settings.touch, heightFactor } }),
-    words: (value) => `× ${value}`,
+    words: (value) => t('× {value}', { value }),
   },
-  pageSlider('volume', (value) => `${value} %`),
-  pageSlider('tilt', (value) => `${value}°`),
+  pageSlider('volume', percent),
+  pageSlider('tilt', (value) => t('{value}°', { value })),
   ...soundSliders,
 ];
 const depthSliders = [
-  pageSlider('eyeDistance', (value) => `${value} mm`, 'eye-distance'),
-  pageSlider('screenDistance', (value) => `${value / 10} cm`, 'screen-distance'),
-  pageSlider('depthBefore', (value) => (value === 0 ? '0 %, all behind it' : value === 100 ? '100 %, all before it' : `${value} %`), 'depth-before'),
-  pageSlider('depthShare', (value) => (value === 100 ? '100 %, true' : `${value} %`), 'depth-share'),
+  pageSlider('eyeDistance', (value) => t('{value} mm', { value }), 'eye-distance'),
+  pageSlider('screenDistance', (value) => t('{value} cm', { value: value / 10 }), 'screen-distance'),
+  pageSlider('depthBefore', (value) => (value === 0 ? t('0 %, all behind it') : value === 100 ? t('100 %, all before it') : percent(value)), 'depth-before'),
+  pageSlider('depthShare', (value) => (value === 100 ? t('100 %, true') : percent(value)), 'depth-share'),
 ];
-const headsetSlider = pageSlider('headsetSize', (value) => `${value} %`, 'headset-size');
+const headsetSlider = pageSlider('headsetSize', percent, 'headset-size');
 sliders.push(...depthSliders, headsetSlider);
 /** The preferences' controls: by id, the preference. */
 const checks = { sound: 'sound', speech: 'speech', vibration: 'vibration', gamepads: 'gamepads', 'depth-comfort': 'depthComfort', 'swap-eyes': 'swapEyes' } as const;
@@ -55,7 +57,7 @@ const selects = { surface: 'surface', view: 'view', 'depth-mode': 'depthMode', t
 const keysOf = <T extends object>(table: T) => Object.keys(table) as (keyof T & string)[];
 
 function optionOf({ name, title, unavailable }: Law): HTMLOptionElement {
-  const option = new Option(unavailable === null ? title : `${title}: ${unavailable}`, name);
+  const option = new Option(unavailable === null ? known(title) : `${known(title)}: ${known(unavailable)}`, name);
   option.disabled = unavailable !== null;
   return option;
 }
@@ -98,14 +100,14 @@ export class Controls {
     element<HTMLSelectElement>('law').value = settings.touch.law;
     this.parameters.show(law?.parameters ?? [], used, settings.touch.set, settings.materials.length);
     const isFlat = settings.page.view === 'flat' || element<HTMLSelectElement>('view').disabled;
-    const noDepth = isFlat ? 'in 3D only' : settings.page.depthMode === 'plain' ? 'in a depth mode' : null;
-    const noSound = settings.page.sound ? null : 'sound is off';
+    const noDepth = isFlat ? t('in 3D only') : settings.page.depthMode === 'plain' ? t('in a depth mode') : null;
+    const noSound = settings.page.sound ? null : t('sound is off');
     const disabled: Record<string, string | null> = {
       volume: noSound,
       ...Object.fromEntries(soundSliders.map(({ id }) => [id, noSound])),
-      'height-factor': this.isRelief ? null : 'reliefs only',
-      tilt: isFlat ? 'in 3D only' : null,
-      [headsetSlider.id]: isFlat ? 'in 3D only' : null,
+      'height-factor': this.isRelief ? null : t('reliefs only'),
+      tilt: isFlat ? t('in 3D only') : null,
+      [headsetSlider.id]: isFlat ? t('in 3D only') : null,
       ...Object.fromEntries(depthSliders.map(({ id }) => [id, noDepth])),
     };
     sliders.forEach(({ id, min, max, read, words }, k) => this.ranges[k]!.show({ min, max, value: read(settings), words, disabled: disabled[id] ?? null }));

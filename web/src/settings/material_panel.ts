@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The panel for the material of one region.
+import { t } from '../language';
 import { element } from '../dom';
 import { pictureForms, type Law } from '../generated/protocol';
 import type { Material } from './materials';
@@ -33,7 +34,7 @@ const sliders: Slider[] = [
 
 /** The size of the picture that a texture was made from, in addition to its pitch. */
 function sideOf({ texture, pitch_m }: Material, key: Numbers): string {
-  return texture === 'picture' && key === 'pitch_m' ? `, picture ${figure(pitch_m * pictureForms * 1e3)} mm` : '';
+  return texture === 'picture' && key === 'pitch_m' ? `, ${t('picture {side} mm', { side: figure(pitch_m * pictureForms * 1e3) })}` : '';
 }
 
 export class MaterialPanel {
@@ -89,9 +90,9 @@ export class MaterialPanel {
     if (ofPicture !== null) ofPicture.disabled = !this.pictured.has(this.chosen());
     this.texture.value = material.texture;
     sliders.forEach(({ key, scale, unit, min, max, texture }, k) => {
-      const noTexture = canTexture ? 'no texture' : 'not in this law';
+      const noTexture = canTexture ? t('no texture') : t('not in this law');
       const disabled = texture === true && (!canTexture || material.texture === 'none') ? noTexture : null;
-      const words = (value: number) => `${value} ${unit}${sideOf(material, key)}`.trim();
+      const words = (value: number) => t('{value} {unit}', { value, unit }).trim() + sideOf(material, key);
       this.ranges[k]!.show({ min, max, value: material[key] * scale, words, disabled });
     });
   }

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // A scene's materials: one flat object per label, so that each value has its own slider and its own undo.
+import { t } from '../language';
 import type { MaterialEdit, Materials, Texture, Material as ProgramMaterial } from '../generated/protocol';
 
 export interface Material extends Omit<ProgramMaterial, 'texture'>, Omit<Texture, 'kind'> {
@@ -11,7 +12,7 @@ export interface Material extends Omit<ProgramMaterial, 'texture'>, Omit<Texture
 export function materialsOf({ materials }: Materials): Material[] {
   return materials.map(({ name, material: { texture, ...values } }, label) => {
     const { kind, ...shape } = texture;
-    return { ...values, ...shape, texture: kind, name: name ?? (materials.length === 1 ? 'the surface' : `region ${label + 1}`) };
+    return { ...values, ...shape, texture: kind, name: name ?? (materials.length === 1 ? t('the surface') : t('region {label}', { label: label + 1 })) };
   });
 }
 

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The sliders and switches of a law's parameters, generated from the law's descriptor.
+import { known, t } from '../language';
 import { element } from '../dom';
 import type { Parameter } from '../generated/protocol';
 import { figure, RangeInput } from './range_input';
@@ -33,12 +34,12 @@ export class ParameterPanel {
         element<HTMLInputElement>(idOf(parameter.name)).checked = value > 0;
         continue;
       }
-      const differs = set[parameter.name] === undefined && materials > 1 && isOfMaterials(parameter.name) ? ', each region its own' : '';
+      const differs = set[parameter.name] === undefined && materials > 1 && isOfMaterials(parameter.name) ? `, ${t('each region its own')}` : '';
       range.show({
         min: figure(parameter.min * scale),
         max: figure(parameter.max * scale),
         value: value * scale,
-        words: (shown) => `${shown}${unit === '' ? '' : ` ${unit}`}${differs}`,
+        words: (shown) => `${t('{value} {unit}', { value: shown, unit }).trim()}${differs}`,
         disabled: null,
       });
     }
@@ -60,7 +61,7 @@ export class ParameterPanel {
     input.type = 'checkbox';
     input.id = idOf(name);
     input.addEventListener('change', () => this.changed(name, input.checked ? 1 : 0));
-    label.append(input, ` ${title}`);
+    label.append(input, ` ${known(title)}`);
     return label;
   }
 }
@@ -75,7 +76,7 @@ function sliderElement({ name, title }: Parameter): HTMLElement {
   row.className = 'slider';
   const label = document.createElement('label');
   label.htmlFor = idOf(name);
-  label.textContent = title;
+  label.textContent = known(title);
   const value = document.createElement('span');
   value.id = `${idOf(name)}-value`;
   value.setAttribute('aria-hidden', 'true');

@@ -89,7 +89,7 @@ describe('the settings', () => {
     const { store, sent } = kept();
     store.receive(holds);
     store.change({ ...store.settings, page: { ...defaults, theme: 'dark' } }, 'theme');
-    expect(store.undoOrRedo('undo')).toBe('theme');
+    expect(store.undoOrRedo('undo')).toBe('colours');
     expect(store.settings.page.theme).toBe('system');
     expect(sent).toEqual([]);
   });

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Settings with undo, and their exchange with the program: requests are sent, effective values come back.
+import { known, t } from '../language';
 import type { Change, Edit, Law, Materials, Settings as ProgramSettings } from '../generated/protocol';
 import { History } from './history';
 import { editOf, materialsOf, type Material } from './materials';
@@ -10,27 +11,46 @@ import { sameTouch, type Settings, type TouchSettings } from './settings';
 /** Timeout for the answer to a change, after which the program's values are used (ms). */
 const answerTime = 3000;
 const titles: Record<string, string> = {
-  heightFactor: 'height',
-  law: 'force law',
-  damping_Ns_per_m: 'damping',
-  stiffness_N_per_m: 'stiffness',
-  pitch_m: 'texture pitch',
-  height_m: 'texture height',
-  angle_deg: 'texture angle',
-  depthMode: 'depth mode',
-  eyeDistance: 'eye distance',
-  screenDistance: 'screen distance',
-  depthBefore: 'part before the screen',
-  depthShare: 'depth',
-  depthComfort: 'disparities within a degree',
-  swapEyes: 'exchanged eyes',
-  cameraAngle: 'camera’s angle of view',
-  cameraTilt: 'camera’s tilt',
-  cameraAbove: 'camera above the screen',
-  headGainX: 'head to the sides',
-  headGainY: 'head up and down',
-  headGainZ: 'head nearer and farther',
-  pixelSize: 'size of the screen',
+  sound: t('sound'),
+  volume: t('volume'),
+  speech: t('speech'),
+  vibration: t('vibration'),
+  gamepads: t('gamepads'),
+  theme: t('colours'),
+  view: t('view'),
+  surface: t('surface'),
+  tilt: t('tilt'),
+  friction: t('friction'),
+  stickiness: t('stickiness'),
+  texture: t('texture'),
+  headsetSize: t('size in the headset'),
+  contactVolume: t('volume of contacts'),
+  slideVolume: t('volume of sliding'),
+  heightVolume: t('volume of heights'),
+  edgeVolume: t('volume of edges'),
+  nameVolume: t('volume of names'),
+  findVolume: t('volume of finding'),
+  heightFactor: t('height'),
+  law: t('force law'),
+  damping_Ns_per_m: t('damping'),
+  stiffness_N_per_m: t('stiffness'),
+  pitch_m: t('texture pitch'),
+  height_m: t('texture height'),
+  angle_deg: t('texture angle'),
+  depthMode: t('depth mode'),
+  eyeDistance: t('eye distance'),
+  screenDistance: t('screen distance'),
+  depthBefore: t('part before the screen'),
+  depthShare: t('depth'),
+  depthComfort: t('disparities within a degree'),
+  swapEyes: t('exchanged eyes'),
+  cameraAngle: t('camera’s angle of view'),
+  cameraTilt: t('camera’s tilt'),
+  cameraAbove: t('camera above the screen'),
+  headGainX: t('head to the sides'),
+  headGainY: t('head up and down'),
+  headGainZ: t('head nearer and farther'),
+  pixelSize: t('size of the screen'),
 };
 
 export class SettingsStore {
@@ -78,7 +98,7 @@ export class SettingsStore {
   }
 
   setLaws(laws: readonly Law[]): void {
-    this.parameterTitles = Object.fromEntries(laws.flatMap(({ parameters }) => parameters.map(({ name, title }) => [name, title.toLowerCase()])));
+    this.parameterTitles = Object.fromEntries(laws.flatMap(({ parameters }) => parameters.map(({ name, title }) => [name, known(title).toLowerCase()])));
   }
 
   change(settings: Settings, what: string): void {
@@ -171,7 +191,7 @@ export class SettingsStore {
         .map((key) => titles[key] ?? this.parameterTitles[key] ?? key);
     const materials = b.materials.flatMap((material, label) => {
       const before = a.materials[label];
-      return before === undefined ? [] : between(before, material).map((what) => `${what} of ${material.name}`);
+      return before === undefined ? [] : between(before, material).map((what) => t('{what} of {name}', { what, name: material.name }));
     });
     const { set: setBefore, ...before } = a.touch;
     const { set: setAfter, ...after } = b.touch;

@@ -1,10 +1,11 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // With whom the touch is shared: shown on the pages of the program's own machine.
+import { t } from '../language';
 import { element } from '../dom';
 import type { FromPage, Guest, Sharing } from '../generated/protocol';
 import { drawCode } from './qr_picture';
-import { countWords, guestWords, selfWords } from './words';
+import { countWords, guestName, guestWords, invitationWords, selfWords } from './words';
 
 export interface ShareTarget {
   send(message: FromPage): void;
@@ -37,7 +38,9 @@ export class SharePanel {
     words.hidden = guest === null;
     words.textContent = guest === null ? '' : selfWords(guest);
     document.documentElement.toggleAttribute('data-guest', guest !== null);
-    if (guest !== null) this.panel.hidden = true;
+    if (guest === null) return;
+    this.panel.hidden = true;
+    this.target.say(selfWords(guest));
   }
 
   show(sharing: Sharing): void {
@@ -54,10 +57,10 @@ export class SharePanel {
     const before = this.shown?.invitation?.link;
     if (invitation === null || invitation.link === before) return;
     element('share-link').textContent = invitation.link;
-    const how = `It lets one device ${invitation.role}, once, within ${invitation.minutes} minutes.`;
+    const how = invitationWords(invitation);
     element('share-how').textContent = how;
     drawCode(element('share-code') as unknown as SVGElement, invitation.side, invitation.code);
-    if (this.awaits) this.target.say(`A link was made. ${how}`);
+    if (this.awaits) this.target.say(t('A link was made. {how}', { how }));
     this.awaits = false;
   }
 
@@ -80,8 +83,8 @@ export class SharePanel {
     row.dataset.guest = String(guest);
     const out = document.createElement('button');
     out.type = 'button';
-    out.textContent = 'Show out';
-    out.setAttribute('aria-label', `Show out ${name}`);
+    out.textContent = t('Show out');
+    out.setAttribute('aria-label', t('Show out {name}', { name: guestName({ name }) }));
     out.addEventListener('click', () => this.target.send({ type: 'show_out', guest }));
     row.append(document.createElement('span'), ' ', out);
     this.list.append(row);
@@ -91,9 +94,9 @@ export class SharePanel {
   private async copy(): Promise<void> {
     try {
       await navigator.clipboard.writeText(this.shown?.invitation?.link ?? '');
-      this.target.say('The link is copied.');
+      this.target.say(t('The link is copied.'));
     } catch {
-      this.target.say('The browser did not copy the link.');
+      this.target.say(t('The browser did not copy the link.'));
     }
   }
 }

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // How files come to the home page: chosen, taken with the camera, dropped, pasted.
+import { t } from '../language';
 import { element } from '../dom';
 
 export interface ArrivalTarget {
@@ -37,7 +38,7 @@ function bindDrop(target: ArrivalTarget): void {
     event.preventDefault();
     const items = [...(event.dataTransfer?.items ?? [])];
     if (items.some((item) => item.webkitGetAsEntry?.()?.isDirectory))
-      return target.refused('A folder cannot be opened here: choose the files in it.');
+      return target.refused(t('A folder cannot be opened here: choose the files in it.'));
     target.files([...(event.dataTransfer?.files ?? [])]);
   });
 }

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The cards of scenes on the shelf.
+import { known, t } from '../language';
 import type { ShelfScene } from '../generated/protocol';
 
 export interface CardTarget {
@@ -37,11 +38,11 @@ export function showCards(list: HTMLElement, scenes: readonly ShelfScene[], targ
         frame.append(picture);
       }
       const words = made('div', 'words');
-      words.append(made('h3', '', scene.title), made('p', 'kind', scene.kind), made('p', '', scene.sentence));
+      words.append(made('h3', '', known(scene.title)), made('p', 'kind', known(scene.kind)), made('p', '', known(scene.sentence)));
       const actions = made('div', 'actions');
-      actions.append(button('Touch', `Touch ${scene.title}`, () => target.touch(scene)));
+      actions.append(button(t('Touch'), t('Touch {title}', { title: known(scene.title) }), () => target.touch(scene)));
       const { forget } = target;
-      if (forget) actions.append(button('Remove', `Remove ${scene.title} from this list`, () => forget(scene)));
+      if (forget) actions.append(button(t('Remove'), t('Remove {title} from this list', { title: known(scene.title) }), () => forget(scene)));
       card.append(frame, words, actions);
       return card;
     }),

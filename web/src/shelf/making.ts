@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // How far a scene is, until its touch begins.
+import { known, t } from '../language';
 import { element } from '../dom';
 import type { Job } from '../generated/protocol';
 import { tell } from './program';
@@ -26,7 +27,7 @@ export class Making {
       isCancelled = true;
       cancel.disabled = true;
     };
-    this.show({ fraction: null, step: 'Reading', notes: [] });
+    this.show({ fraction: null, step: t('Reading'), notes: [] });
     const { job } = await begin();
     for (;;) {
       const state = await tell(isCancelled ? { type: 'cancel', job } : { type: 'follow', job }, 'job');
@@ -35,7 +36,7 @@ export class Making {
       const now = Date.now();
       const words = element('step').textContent ?? '';
       if (now - this.saidAt > (words === this.said ? quietForSame : quietFor)) {
-        say(words === this.said ? `Still ${words}` : words);
+        say(words === this.said ? t('Still {words}', { words }) : words);
         this.saidAt = now;
         this.said = words;
       }
@@ -47,13 +48,13 @@ export class Making {
     const bar = element<HTMLProgressElement>('fraction');
     if (fraction === null) bar.removeAttribute('value');
     else bar.value = fraction;
-    element('step').textContent = fraction === null ? `${step} …` : `${step}: ${Math.round(100 * fraction)} %`;
+    element('step').textContent = fraction === null ? `${known(step)} …` : t('{step}: {percent} %', { step: known(step), percent: Math.round(100 * fraction) });
     const list = element('notes');
     if (list.childElementCount === notes.length) return;
     list.replaceChildren(
       ...notes.map((note) => {
         const line = document.createElement('li');
-        line.textContent = note;
+        line.textContent = known(note);
         return line;
       }),
     );

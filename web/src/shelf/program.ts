@@ -1,18 +1,19 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The home page's messages to the program, and the files that it sends.
+import { t } from '../language';
 import { readShelfMessage, writeMessage } from '../codec';
 import type { FromShelf, ToShelf, Uploaded } from '../generated/protocol';
 
 /** A refusal, as a sentence for the person. */
 export class Refusal extends Error {}
 
-const silent = 'Palpable does not answer: it has probably ended. Start it again.';
+const silent = t('Palpable does not answer: it has probably ended. Start it again.');
 
 function understood<Type extends ToShelf['type']>(text: string, type: Type): Extract<ToShelf, { type: Type }> {
   const message = readShelfMessage(text);
   if (typeof message === 'string' || message.type !== type)
-    throw new Refusal('The program answered something that this page does not understand: reload the page.');
+    throw new Refusal(t('The program answered something that this page does not understand: reload the page.'));
   return message as Extract<ToShelf, { type: Type }>;
 }
 
@@ -49,8 +50,8 @@ export function sendFile(file: File, onPart: (fraction: number) => void): Sendin
         reject(refusal as Refusal);
       }
     };
-    request.onerror = () => reject(new Refusal(`${file.name}: could not be read or sent.`));
-    request.onabort = () => reject(new Refusal(`${file.name}: was not sent.`));
+    request.onerror = () => reject(new Refusal(t('{name}: could not be read or sent.', { name: file.name })));
+    request.onabort = () => reject(new Refusal(t('{name}: was not sent.', { name: file.name })));
   });
   request.open('POST', `/upload/${encodeURIComponent(file.name)}`);
   request.setRequestHeader('Content-Type', 'application/octet-stream');

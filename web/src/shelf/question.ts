@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // What the chosen files are, and the few options that matter. The files are sent while the person answers.
+import { t } from '../language';
 import { element } from '../dom';
 import type { Make } from '../generated/protocol';
 import { kindsOf, sizeWords } from './kinds';
@@ -49,7 +50,7 @@ export class Question {
       howFar.className = 'how-far';
       howFar.textContent = sizeWords(file.size);
       line.append(name, howFar);
-      const sending = sendFile(file, (fraction) => (howFar.textContent = fraction < 1 ? `${Math.round(100 * fraction)} % of ${sizeWords(file.size)}` : sizeWords(file.size)));
+      const sending = sendFile(file, (fraction) => (howFar.textContent = fraction < 1 ? t('{percent} % of {size}', { percent: Math.round(100 * fraction), size: sizeWords(file.size) }) : sizeWords(file.size)));
       // It is dealt with when the answer is submitted.
       sending.done.catch(() => undefined);
       return { file, sending, line };
@@ -65,8 +66,8 @@ export class Question {
   /** Which files were chosen, and of a pair which is the left one. */
   private words(): string {
     const names = this.chosen.map(({ file }) => file.name);
-    if (names.length !== 2) return `Chosen: ${names.join(', ')}.`;
-    return `Chosen: ${names[0]} is the left one, ${names[1]} the right one.`;
+    if (names.length !== 2) return t('Chosen: {names}.', { names: names.join(', ') });
+    return t('Chosen: {left} is the left one, {right} the right one.', { left: names[0]!, right: names[1]! });
   }
 
   focus(): void {
@@ -80,7 +81,7 @@ export class Question {
 
   private offerKinds(files: readonly File[]): void {
     const fieldset = element('kinds');
-    element('kinds-title').textContent = files.length === 1 ? 'This file is' : 'These files are';
+    element('kinds-title').textContent = files.length === 1 ? t('This file is') : t('These files are');
     fieldset.querySelectorAll('.check').forEach((old) => old.remove());
     kindsOf(files).forEach(({ what, words }, k) => {
       const label = document.createElement('label');

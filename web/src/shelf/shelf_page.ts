@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The home page as a whole: shelf, question, making; one of them has the person's attention.
+import { known, t } from '../language';
 import { element } from '../dom';
 import { enter } from '../enter';
 import { protocolVersion, type Shelf, type ShelfScene } from '../generated/protocol';
@@ -26,7 +27,7 @@ export class ShelfPage {
   async start(): Promise<void> {
     bindArrivals({ files: (files) => this.open(files), refused: (sentence) => this.alert(sentence) });
     element('forget-all').onclick = () => {
-      if (confirm('Remove all scenes of this list? They cannot be brought back.')) void this.forget(null);
+      if (confirm(t('Remove all scenes of this list? They cannot be brought back.'))) void this.forget(null);
     };
     // From the touch back to this page: it is as it was left, but the shelf may have changed.
     window.addEventListener('pageshow', ({ persisted }) => {
@@ -59,7 +60,7 @@ export class ShelfPage {
 
   private showShelf(shelf: Shelf): void {
     this.shelf = shelf;
-    if (shelf.version !== protocolVersion) this.alert('This page and the program are of different versions: reload the page.');
+    if (shelf.version !== protocolVersion) this.alert(t('This page and the program are of different versions: reload the page.'));
     const touch = (scene: ShelfScene) => void this.follow(() => tell({ type: 'open', scene: scene.scene }, 'job'));
     showCards(element('samples'), shelf.samples, { touch });
     showCards(element('recent'), shelf.recent, { touch, forget: (scene) => void this.forget(scene) });
@@ -71,14 +72,14 @@ export class ShelfPage {
   private async forget(scene: ShelfScene | null): Promise<void> {
     await this.attempt(async () => {
       this.showShelf(await tell({ type: 'forget', scene: scene?.scene ?? null }, 'shelf'));
-      this.say(scene === null ? 'The list is empty.' : `${scene.title} is removed.`);
+      this.say(scene === null ? t('The list is empty.') : t('{title} is removed.', { title: known(scene.title) }));
       element(element('lately').hidden ? 'choose' : 'lately-title').focus();
     });
   }
 
   private open(files: readonly File[]): void {
     if (this.shelf === null || files.length === 0) return;
-    if (this.now === 'making') return this.alert('A scene is being made: cancel it first.');
+    if (this.now === 'making') return this.alert(t('A scene is being made: cancel it first.'));
     const obstacle = obstacleTo(files, this.shelf.most_files, this.shelf.most_file_bytes);
     if (obstacle !== null) return this.alert(obstacle);
     this.alert('');
@@ -96,7 +97,7 @@ export class ShelfPage {
       if (end.state === 'touching') return location.assign('/touch');
       // What was chosen can be tried as something else.
       this.show(before);
-      this.say(end.state === 'failed' ? '' : 'Cancelled.');
+      this.say(end.state === 'failed' ? '' : t('Cancelled.'));
       if (end.state === 'failed') this.alert(end.sentence);
     } catch (refusal) {
       this.show(before);

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Announcements for the live region: at most one per second, the most important first, and none that is out of date.
 
+import { t } from '../language';
+
 /** A sentence that is computed or requested when its turn comes; null if it is obsolete. */
 export type Words = () => string | null | Promise<string | null>;
 
 /** The sentence when there is no scene. */
-export const noScene = 'There is no scene yet.';
+export const noScene = t('There is no scene yet.');
 
 export enum Importance {
   motion,

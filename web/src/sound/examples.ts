@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The examples of the page's list of sounds: each sound alone, with its vibration.
+import { t } from '../language';
 import type { Feedback } from './feedback';
 import { soundKinds, type Action, type SoundKind } from './instrument/instrument';
 import { bodyOf, gripOf, type SoundingMaterial } from './instrument/material_sound';
@@ -60,7 +61,7 @@ export async function playExample(kind: SoundKind, feedback: Feedback, probe: nu
 /** By the id of its button: plays the example of each sound, or says why it is silent. */
 export function exampleActions(feedback: Feedback, probe: () => number, say: (words: string) => void): Record<string, () => void> {
   const tryOne = (kind: SoundKind) => {
-    if (!feedback.sound.isOn) say('Sound is off.');
+    if (!feedback.sound.isOn) say(t('Sound is off.'));
     void playExample(kind, feedback, probe());
   };
   return Object.fromEntries(soundKinds.map((kind) => [`try-${kind}`, () => tryOne(kind)]));

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The audio output: an instrument for each probe, placed in space for two ears, and the volumes.
+import { t } from '../language';
 import type { Preferences } from '../settings/preferences';
 import { soundKinds, type Command, type Levels } from './instrument/instrument';
 import { loadPlayers, type MakePlayer, type Player } from './players';
@@ -17,9 +18,9 @@ const startTime = 2000;
 
 /** What is said, each once. */
 export const sentences = {
-  none: 'This browser plays no sound: height and edges are told by words only.',
-  refused: 'Sound does not start: no audio output was found. Height and edges are told by words.',
-  waits: 'Sound waits for a key press or a click on this page.',
+  none: t('This browser plays no sound: height and edges are told by words only.'),
+  refused: t('Sound does not start: no audio output was found. Height and edges are told by words.'),
+  waits: t('Sound waits for a key press or a click on this page.'),
 };
 
 interface Voice {

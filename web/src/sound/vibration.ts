@@ -3,6 +3,8 @@
 // Vibration of the phone and of gamepads: what is played when (docs/page.md lists the patterns). Motors are slow, so
 // patterns carry events and the density of a texture, not its form.
 
+import { t } from '../language';
+
 /** One effect of a gamepad's two motors. */
 export interface Rumble {
   /** ms. */
@@ -25,8 +27,8 @@ export interface Motors {
 
 /** What is said, each once. */
 export const vibrationSentences = {
-  none: 'This device does not vibrate for pages: sound tells contact and edges.',
-  refused: 'Vibration is refused by this device or its browser: sound tells contact and edges.',
+  none: t('This device does not vibrate for pages: sound tells contact and edges.'),
+  refused: t('Vibration is refused by this device or its browser: sound tells contact and edges.'),
 };
 
 /** A pulse of this length can just be felt on a phone (ms). */

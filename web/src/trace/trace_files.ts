@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // A trace as files: a table (CSV), a drawing (SVG), and a label for medical viewers (NRRD: ITK-SNAP, 3D Slicer).
+import { t } from '../language';
 import type { Place } from '../surface';
 import { gridOver, maskOf, type Grid, type TracePoint } from './trace';
 
@@ -17,11 +18,11 @@ export function readLine(csv: string): Place[] | string {
   const [head = '', ...rows] = csv.replace(/^\uFEFF/, '').split(/\r?\n/).filter((row) => row.trim() !== '');
   const columns = head.split(',').map((name) => name.trim());
   const [x, y] = [columns.indexOf('x_m'), columns.indexOf('y_m')];
-  if (x < 0 || y < 0) return 'The file has no columns x_m and y_m.';
-  if (rows.length < 3 || rows.length > mostPoints) return `A line has 3 to ${mostPoints} points; this one has ${rows.length}.`;
+  if (x < 0 || y < 0) return t('The file has no columns x_m and y_m.');
+  if (rows.length < 3 || rows.length > mostPoints) return t('A line has 3 to {mostPoints} points; this one has {length}.', { mostPoints, length: rows.length });
   const points = rows.map((row) => row.split(',')).map((cells) => ({ x: Number(cells[x]?.trim() || NaN), y: Number(cells[y]?.trim() || NaN) }));
   const wrong = points.findIndex((point) => !Number.isFinite(point.x) || !Number.isFinite(point.y));
-  return wrong < 0 ? points : `Line ${wrong + 2} of the file holds no number.`;
+  return wrong < 0 ? points : t('Line {wrong} of the file holds no number.', { wrong: wrong + 2 });
 }
 
 /** An SVG in millimetres, y downwards, over the scene's rectangle (m). */

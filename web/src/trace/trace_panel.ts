@@ -1,10 +1,11 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The panel for tracing contours: cue, clock, picture of the trace, score and files.
+import { fixed, t } from '../language';
 import { element } from '../dom';
 import { download } from '../download';
 import type { Place } from '../surface';
-import { gridOver, maskOf, scoreOf, Tracer, turnOf, type TracePoint } from './trace';
+import { gridOver, maskOf, scoreOf, Tracer, turnOf, type TracePoint, type Turn } from './trace';
 import { readLine, traceCsv, traceNrrd, traceSvg } from './trace_files';
 
 export interface TraceSetting {
@@ -18,6 +19,8 @@ export interface TraceSetting {
 /** Size of a label's pixels (m). */
 const labelSpacing = 0.0002;
 const redrawEvery = 50;
+
+const turnWords: Record<Turn, string> = { clockwise: t('clockwise'), 'counter-clockwise': t('counter-clockwise') };
 
 export class TracePanel {
   private readonly canvas = element<HTMLCanvasElement>('trace-picture');
@@ -60,16 +63,16 @@ export class TracePanel {
     if (now - this.drawnAt < redrawEvery) return;
     this.drawnAt = now;
     this.trace = this.tracer.points;
-    element('trace-words').textContent = `${this.tracer.seconds().toFixed(1)} s`;
+    element('trace-words').textContent = t('{seconds} s', { seconds: fixed(this.tracer.seconds(), 1) });
     this.draw();
   }
 
   private begin(): void {
     this.tracer = new Tracer(this.setting.place());
     this.trace = [];
-    element('trace-start').textContent = 'Stop trace';
+    element('trace-start').textContent = t('Stop trace');
     this.enable(false);
-    this.setting.say('Go.');
+    this.setting.say(t('Go.'));
     this.draw();
   }
 
@@ -78,7 +81,7 @@ export class TracePanel {
     const closed = this.tracer.isClosed();
     this.trace = [...this.tracer.points];
     this.tracer = null;
-    element('trace-start').textContent = 'Start trace';
+    element('trace-start').textContent = t('Start trace');
     this.enable(this.trace.length > 1);
     const words = this.words(closed);
     element('trace-words').textContent = words;
@@ -88,19 +91,20 @@ export class TracePanel {
 
   private words(closed: boolean): string {
     const last = this.trace[this.trace.length - 1];
-    if (last === undefined) return 'The trace is empty.';
+    if (last === undefined) return t('The trace is empty.');
     const turn = turnOf(this.trace);
     const wanted = element<HTMLSelectElement>('trace-turn').value;
-    const parts = [`${closed ? `Closed, ${turn}` : 'Not closed'}, ${last.t.toFixed(1)} seconds`];
-    if (closed && wanted !== 'either' && wanted !== turn) parts.push(`in the opposite direction to the requested one (${wanted})`);
+    const seconds = fixed(last.t, 1);
+    const parts = [closed ? t('Closed, {turn}, {seconds} seconds', { turn: turnWords[turn], seconds }) : t('Not closed, {seconds} seconds', { seconds })];
+    if (closed && wanted !== 'either' && wanted !== turn) parts.push(t('in the opposite direction to the requested one ({wanted})', { wanted: turnWords[wanted as Turn] }));
     const score = closed && this.nominal.length > 2 ? scoreOf(this.trace, this.nominal, this.size.x, this.size.y) : null;
-    if (score) parts.push(`error ${(100 * score.error).toFixed(1)} percent, roughness ${score.roughness.toFixed(1)} degrees a millimetre`);
+    if (score) parts.push(t('error {error} percent, roughness {roughness} degrees a millimetre', { error: fixed(100 * score.error, 1), roughness: fixed(score.roughness, 1) }));
     return `${parts.join('; ')}.`;
   }
 
   private compareWithThis(): void {
     this.nominal = this.trace;
-    this.setting.say('Further traces are compared with this one.');
+    this.setting.say(t('Further traces are compared with this one.'));
     this.draw();
   }
 
@@ -111,7 +115,7 @@ export class TracePanel {
     const line = readLine(await file.text());
     if (typeof line === 'string') return this.setting.say(line);
     this.nominal = line;
-    this.setting.say(`Traces are compared with ${file.name}.`);
+    this.setting.say(t('Traces are compared with {name}.', { name: file.name }));
     this.draw();
   }
 

@@ -1,7 +1,9 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The camera's pose: rotation about the vertical axis, zoom and shift. The tilt is a setting.
+import { t } from '../language';
 import type { Place, Surface } from '../surface';
+import { wayWords } from '../way_words';
 
 export const leastZoom = 0.5;
 export const mostZoom = 12;
@@ -19,24 +21,19 @@ export const frontPose: CameraPose = { turn: 0, zoom: 1, centre: { x: 0, y: 0 } 
 /** The camera's rotation from straight before the scene, degrees: positive below it, as over a table; above an upright solid. */
 export const cameraTilt = (tilt: number, surface: Surface): number => (surface.isUpright ? -tilt : tilt);
 
-const millimetres = (metres: number): string => {
-  const rounded = Math.round(1000 * Math.abs(metres));
-  return `${rounded} ${rounded === 1 ? 'millimetre' : 'millimetres'}`;
-};
-
 /** The picture after a turn, in a sentence; the tilt in degrees. */
 export function turnWords({ turn }: CameraPose, tilt: number): string {
   const degrees = Math.round(Math.abs(turn));
-  const way = degrees === 0 ? 'Not turned' : degrees === 180 ? 'Turned by 180 degrees' : `Turned ${degrees} degrees ${turn > 0 ? 'clockwise' : 'anticlockwise'}`;
-  return `${way}, tilted ${Math.round(tilt)} degrees.`;
+  const values = { degrees, tilt: Math.round(tilt) };
+  if (degrees === 0) return t('Not turned, tilted {tilt} degrees.', values);
+  if (degrees === 180) return t('Turned by 180 degrees, tilted {tilt} degrees.', values);
+  return turn > 0 ? t('Turned {degrees} degrees clockwise, tilted {tilt} degrees.', values) : t('Turned {degrees} degrees anticlockwise, tilted {tilt} degrees.', values);
 }
 
 /** The picture after a shift, in a sentence. */
 export function shiftWords({ centre }: CameraPose): string {
-  const parts: string[] = [];
-  if (Math.abs(centre.x) >= 0.0005) parts.push(`${millimetres(centre.x)} ${centre.x > 0 ? 'right' : 'left'}`);
-  if (Math.abs(centre.y) >= 0.0005) parts.push(`${millimetres(centre.y)} ${centre.y > 0 ? 'up' : 'down'}`);
-  return parts.length === 0 ? 'The picture shows the middle of the scene.' : `The picture is centred ${parts.join(', ')} from the middle of the scene.`;
+  const way = wayWords(centre.x, centre.y);
+  return way === '' ? t('The picture shows the middle of the scene.') : t('The picture is centred {way} from the middle of the scene.', { way });
 }
 
 export class Camera {

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The stage with the view: 3D if the browser supports it, flat otherwise or if preferred.
+import { t } from '../language';
 import type { PictureFrame } from '../codec';
 import { element } from '../dom';
 import { defaults, type Preferences } from '../settings/preferences';
@@ -111,8 +112,8 @@ export class Stage {
   draw(waited: number): void {
     if (this.view?.draw(waited) !== 'too slow' || this.offered) return;
     this.offered = true;
-    this.note('Drawing in 3D is slow on this machine.', true);
-    this.target.say('Drawing in 3D is slow on this machine. The view from above is offered under the picture.');
+    this.note(t('Drawing in 3D is slow on this machine.'), true);
+    this.target.say(t('Drawing in 3D is slow on this machine. The view from above is offered under the picture.'));
   }
 
   // The camera.
@@ -156,7 +157,7 @@ export class Stage {
       this.target.answer(shiftWords(this.camera.pose));
     } else {
       this.turn(-right * keyTurn, -down * keyTurn);
-      this.target.answer(this.kind === 'flat' ? 'Seen from above the picture does not turn. Arrows with Shift shift it.' : turnWords(this.camera.pose, this.look.tilt));
+      this.target.answer(this.kind === 'flat' ? t('Seen from above the picture does not turn. Arrows with Shift shift it.') : turnWords(this.camera.pose, this.look.tilt));
     }
     return true;
   }
@@ -217,9 +218,9 @@ export class Stage {
     if (wanted === '3d') {
       try {
         this.view = new View3d(this.element);
-        this.view.canvas.addEventListener('webglcontextlost', () => this.giveUp3d('The 3D view was lost'));
+        this.view.canvas.addEventListener('webglcontextlost', () => this.giveUp3d(t('The 3D view was lost (no WebGL).')));
       } catch {
-        return this.giveUp3d('This browser cannot show the surface in 3D');
+        return this.giveUp3d(t('This browser cannot show the surface in 3D (no WebGL).'));
       }
     } else {
       this.view = new FlatView();
@@ -234,7 +235,7 @@ export class Stage {
 
   private giveUp3d(why: string): void {
     this.canDo3d = false;
-    this.note(`${why} (no WebGL): it is shown from above instead. Touch, sound and speech work as usual.`);
+    this.note(`${why} ${t('It is shown from above instead. Touch, sound and speech work as usual.')}`);
     const choice = element<HTMLSelectElement>('view');
     choice.disabled = true;
     this.build('flat');

@@ -3,6 +3,7 @@
 #include "palpable/page/share/guests.hpp"
 
 #include "palpable/core/system/secret.hpp"
+#include "palpable/describe/language.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -23,6 +24,11 @@ std::string_view kind_of(std::string_view agent) {
 bool is_gone(Presence presence) { return presence == Presence::away || presence == Presence::coming; }
 
 }  // namespace
+
+std::string spoken_name(const std::string& name) {
+  const auto blank = name.find(' ');
+  return describe::known(name.substr(0, blank)) + name.substr(std::min(blank, name.size()));
+}
 
 void Guests::set_probes(std::int64_t first, std::int64_t last) {
   first_probe_ = first;
@@ -51,10 +57,10 @@ std::optional<std::int64_t> Guests::free_probe(const Entry* besides) const {
 Result<void> Guests::check_room(Role role, double now_s) const {
   const Entry* gives = leaving(now_s);
   if (entries_.size() >= places_ && gives == nullptr)
-    return invalid_input("There are " + std::to_string(places_) +
-                         " guests already, which is the limit. Try again when one has left.");
+    return invalid_input(describe::phrase(
+        "There are {} guests already, which is the limit. Try again when one has left.", places_));
   if (role == Role::touch && !free_probe(gives))
-    return invalid_input("Every probe is in use already. Ask for a link to look.");
+    return invalid_input(describe::tr("Every probe is in use already. Ask for a link to look."));
   return {};
 }
 
@@ -63,7 +69,7 @@ Result<std::string> Guests::add(Role role, std::string_view agent, double now_s)
   auto secret = random_secret();
   if (!secret) return secret.error();
   if (const Entry* gives = leaving(now_s)) {
-    news_.push_back(gives->guest.name + " was away, and has lost its place.");
+    news_.push_back(describe::phrase("{} was away, and has lost its place.", spoken_name(gives->guest.name)));
     remove(gives->guest.number);
   }
   Entry entry;
@@ -110,23 +116,29 @@ void Guests::set_presence(std::int64_t number, Presence presence, double now_s) 
 }
 
 void Guests::update(double now_s) {
-  for (Entry& one : entries_)
+  for (Entry& one : entries_) {
+    // The link was used, and no page has come: a warning holds the person up, or the phone sleeps.
+    const bool waits = one.presence == Presence::coming && !one.awaited && now_s - one.since_s >= kSettled_s;
+    if (waits) news_.push_back(describe::phrase("{} is on the way.", spoken_name(one.guest.name)));
+    one.awaited = one.awaited || waits;
     if (one.told != Presence::coming && one.told != one.presence && now_s - one.since_s >= kSettled_s)
       say(one);
+  }
 }
 
 void Guests::say(const Entry& entry) {
   const Guest& guest = entry.guest;
+  const std::string name = spoken_name(guest.name);
   const Presence told = std::exchange(find(guest.number)->told, entry.presence);
   if (told == Presence::coming) {
-    news_.push_back(guest.name + (guest.probe ? " has joined, and touches with probe " +
-                                                    std::to_string(*guest.probe + 1) + "."
-                                              : " has joined, and looks."));
+    news_.push_back(
+        guest.probe ? describe::phrase("{} has joined, and touches with probe {}.", name, *guest.probe + 1)
+                    : describe::phrase("{} has joined, and looks.", name));
   } else if (entry.presence == Presence::here) {
-    news_.push_back(guest.name + " is back.");
+    news_.push_back(describe::phrase("{} is back.", name));
   } else {
-    news_.push_back(guest.name +
-                    (entry.presence == Presence::asleep ? " sleeps, or shows something else." : " is away."));
+    news_.push_back(describe::phrase(
+        entry.presence == Presence::asleep ? "{} sleeps, or shows something else." : "{} is away.", name));
   }
 }
 

@@ -54,6 +54,8 @@ class Guests {
     Presence presence = Presence::coming;
     /// What the host was told of it.
     Presence told = Presence::coming;
+    /// Whether the host was told that it is coming.
+    bool awaited = false;
     double since_s = 0.0;
     RateLimit pages{{.per_s = 2.0, .burst = 20.0, .most_drops = 0}};
   };
@@ -71,5 +73,8 @@ class Guests {
   std::uint64_t revision_ = 0;
   std::deque<std::string> news_;
 };
+
+/// A guest's name "Phone 1" as it is said: its kind in the current language.
+std::string spoken_name(const std::string& name);
 
 }  // namespace palpable::page

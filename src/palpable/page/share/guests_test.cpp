@@ -79,6 +79,19 @@ TEST(Guests, TellsOfArrivalsAtOnceAndOfChangesThatLast) {
   EXPECT_THAT(news_of(guests), testing::ElementsAre("Phone 1 is back."));
 }
 
+TEST(Guests, TellsOfOneThatIsComingOnce) {
+  Guests guests(8);
+  guests.set_probes(1, 8);
+  ASSERT_TRUE(guests.add(Role::look, "iPhone", 0.0));
+  guests.update(1.0);
+  EXPECT_THAT(news_of(guests), testing::IsEmpty());
+  guests.update(5.0);
+  guests.update(50.0);
+  EXPECT_THAT(news_of(guests), testing::ElementsAre("Phone 1 is on the way."));
+  guests.set_presence(1, Presence::here, 51.0);
+  EXPECT_THAT(news_of(guests), testing::ElementsAre("Phone 1 has joined, and looks."));
+}
+
 TEST(Guests, OneThatOpensItsPageAllTheTimeIsSlowedDown) {
   Guests guests(8);
   ASSERT_TRUE(guests.add(Role::look, "", 0.0));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/share/sharing.hpp"
 
+#include "palpable/describe/language.hpp"
 #include "palpable/page/share/certificate.hpp"
 #include "palpable/page/share/qr_code.hpp"
 
@@ -50,7 +51,7 @@ void Sharing::update() {
   if (invitations_.expire(now_s)) {
     link_.reset();
     ++revision_;
-    say("The link has expired. The page makes a new one.");
+    say(describe::tr("The link has expired. The page makes a new one."));
   }
   guests_.update(now_s);
   while (auto news = guests_.next_news()) say(*std::move(news));
@@ -102,7 +103,7 @@ void Sharing::withdraw() {
   invitations_.withdraw();
   link_.reset();
   ++revision_;
-  say("The link was withdrawn.");
+  say(describe::tr("The link was withdrawn."));
 }
 
 void Sharing::show_out(std::int64_t guest) {
@@ -111,7 +112,7 @@ void Sharing::show_out(std::int64_t guest) {
       std::find_if(all.begin(), all.end(), [&](const protocol::Guest& one) { return one.guest == guest; });
   if (found == all.end()) return;
   guests_.remove(guest);
-  say(found->name + " was shown out.");
+  say(describe::phrase("{} was shown out.", spoken_name(found->name)));
 }
 
 protocol::Sharing Sharing::sharing() const {

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/touch/walk.hpp"
 
+#include "palpable/describe/language.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/describe/place_words.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -55,15 +58,16 @@ Result<void> check_walk(std::span<const WalkStep> walk) {
 
 std::string words_of(const ExplorerPose& pose) {
   constexpr double kHere_m = 0.0005;
-  std::string where;
+  std::vector<std::string> parts;
   if (std::abs(pose.x_m) >= kHere_m)
-    where = fmt::format("{} {}", describe::spoken_length(std::abs(pose.x_m)),
-                        pose.x_m > 0.0 ? "right of" : "left of");
+    parts.push_back(describe::phrase(pose.x_m > 0.0 ? "{} right of" : "{} left of",
+                                     describe::spoken_length(std::abs(pose.x_m))));
   if (std::abs(pose.y_m) >= kHere_m)
-    where += fmt::format("{}{} {}", where.empty() ? "" : " and ", describe::spoken_length(std::abs(pose.y_m)),
-                         pose.y_m > 0.0 ? "above" : "below");
-  return fmt::format("You stand {} the middle, facing {}.", where.empty() ? "in" : where,
-                     describe::heading_words(pose.heading_rad));
+    parts.push_back(describe::phrase(pose.y_m > 0.0 ? "{} above" : "{} below",
+                                     describe::spoken_length(std::abs(pose.y_m))));
+  return describe::phrase("You stand {} the middle, facing {}.",
+                          parts.empty() ? describe::tr("in") : describe::listed(parts),
+                          describe::heading_words(pose.heading_rad));
 }
 
 }  // namespace palpable::session

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the head is: metres in the frame of the screen, from its resting place straight before the middle of the picture.
 // Keys and drags move it.
+import { t } from '../../language';
 import type { ScreenPoint } from './frustum';
 
 export const restingHead: ScreenPoint = { x: 0, y: 0, z: 0 };
@@ -23,10 +24,10 @@ export function headStep(right: number, down: number, shift: boolean): ScreenPoi
 
 /** The head's place in a sentence. */
 export function headWords({ x, y, z }: ScreenPoint): string {
-  const of = (metres: number, more: string, less: string) => {
-    const rounded = Math.round(100 * Math.abs(metres));
-    return rounded === 0 ? [] : [`${rounded} ${rounded === 1 ? 'centimetre' : 'centimetres'} ${metres > 0 ? more : less}`];
-  };
-  const parts = [...of(x, 'right', 'left'), ...of(y, 'up', 'down'), ...of(z, 'farther away', 'nearer')];
-  return parts.length === 0 ? 'Your head is straight before the picture.' : `Your head is ${parts.join(', ')}.`;
+  const count = (metres: number) => ({ count: Math.round(100 * Math.abs(metres)) });
+  const right = x > 0 ? t('{count, plural, one {# centimetre} other {# centimetres}} right', count(x)) : t('{count, plural, one {# centimetre} other {# centimetres}} left', count(x));
+  const up = y > 0 ? t('{count, plural, one {# centimetre} other {# centimetres}} up', count(y)) : t('{count, plural, one {# centimetre} other {# centimetres}} down', count(y));
+  const away = z > 0 ? t('{count, plural, one {# centimetre} other {# centimetres}} farther away', count(z)) : t('{count, plural, one {# centimetre} other {# centimetres}} nearer', count(z));
+  const place = [right, up, away].filter((_, k) => count([x, y, z][k]!).count > 0).join(', ');
+  return place === '' ? t('Your head is straight before the picture.') : t('Your head is {place}.', { place });
 }
