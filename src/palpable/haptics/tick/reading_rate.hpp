@@ -34,7 +34,9 @@ class ReadingRate {
     ++since_new_;
     if (moved == Vec3{}) return gaps_ >= kKnown && since_new_ % slowest_ != 0;
     const double most_m = std::max({std::abs(moved.x), std::abs(moved.y), std::abs(moved.z)});
-    const bool moves = most_m > std::max(far_m_, kLeast_m * since_new_);
+    // Flicker by up to four steps may cancel a movement in one tick and double it in the next.
+    const double far_m = since_new_ == 2 ? 4.0 * far_m_ : far_m_;
+    const bool moves = most_m > std::max(far_m, kLeast_m * since_new_);
     // A reading that goes to and fro between two places shows no rate.
     if (moves && moved_before_ && dot(moved, moved_) >= 0.0) examine(since_new_);
     moved_before_ = moves;
