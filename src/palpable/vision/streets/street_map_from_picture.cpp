@@ -168,13 +168,28 @@ bool has_dark_land(const MapColours& colours, const StreetMapOptions& options) {
   return !colours.colours.empty() && luma_of(land_of(colours)) < options.dark_land;
 }
 
-/// Light lettering becomes dark, as the reader expects it.
-Raster<Rgb8> inverted(const Raster<Rgb8>& picture) {
-  Raster<Rgb8> out(picture.width(), picture.height());
-  const auto negative = [](std::uint8_t v) { return static_cast<std::uint8_t>(255 - v); };
-  std::transform(picture.values().begin(), picture.values().end(), out.values().begin(), [&negative](Rgb8 c) {
-    return Rgb8{negative(c.r), negative(c.g), negative(c.b)};
-  });
+/// A picture whose lettering is dark, as the reader expects it, with the colours of its areas.
+struct Lettering {
+  Raster<Rgb8> picture;
+  std::vector<Rgb8> grounds;
+};
+
+/// Light lettering on dark land becomes dark. Only there, and in pictures without noise, are the areas'
+/// colours given: streets are darker than the halos of their names there, and noise hides which pixels have a
+/// colour.
+Lettering dark_lettering_of(const Raster<Rgb8>& picture, const MapColours& colours,
+                            const StreetMapOptions& options) {
+  Lettering out{picture, {}};
+  if (!has_dark_land(colours, options)) return out;
+  const auto negative = [](Rgb8 c) {
+    return Rgb8{static_cast<std::uint8_t>(255 - c.r), static_cast<std::uint8_t>(255 - c.g),
+                static_cast<std::uint8_t>(255 - c.b)};
+  };
+  std::transform(picture.values().begin(), picture.values().end(), out.picture.values().begin(), negative);
+  const bool is_clean =
+      std::equal(picture.values().begin(), picture.values().end(), colours.picture.values().begin());
+  if (is_clean)
+    for (const MapColour& colour : colours.colours) out.grounds.push_back(negative(colour.value));
   return out;
 }
 
@@ -211,14 +226,14 @@ CentreLines paths_of(const Raster<Rgb8>& dark_lines, const MapColours& colours,
 }
 
 /// Reads lines that were read and go on behind their ends once more, whole.
-Result<void> read_extended(const Raster<Rgb8>& lettering, std::vector<TextLine>& text,
+Result<void> read_extended(const Lettering& lettering, std::vector<TextLine>& text,
                            std::vector<ReadLine>& read, const StreetMapOptions& options, const Work& work) {
   std::vector<TextLine> said;
   for (std::size_t i = 0; i < text.size(); ++i)
     if (!read[i].others.empty()) said.push_back(text[i]);
   const std::vector<TextLine> longer =
-      extended_lines(lettering, said, options.text.thickest_stroke_px, options.extension);
-  auto more = read_text_lines(lettering, longer, options.reading, work);
+      extended_lines(lettering.picture, said, options.text.thickest_stroke_px, options.extension);
+  auto more = read_text_lines(lettering.picture, longer, options.reading, work, lettering.grounds);
   if (!more) return more.error();
   spell_by_gazetteer(more->lines, options.names.gazetteer, options.names.least_similarity);
   for (std::size_t i = 0; i < longer.size(); ++i) {
@@ -231,15 +246,15 @@ Result<void> read_extended(const Raster<Rgb8>& lettering, std::vector<TextLine>&
 }
 
 /// Reads the names that lie along streets and were not found, or not whole, by their letters alone.
-Result<void> read_along_streets(const Raster<Rgb8>& lettering, const CentreLines& graph,
+Result<void> read_along_streets(const Lettering& lettering, const CentreLines& graph,
                                 std::vector<TextLine>& text, std::vector<ReadLine>& read,
                                 const StreetMapOptions& options, const Work& work) {
   const auto names = street_lettering(graph, text, read, options.under_names);
   if (!names) return {};
   const std::vector<TextLine> along =
-      unread_lettering(lettering_along(lettering, graph, *names, options.text, options.along_streets), text,
-                       read, options.along_streets.sure);
-  auto more = read_text_lines(lettering, along, options.reading, work);
+      unread_lettering(lettering_along(lettering.picture, graph, *names, options.text, options.along_streets),
+                       text, read, options.along_streets.sure);
+  auto more = read_text_lines(lettering.picture, along, options.reading, work, lettering.grounds);
   if (!more) return more.error();
   spell_by_gazetteer(more->lines, options.names.gazetteer, options.names.least_similarity);
   for (std::size_t i = 0; i < along.size(); ++i) {
@@ -264,14 +279,14 @@ Result<FoundStreetMap> street_map_from_picture(const Image& picture, const Stree
   const std::vector<LayerOfColour> layers = layers_of(colours, options.streets);
   if (work.cancelled()) return Work::interrupted();
   work.report(0.3, "joining streets");
-  const Raster<Rgb8> lettering = has_dark_land(colours, options) ? inverted(pixels) : pixels;
-  std::vector<TextLine> text = find_text_lines(lettering, options.text);
+  const Lettering lettering = dark_lettering_of(pixels, colours, options);
+  std::vector<TextLine> text = find_text_lines(lettering.picture, options.text);
   CentreLines graph = join_streets(colours, layers, text, options.graph);
   if (!is_street_map(colours, layers, graph, options))
     return invalid_input(
         "no streets were found in this picture: it is not a street map drawn in flat colours");
-  graph = join_paths(std::move(graph), paths_of(lettering, colours, layers, options), colours, layers, text,
-                     options.graph);
+  graph = join_paths(std::move(graph), paths_of(lettering.picture, colours, layers, options), colours, layers,
+                     text, options.graph);
   FoundStreetMap out;
   StreetMap& map = out.map;
   map.width_px = picture.width;
@@ -280,7 +295,7 @@ Result<FoundStreetMap> street_map_from_picture(const Image& picture, const Stree
     if (const auto kind = area_kind(layers[k].layer))
       add_areas(colours, k, *kind, options.outlines, map.areas);
   work.report(0.4, "reading names");
-  auto reading = read_text_lines(lettering, text, options.reading, work);
+  auto reading = read_text_lines(lettering.picture, text, options.reading, work, lettering.grounds);
   if (!reading) return reading.error();
   spell_by_gazetteer(reading->lines, options.names.gazetteer, options.names.least_similarity);
   if (auto more = read_along_streets(lettering, graph, text, reading->lines, options, work); !more)

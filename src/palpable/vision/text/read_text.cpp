@@ -85,8 +85,8 @@ Result<void> read_more(std::vector<Readings>& readings, const StraightText& stra
 
 Result<std::vector<Readings>> all_readings(const Raster<Rgb8>& picture, std::span<const TextLine> lines,
                                            const Reader& reader, const ReadTextOptions& options,
-                                           const Work& work) {
-  const StraightText straight(picture, options);
+                                           const Work& work, std::span<const Rgb8> grounds) {
+  const StraightText straight(picture, grounds, options);
   auto readings = read_both_ways(straight, lines, reader, options, work);
   if (!readings) return readings.error();
   // With one language, a third picture makes up for the readings of others.
@@ -113,7 +113,8 @@ std::vector<std::string> different_texts(const std::vector<Reading>& readings) {
 }  // namespace
 
 Result<TextReading> read_text_lines(const Raster<Rgb8>& picture, std::span<const TextLine> lines,
-                                    const ReadTextOptions& options, const Work& work) {
+                                    const ReadTextOptions& options, const Work& work,
+                                    std::span<const Rgb8> grounds) {
   TextReading out;
   out.lines.resize(lines.size());
   if (lines.empty()) return out;
@@ -125,7 +126,7 @@ Result<TextReading> read_text_lines(const Raster<Rgb8>& picture, std::span<const
         "tesseract-ocr-deu for German).");
     return out;
   }
-  const auto readings = all_readings(picture, lines, *reader, options, work);
+  const auto readings = all_readings(picture, lines, *reader, options, work, grounds);
   if (!readings && readings.error().code == ErrorCode::interrupted) return readings.error();
   if (!readings) {
     out.notes.emplace_back("Names were not read: " + readings.error().message +

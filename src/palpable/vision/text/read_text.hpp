@@ -25,6 +25,11 @@ struct ReadTextOptions {
   int contrast_window_px = 15;
   /// Strokes of less contrast are not black, grey levels. 1 ... 255.
   double full_contrast = 60.0;
+  /// Areas whose colour differs from that of a line by at least the first are the ground behind it, levels of
+  /// the channel that differs most, 1 ... 255; their pixels differ by at most the second from it, half of
+  /// them as much again, 1 ... 128.
+  double ground_difference = 70.0;
+  double ground_tolerance = 8.0;
   /// Height of the straightened letters, pixels. 12 ... 200.
   int letter_px = 42;
   /// Lower lines are enlarged as if they were this high, pixels of the picture. 1 ... 100.
@@ -78,8 +83,9 @@ struct TextReading {
 /// Reads lines of lettering: each is straightened along its middle, enlarged and given to the program
 /// `tesseract`, which runs in processes of its own; both ways up if needed. Without that program or its
 /// language data, or where it fails, no line has a text, and a note says why. Long work: polls cancel.
-/// Errors: interrupted.
+/// `grounds`: colours of the areas that lettering may lie on. Errors: interrupted.
 Result<TextReading> read_text_lines(const Raster<Rgb8>& picture, std::span<const TextLine> lines,
-                                    const ReadTextOptions& options, const Work& work);
+                                    const ReadTextOptions& options, const Work& work,
+                                    std::span<const Rgb8> grounds = {});
 
 }  // namespace palpable::vision

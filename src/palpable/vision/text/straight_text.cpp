@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <iterator>
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
@@ -27,6 +29,47 @@ cv::Mat lettering_of(const Raster<Rgb8>& picture, const ReadTextOptions& options
       out.at<std::uint8_t>(y, x) = cv::saturate_cast<std::uint8_t>(255.0 * (1.0 - part));
     }
   return out;
+}
+
+/// The part of a picture around a line, whose points become those of the part.
+Raster<Rgb8> part_around(const Raster<Rgb8>& picture, TextLine& line, const ReadTextOptions& options) {
+  cv::Rect2d box(line.centre.front().x, line.centre.front().y, 0.0, 0.0);
+  for (const MapPoint p : line.centre) box |= cv::Rect2d(p.x, p.y, 1e-9, 1e-9);
+  const double margin =
+      (1.0 + options.margin) * line.height_px + options.contrast_window_px + options.thickest_stroke_px;
+  const int left = std::clamp(static_cast<int>(box.x - margin), 0, picture.width() - 1);
+  const int top = std::clamp(static_cast<int>(box.y - margin), 0, picture.height() - 1);
+  const int right = std::clamp(static_cast<int>(box.x + box.width + margin), left, picture.width() - 1);
+  const int bottom = std::clamp(static_cast<int>(box.y + box.height + margin), top, picture.height() - 1);
+  Raster<Rgb8> part(right - left + 1, bottom - top + 1);
+  for (int y = 0; y < part.height(); ++y)
+    for (int x = 0; x < part.width(); ++x) part(x, y) = picture(left + x, top + y);
+  for (MapPoint& p : line.centre) p = {p.x - left, p.y - top};
+  return part;
+}
+
+int largest_difference(Rgb8 a, Rgb8 b) {
+  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+}
+
+/// Pixels in the colour of an area that is not like the lettering become white: what is left of a street
+/// between the halos of its name looks like strokes otherwise.
+Raster<Rgb8> with_white_ground(Raster<Rgb8> part, Rgb8 ink, const std::vector<Rgb8>& grounds,
+                               const ReadTextOptions& options) {
+  std::vector<Rgb8> others;
+  std::copy_if(grounds.begin(), grounds.end(), std::back_inserter(others),
+               [&](Rgb8 g) { return largest_difference(g, ink) >= options.ground_difference; });
+  if (others.empty()) return part;
+  for (Rgb8& c : part.values()) {
+    int nearest = 255;
+    for (const Rgb8 g : others) nearest = std::min(nearest, largest_difference(c, g));
+    const double white = std::clamp(2.0 - nearest / options.ground_tolerance, 0.0, 1.0);
+    const auto lightened = [white](std::uint8_t v) {
+      return cv::saturate_cast<std::uint8_t>(v + white * (255 - v));
+    };
+    c = {lightened(c.r), lightened(c.g), lightened(c.b)};
+  }
+  return part;
 }
 
 /// A line of lettering, straight, upright and enlarged. Reading goes to the right, or to the left if
@@ -90,12 +133,17 @@ cv::Mat with_sharp_edges(const cv::Mat& grey, const ReadTextOptions& options) {
 
 }  // namespace
 
-StraightText::StraightText(const Raster<Rgb8>& picture, const ReadTextOptions& options)
-    : options_(options), strokes_(lettering_of(picture, options)), grey_(luma_of(picture)) {}
+StraightText::StraightText(const Raster<Rgb8>& picture, std::span<const Rgb8> grounds,
+                           const ReadTextOptions& options)
+    : picture_(picture), grounds_(grounds.begin(), grounds.end()), options_(options) {}
 
 cv::Mat StraightText::of(const TextLine& line, bool reversed, Kind kind) const {
   const double stretch = kind == Kind::stretched ? options_.stretch : 1.0;
-  cv::Mat out = straightened(kind == Kind::strokes ? strokes_ : grey_, line, reversed, stretch, options_);
+  TextLine inside = line;
+  const Raster<Rgb8> part =
+      with_white_ground(part_around(picture_, inside, options_), line.colour, grounds_, options_);
+  const cv::Mat seen = kind == Kind::strokes ? lettering_of(part, options_) : luma_of(part);
+  cv::Mat out = straightened(seen, inside, reversed, stretch, options_);
   if (kind != Kind::strokes) out = with_full_contrast(out, options_);
   if (kind == Kind::sharpened) out = with_sharp_edges(out, options_);
   if (options_.smoothing > 0.0) cv::GaussianBlur(out, out, {}, options_.smoothing * options_.letter_px);

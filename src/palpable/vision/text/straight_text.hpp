@@ -6,6 +6,9 @@
 #include "palpable/vision/text/read_text.hpp"
 #include "palpable/vision/text/text_lines.hpp"
 
+#include <span>
+#include <vector>
+
 #include <opencv2/core.hpp>
 
 // Inside vision's sources only.
@@ -14,7 +17,8 @@ namespace palpable::vision {
 /// Makes pictures of lines of lettering as a reader wants them: straight, upright, enlarged, dark on white.
 class StraightText {
  public:
-  StraightText(const Raster<Rgb8>& picture, const ReadTextOptions& options);
+  /// `grounds`: colours of areas, of which those that differ from a line's are made white around it.
+  StraightText(const Raster<Rgb8>& picture, std::span<const Rgb8> grounds, const ReadTextOptions& options);
 
   /// Kinds of pictures, in which a reader errs differently.
   enum class Kind {
@@ -29,9 +33,9 @@ class StraightText {
   cv::Mat of(const TextLine& line, bool reversed, Kind kind) const;
 
  private:
+  Raster<Rgb8> picture_;
+  std::vector<Rgb8> grounds_;
   ReadTextOptions options_;
-  cv::Mat strokes_;
-  cv::Mat grey_;
 };
 
 }  // namespace palpable::vision

@@ -56,24 +56,27 @@ std::vector<Parameter> parameters_of(TextLineOptions& o) {
 }
 
 std::vector<Parameter> parameters_of(ReadTextOptions& o) {
-  return {{"thickest_stroke_px", &o.thickest_stroke_px, {1, 99}, "px", "strokes are thinner"},
-          {"contrast_window_px", &o.contrast_window_px, {1, 99}, "px", "window of the darkest stroke"},
-          {"full_contrast", &o.full_contrast, {1, 255}, "levels", "strokes of less contrast are not black"},
-          {"letter_px", &o.letter_px, {12, 200}, "px", "height of the enlarged letters"},
-          {"least_height_px", &o.least_height_px, {1, 100}, "px", "lower lines are enlarged as this height"},
-          {"margin", &o.margin, {0, 2}, "heights", "space around the letters"},
-          {"border_px", &o.border_px, {0, 100}, "px", "white around that"},
-          {"smoothing", &o.smoothing, {0, 0.5}, "heights", "blur of the enlarged letters"},
-          {"ink_part", &o.ink_part, {0, 1}, "", "part of a line's pixels that is black"},
-          {"ground_part", &o.ground_part, {0, 1}, "", "part that is not white"},
-          {"sharpening", &o.sharpening, {0, 5}, "", "of the edges in the second picture"},
-          {"sharpening_radius", &o.sharpening_radius, {0.01, 1}, "heights", "its reach"},
-          {"stretch", &o.stretch, {1, 3}, "", "of the third picture, along the line"},
-          {"fewest_letters", &o.fewest_letters, {1, 20}, "", "fewest letters in what is read"},
-          {"letter_part", &o.letter_part, {0, 1}, "", "least part of it that is letters"},
-          {"least_confidence", &o.least_confidence, {0, 1}, "", "lines read with less are dropped"},
-          {"sure", &o.sure, {0, 1}, "", "lines read with less are also read upside down"},
-          {"most_seconds", &o.most_seconds, {1, 3600}, "s", "most processor time of a reader"}};
+  return {
+      {"thickest_stroke_px", &o.thickest_stroke_px, {1, 99}, "px", "strokes are thinner"},
+      {"contrast_window_px", &o.contrast_window_px, {1, 99}, "px", "window of the darkest stroke"},
+      {"full_contrast", &o.full_contrast, {1, 255}, "levels", "strokes of less contrast are not black"},
+      {"ground_difference", &o.ground_difference, {1, 255}, "levels", "of the ground from a line's colour"},
+      {"ground_tolerance", &o.ground_tolerance, {1, 128}, "levels", "of a pixel from its area's colour"},
+      {"letter_px", &o.letter_px, {12, 200}, "px", "height of the enlarged letters"},
+      {"least_height_px", &o.least_height_px, {1, 100}, "px", "lower lines are enlarged as this height"},
+      {"margin", &o.margin, {0, 2}, "heights", "space around the letters"},
+      {"border_px", &o.border_px, {0, 100}, "px", "white around that"},
+      {"smoothing", &o.smoothing, {0, 0.5}, "heights", "blur of the enlarged letters"},
+      {"ink_part", &o.ink_part, {0, 1}, "", "part of a line's pixels that is black"},
+      {"ground_part", &o.ground_part, {0, 1}, "", "part that is not white"},
+      {"sharpening", &o.sharpening, {0, 5}, "", "of the edges in the second picture"},
+      {"sharpening_radius", &o.sharpening_radius, {0.01, 1}, "heights", "its reach"},
+      {"stretch", &o.stretch, {1, 3}, "", "of the third picture, along the line"},
+      {"fewest_letters", &o.fewest_letters, {1, 20}, "", "fewest letters in what is read"},
+      {"letter_part", &o.letter_part, {0, 1}, "", "least part of it that is letters"},
+      {"least_confidence", &o.least_confidence, {0, 1}, "", "lines read with less are dropped"},
+      {"sure", &o.sure, {0, 1}, "", "lines read with less are also read upside down"},
+      {"most_seconds", &o.most_seconds, {1, 3600}, "s", "most processor time of a reader"}};
 }
 
 }  // namespace palpable::vision
