@@ -85,7 +85,8 @@ struct Case {
 };
 
 std::vector<Case> cases_of(const StereoScene& scene, const StereoScene& other, std::uint32_t seed) {
-  const auto& [left, right, rig] = scene.pair;
+  const Image& left = scene.pair.left;
+  const Image& right = scene.pair.right;
   std::mt19937 random(seed);
   const auto noisy = [&](double gain, double noise) {
     return StereoPair{dimmed(left, gain, noise, random), dimmed(right, gain, noise, random), {}};

@@ -242,7 +242,7 @@ struct LibraryControls {
   void (*report)(void (*)(void*, double, double, double), void*) = nullptr;
 };
 
-inline LibraryControls bind_controls(device::SharedLibrary& library, const std::string& prefix) {
+inline LibraryControls bind_controls(SharedLibrary& library, const std::string& prefix) {
   LibraryControls controls;
   EXPECT_TRUE(library.bind(controls.reset, (prefix + "reset").c_str()));
   EXPECT_TRUE(library.bind(controls.inject, (prefix + "inject").c_str()));
@@ -261,7 +261,7 @@ inline Result<std::unique_ptr<device::Device>> open_here(const std::string& url)
 }
 
 inline DriverBench force_dimension_bench(const OnForce& on_force) {
-  auto library = device::SharedLibrary::open(PALPABLE_VIRTUAL_DHD, {});
+  auto library = SharedLibrary::open(PALPABLE_VIRTUAL_DHD, {});
   EXPECT_TRUE(library);
   const LibraryControls controls = bind_controls(*library, "virtual_dhd_");
   const auto told = std::make_shared<OnForce>(on_force);
@@ -288,7 +288,7 @@ inline DriverBench force_dimension_bench(const OnForce& on_force) {
 enum class Callbacks : std::uint8_t { by_ticks, by_thread };
 
 inline DriverBench open_haptics_bench(const OnForce& on_force, Callbacks callbacks = Callbacks::by_ticks) {
-  auto library = device::SharedLibrary::open(PALPABLE_VIRTUAL_HD, {});
+  auto library = SharedLibrary::open(PALPABLE_VIRTUAL_HD, {});
   EXPECT_TRUE(library);
   const LibraryControls controls = bind_controls(*library, "virtual_hd_");
   void (*call)() = nullptr;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/rectification/plane_rectification.hpp"
 
+#include "palpable/vision/stereo/problem/rectifying_transform.hpp"
+
 #include <cmath>
 #include <numbers>
 
@@ -22,11 +24,6 @@ PicturePoint seen(double x, double y) {
 }
 
 PictureLine line(double x1, double y1, double x2, double y2) { return {seen(x1, y1), seen(x2, y2)}; }
-
-PicturePoint mapped(const std::array<double, 9>& h, const PicturePoint& p) {
-  const double w = h[6] * p.x + h[7] * p.y + h[8];
-  return {(h[0] * p.x + h[1] * p.y + h[2]) / w, (h[3] * p.x + h[4] * p.y + h[5]) / w};
-}
 
 /// Checks that distances on the rectified table have the table's proportions.
 void expect_metric(const RectifiedPlane& plane, double tolerance) {
