@@ -29,9 +29,9 @@ std::set<std::string> kinds(const Guest& guest, Ruling wanted, std::index_sequen
 using All = std::make_index_sequence<std::variant_size_v<protocol::FromPage>>;
 
 TEST(Roles, WhoLooksMayOnlyAsk) {
-  EXPECT_EQ(kinds(kLooker, Ruling::pass, All()), (std::set<std::string>{"visible"}));
+  EXPECT_EQ(kinds(kLooker, Ruling::pass, All()), (std::set<std::string>{"language", "visible"}));
   EXPECT_EQ(kinds(kLooker, Ruling::question, All()), (std::set<std::string>{"ask", "look_around"}));
-  EXPECT_EQ(kinds(kLooker, Ruling::refuse, All()).size(), std::variant_size_v<protocol::FromPage> - 3);
+  EXPECT_EQ(kinds(kLooker, Ruling::refuse, All()).size(), std::variant_size_v<protocol::FromPage> - 4);
 }
 
 TEST(Roles, WhoTouchesMayInAdditionMoveItsOwnProbe) {

@@ -3,8 +3,8 @@
 #include "palpable/device/open_haptics/open_haptics.hpp"
 
 #include "palpable/core/system/allocations.hpp"
-#include "palpable/device/drivers/open.hpp"
 #include "palpable/core/system/shared_library.hpp"
+#include "palpable/device/drivers/open.hpp"
 #include "palpable/device/virtual/moved_handle.hpp"
 
 #include <chrono>

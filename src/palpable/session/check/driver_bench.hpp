@@ -3,11 +3,11 @@
 #pragma once
 
 #include "palpable/core/system/hand_off.hpp"
+#include "palpable/core/system/shared_library.hpp"
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/device/evdev/evdev.hpp"
 #include "palpable/device/falcon/falcon.hpp"
 #include "palpable/device/falcon/falcon_kinematics.hpp"
-#include "palpable/core/system/shared_library.hpp"
 #include "palpable/device/virtual/virtual_falcon.hpp"
 #include "palpable/device/virtual/virtual_inverse3.hpp"
 #include "palpable/device/virtual/virtual_joystick.hpp"

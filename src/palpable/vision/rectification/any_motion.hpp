@@ -30,6 +30,9 @@ struct AnyMotionOptions {
   double more_matches = 1.1;
   double least_share = 0.6;
   double instead_of_offsets = 0.93;
+  /// And at most this many times as far from their lines (RMS): pictures whose rows are displaced fit a wrong
+  /// motion badly.
+  double as_near_as_offsets = 1.5;
   /// Least parallax, RMS, px; and least share of it with one sign.
   double least_parallax_px = 1.0;
   double least_same_sign = 0.9;

@@ -113,9 +113,10 @@ CameraMotion motion_of(const Estimate& at, std::vector<FeatureMatch> inliers, do
   out.direction = {at.direction[0], at.direction[1], at.direction[2]};
   out.focal_px = at.focal_px;
   out.zoom = at.zoom;
-  double squares = 0.0;
+  double squares = 0.0, off_squares = 0.0;
   int clear = 0, same = 0;
   for (const FeatureMatch& m : inliers) {
+    off_squares += at.off_line_px(m) * at.off_line_px(m);
     const double px = at.parallax_px(m);
     squares += px * px;
     if (std::abs(px) < tolerance_px) continue;
@@ -123,6 +124,7 @@ CameraMotion motion_of(const Estimate& at, std::vector<FeatureMatch> inliers, do
     same += px > 0.0 ? 1 : 0;
   }
   out.parallax_px = std::sqrt(squares / static_cast<double>(inliers.size()));
+  out.residual_px = std::sqrt(off_squares / static_cast<double>(inliers.size()));
   out.same_sign = clear > 0 ? static_cast<double>(same) / clear : 0.0;
   out.inliers = std::move(inliers);
   return out;

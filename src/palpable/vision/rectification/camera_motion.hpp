@@ -23,6 +23,8 @@ struct CameraMotion {
   double zoom = 1.0;
   /// The matches that the motion explains.
   std::vector<FeatureMatch> inliers;
+  /// RMS distance of the inliers from their epipolar lines, px.
+  double residual_px = 0.0;
   /// What the rotation alone does not explain: RMS, px.
   double parallax_px = 0.0;
   /// Share of the inliers whose parallax has the direction's sign, of those that have at least the tolerance.

@@ -221,16 +221,23 @@ void rectify(RectifiedPair& out, const RectificationEstimate& estimate, const Op
                     candidate.greatest_px));
 }
 
-/// Whether the rows are moved where a rigid motion explains the features about as well, with five numbers.
-bool takes_parallax_for_offsets(const RectificationCandidate& candidate, const CameraMotion& motion,
-                                const std::vector<FeatureMatch>& features, double tolerance_px) {
-  if (!candidate.offsets) return false;
-  const auto corrected = std::count_if(features.begin(), features.end(), [&](const FeatureMatch& m) {
-    const FeatureMatch c = candidate.offsets->corrected(m);
-    return std::abs(c.right_y - c.left_y) <= tolerance_px;
-  });
+/// Whether a rigid motion explains the features about as well as moved rows, with five numbers.
+bool explains_offsets(const CameraMotion& motion, const VerticalOffsets& offsets,
+                      const std::vector<FeatureMatch>& features, double tolerance_px) {
+  std::size_t corrected = 0;
+  double squares = 0.0;
+  for (const FeatureMatch& m : features) {
+    const FeatureMatch c = offsets.corrected(m);
+    const double off = c.right_y - c.left_y;
+    if (!(std::abs(off) <= tolerance_px)) continue;
+    ++corrected;
+    squares += off * off;
+  }
+  const AnyMotionOptions options;
+  const double residual_px = std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, corrected)));
   return static_cast<double>(motion.inliers.size()) >=
-         AnyMotionOptions{}.instead_of_offsets * static_cast<double>(corrected);
+             options.instead_of_offsets * static_cast<double>(corrected) &&
+         motion.residual_px <= options.as_near_as_offsets * residual_px;
 }
 
 /// The pair with the frame of its camera's motion; the pictures stay as they are. Nothing where the frame
@@ -333,12 +340,13 @@ Result<RectifiedPair> rectify_uncalibrated(const StereoPair& pair, const Work& w
             options.rectified_matches_share * static_cast<double>(first.inliers.size()))
       return unchanged(pair, as_they_are, options);
     const auto motion = find_any_motion(features, pair.left.width, pair.left.height, tolerance_px);
-    if (motion && !is_sideways(*motion) && explains_more(*motion, first.inliers.size()))
-      if (auto in_frame = in_frame_of(*motion, features, pair, options, work)) return *in_frame;
+    const std::size_t on_rows = first.inliers.size();
     const auto found = estimate(pair, camera, features, std::move(first), options, work);
-    if (!found) return found.error();
-    if (motion && takes_parallax_for_offsets(found->candidate, *motion, features, tolerance_px))
+    const bool has_offsets = found && found->candidate.offsets;
+    if (motion && (has_offsets ? explains_offsets(*motion, *found->candidate.offsets, features, tolerance_px)
+                               : !is_sideways(*motion) && explains_more(*motion, on_rows)))
       if (auto in_frame = in_frame_of(*motion, features, pair, options, work)) return *in_frame;
+    if (!found) return found.error();
     RectifiedPair out = unchanged(pair, found->candidate.rotations.inliers, options);
     if (out.features < options.least_matches) return out;
     rectify(out, *found, options);
