@@ -51,7 +51,7 @@ def main() -> None:
         program = copy / "program"
         # Relative names: a compiler cache then knows what it compiled in another folder.
         cache = shutil.which("ccache")
-        compile_it = [*([cache] if cache else []), compiler, "-std=c++20", "-O0", "-Isrc", "-c", "main.cpp", "-o", "main.o"]
+        compile_it = [*([cache] if cache else []), compiler, "-std=c++20", "-O0", "-Isrc", "-DPALPABLE_LIBRARY_HOST_FOLDER=\"\"", "-c", "main.cpp", "-o", "main.o"]
         subprocess.run(compile_it, check=True, cwd=copy)
         subprocess.run([compiler, "main.o", "-pthread", "-lz", "-lusb-1.0", "-o", program], check=True, cwd=copy)
         subprocess.run([program], check=True)

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The language of the page. A message is identified by its English text (docs/adr/0012); languages/*.json hold the others.
+// The language of the page. A message is identified by its English text (docs/adr/0013); languages/*.json hold the others.
 // The language is chosen when the page is loaded and does not change until it is loaded again.
 import german from '../languages/de.json';
 import spanish from '../languages/es.json';
@@ -26,11 +26,23 @@ export function chosenLanguage(cookies: string, hash: string): Language | null {
   return isLanguage(chosen) ? chosen : null;
 }
 
+/** Empty where a page may have none, as in a frame without rights. */
+function cookies(): string {
+  try {
+    return document.cookie;
+  } catch {
+    return '';
+  }
+}
+
 /** Keeps the choice and loads the page again in this language. */
 export function choose(language: Language): void {
-  document.cookie = `${cookieName}=${language}; Path=/; SameSite=Strict; Max-Age=${365 * 24 * 3600}`;
-  // A page from a disk keeps no cookies.
-  if (chosenLanguage(document.cookie, '') !== language) {
+  try {
+    document.cookie = `${cookieName}=${language}; Path=/; SameSite=Strict; Max-Age=${365 * 24 * 3600}`;
+  } catch {
+    // Then it stands in the address, as that of a page from a disk, which keeps no cookies.
+  }
+  if (chosenLanguage(cookies(), '') !== language) {
     const others = location.hash.slice(1).split('&').filter((part) => part !== '' && !part.startsWith('language='));
     location.hash = [...others, `language=${language}`].join('&');
   }
@@ -38,7 +50,7 @@ export function choose(language: Language): void {
 }
 
 const inBrowser = typeof document !== 'undefined';
-export const language: Language = inBrowser ? (chosenLanguage(document.cookie, location.hash) ?? firstKnown(navigator.languages)) : 'en';
+export const language: Language = inBrowser ? (chosenLanguage(cookies(), location.hash) ?? firstKnown(navigator.languages)) : 'en';
 const rules = rulesOf(language);
 
 /** A message of the catalogue in the page's language. Numbers are written as the language does. */

@@ -28,7 +28,7 @@ inline constexpr const char* kHostGreeting = "palpable-library-host 1";
 
 /// How often both sides look whether the other one still works, and for how long a call of the library may
 /// last, before the host tries to free the motors from another thread, and before it is ended.
-inline constexpr std::chrono::milliseconds kLook{2};
+inline constexpr std::chrono::milliseconds kLibraryLook{2};
 inline constexpr std::chrono::milliseconds kLateCall{5};
 inline constexpr std::chrono::milliseconds kHungCall{25};
 

@@ -131,7 +131,7 @@ void HostedDevice::stop() noexcept {
 void HostedDevice::watch() noexcept {
   static_cast<void>(request_priority(kForcePriority));
   while (!ending_.load(std::memory_order_acquire)) {
-    if (host_.has_ended(kLook)) return give_up(host_.end());
+    if (host_.has_ended(kLibraryLook)) return give_up(host_.end());
     const HostExchange& shared = host_.exchange();
     if (!is_hung(shared.in_call_since_ns) && !is_hung(shared.thread_in_call_since_ns)) continue;
     host_.end();

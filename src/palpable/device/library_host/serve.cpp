@@ -40,7 +40,7 @@ void LibraryHost::serve() {
   std::uint32_t seen = shared_.calls.load(std::memory_order_acquire);
   std::int64_t before_ns = steady_ns();
   while (!ending_.load(std::memory_order_acquire)) {
-    wait_while(shared_.calls, seen, nanoseconds(kLook).count());
+    wait_while(shared_.calls, seen, nanoseconds(kLibraryLook).count());
     seen = shared_.calls.load(std::memory_order_acquire);
     if (shared_.answered.load(std::memory_order_relaxed) != shared_.asked.load(std::memory_order_acquire))
       answer();
@@ -112,7 +112,7 @@ void LibraryHost::watch() noexcept {
   std::int64_t asked_to_end_ns = 0;
   while (!served_.load(std::memory_order_acquire)) {
     pollfd program{asked_to_end_ns == 0 ? kHostAlive : -1, POLLIN, 0};
-    if (::poll(&program, 1, static_cast<int>(kLook.count())) > 0) {
+    if (::poll(&program, 1, static_cast<int>(kLibraryLook.count())) > 0) {
       asked_to_end_ns = steady_ns();
       ending_.store(true, std::memory_order_release);
       advance(shared_.calls);
