@@ -29,7 +29,7 @@ export function showHelp(): void {
 
 /** Shows the step of the arrow keys for a scene of this scale. */
 export function showSteps(scale: number): void {
-  const millimetres = (metres: number) => t('{value} mm', { value: rounded(metres * scale * 1000, 3) });
+  const millimetres = (metres: number) => t('{value} mm', { value: rounded(metres * scale * 1000, 3) }).replace(' ', '\u00A0');
   element('step-fine').textContent = millimetres(fineStep);
   element('step-coarse').textContent = millimetres(coarseStep);
 }

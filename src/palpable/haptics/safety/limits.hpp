@@ -32,16 +32,6 @@ Vector<Frame> bounded(Vector<Frame> force_N, double max_N) noexcept {
   return cap_force(force_N, max_N).force_N;
 }
 
-/// A law's force whose spring is rendered as `spring_N`, in the same sense but weaker; `rest_N` of it, from
-/// dampers and friction, stays. It is never a pull, and never longer than `law_N`. Tick path.
-template <class Frame>
-Vector<Frame> with_spring(Vector<Frame> spring_N, Vector<Frame> rest_N, Vector<Frame> law_N) noexcept {
-  const Vector<Frame> force_N = spring_N + rest_N;
-  // No damper pulls.
-  if (dot(force_N, spring_N) <= 0.0) return {};
-  return cap_force(force_N, norm(law_N)).force_N;
-}
-
 /// Lets a force grow by at most `max_rise_N` (>= 0) from one tick to the next. A decrease is never delayed:
 /// the part of `before_N` that the new force does not contain is dropped at once. Only the part that is new
 /// is limited, also when the direction turns at constant magnitude. Tick path.

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace palpable::haptics {
 
@@ -17,9 +16,7 @@ namespace palpable::haptics {
 /// moves out meets, after a twentieth of the depth, a spring that begins deeper, with the potential V =
 /// (sqrt(U) - c)^2 = P and the share dV/dU = 1 - c / sqrt(U) of the law's force; docs/real-time.md ("Rise
 /// limit") derives it. From then on V follows P. Damping and friction, which are not the spring's, stay
-/// whole. A surface that a change of scene brings up under a hand does not push it at once: c keeps V, and
-/// decreases so that the rendered surface rises no faster than Input::rises_m. A tick is account(), then
-/// take_back(), then limit(). Tick path; no allocation.
+/// whole. A tick is account(), then take_back(), then limit(). Tick path; no allocation.
 class RiseLimit {
  public:
   struct Input {
@@ -27,10 +24,8 @@ class RiseLimit {
     /// the force follows the ramp, and nothing is counted.
     double stored_J = 0.0;
     Vector<DeviceFrame> spring_N;
-    /// What a change of scene added to stored_J since the last call; and how far the surface that it brings
-    /// up may rise under the hand in this tick, m.
+    /// What a change of scene added to stored_J since the last call.
     double changed_J = 0.0;
-    double rises_m = std::numeric_limits<double>::infinity();
     /// What the hand received since the last call, of force and torque, J, and how far that may be wrong by
     /// the sensor's step; what the forces that are on their way will give it; and how far it moved in the
     /// sense of the spring's force, m.
@@ -52,15 +47,12 @@ class RiseLimit {
     stored_J_ = has_spring_ ? in.stored_J : 0.0;
     root_ = std::sqrt(stored_J_);
     if (!has_spring_) {
-      begins_ = rises_ = false;
+      begins_ = false;
       release_left_ = spring_offset_ = rendered_J_ = surplus_J_ = input_energy_J_ = unsure_J_ = 0.0;
-      rise_left_ = brought_J_ = 0.0;
       return;
     }
     unsure_J_ = std::max(unsure_J_, in.unsure_J);
-    bring(in);
-    const double credited_J = is_weaker() ? brought_J_ : 0.0;
-    input_energy_J_ = std::clamp(input_before_J - in.received_J + credited_J, 0.0, stored_J_);
+    input_energy_J_ = std::clamp(input_before_J - in.received_J, 0.0, stored_J_);
     // While the force went to zero the hand may have received energy, but it put in none.
     if (begins_) begin_release(std::min(input_before_J, input_energy_J_));
     begins_ = false;
@@ -68,6 +60,10 @@ class RiseLimit {
       release(in);
       return;
     }
+    // The surface of another scene that comes up under a hand begins where the hand is.
+    if (spring_offset_ > 0.0)
+      spring_offset_ =
+          std::max(0.0, spring_offset_ + root_ - std::sqrt(std::max(0.0, stored_J_ - in.changed_J)));
     set_offset(spring_offset_);
     follow(in);
   }
@@ -119,10 +115,6 @@ class RiseLimit {
   }
   /// Whether the rendered spring returns less energy than the law's spring stores.
   bool is_weaker() const noexcept { return has_spring_ && (release_left_ > 0.0 || spring_offset_ > 0.0); }
-  /// What the last change of scene added to the rendered spring in the last account(), J, negative where it
-  /// took some; and whether a surface that it brought up was still rising then.
-  double brought_J() const noexcept { return brought_J_; }
-  bool rises() const noexcept { return rises_; }
   double withheld_J() const noexcept { return std::max(0.0, stored_J_ - input_energy_J()); }
   /// The energy that the hand put in and may get back, P.
   double input_energy_J() const noexcept {
@@ -140,33 +132,8 @@ class RiseLimit {
     release_left_ = 1.0;
   }
 
-  static double square(double of) noexcept { return of * of; }
-
-  /// A change of scene: what it adds to the spring at once, and what later.
-  void bring(const Input& in) noexcept {
-    rises_ = rise_left_ > 0.0;
-    brought_J_ = 0.0;
-    if (in.changed_J == 0.0 && !rises_) return;
-    const double root_before = std::sqrt(std::max(0.0, stored_J_ - in.changed_J));
-    const double left_before = rise_left_;
-    const double offset_before = release_left_ > 0.0 ? left_before : spring_offset_;
-    // A spring that stores U at a force f is 2 U / f deep: over a way w, sqrt(U) changes by w f / (2
-    // sqrt(U)).
-    const double allowed = in.rises_m * norm(spring_N_) / (2.0 * root_);
-    rise_left_ = std::clamp(left_before + root_ - root_before - allowed, 0.0, root_);
-    rises_ = rises_ || rise_left_ > 0.0;
-    const double offset = std::min(offset_before + rise_left_ - left_before, root_);
-    if (release_left_ <= 0.0) spring_offset_ = offset;
-    const bool is_whole = offset <= 0.0 && offset_before <= 0.0;
-    brought_J_ =
-        is_whole ? in.changed_J : square(root_ - offset) - square(std::max(0.0, root_before - offset_before));
-  }
-
-  /// The least c: the ramp's, and that of a surface that still rises.
-  double least_offset() const noexcept { return std::max(root_ * (1.0 - gain_), rise_left_); }
-
   void release(const Input& in) noexcept {
-    const double goal = least_offset();
+    const double goal = root_ * (1.0 - gain_);
     // A spring that stores U at a force f is 2 U / f deep.
     if (release_left_ >= 1.0) release_over_m_ = kReleaseDepth * 2.0 * stored_J_ / norm(spring_N_);
     // A hand that moves in again meets the same share at the same depth.
@@ -176,8 +143,7 @@ class RiseLimit {
     constexpr double kGrowth = 2.0;
     if (in.moved_out_m > 0.0 && input_energy_J_ <= in.coming_J + kGrowth * std::max(0.0, in.received_J))
       release_left_ = 0.0;
-    if (gain_ >= 1.0 && input_energy_J_ >= (goal > 0.0 ? square(root_ - goal) : stored_J_))
-      release_left_ = 0.0;
+    if (gain_ >= 1.0 && input_energy_J_ >= stored_J_) release_left_ = 0.0;
     if (release_left_ > 0.0) {
       const double last_offset = std::max(goal, root_ - std::sqrt(input_energy_J_));
       set_offset(goal + (1.0 - release_left_) * (last_offset - goal));
@@ -189,14 +155,15 @@ class RiseLimit {
 
   void set_offset(double offset) noexcept {
     spring_offset_ = std::min(offset, root_);
-    rendered_J_ = spring_offset_ > 0.0 ? square(root_ - spring_offset_) : stored_J_;
+    const double over = root_ - spring_offset_;
+    rendered_J_ = spring_offset_ > 0.0 ? over * over : stored_J_;
   }
 
   /// The spring follows the ramp and P. What the hand puts into dampers and friction comes back into it, at
   /// the ramp's rate; where a held force gave more than V lost, a hand that moves out does not get that
   /// twice.
   void follow(const Input& in) noexcept {
-    const double goal = least_offset();
+    const double goal = root_ * (1.0 - gain_);
     // A plain sum of forces times movements begins anew where the force is zero: nothing is owed beyond that.
     const bool owes = spring_offset_ > 0.0 && rendered_J_ > 0.0 && force_N_ != Vector<DeviceFrame>{};
     if (gain_ >= 1.0 && !owes) input_energy_J_ = rendered_J_;
@@ -215,7 +182,10 @@ class RiseLimit {
     const double part = share();
     if (!has_spring_ || gain_ <= 0.0) return gain_ * law_N;
     if (part >= 1.0) return law_N;
-    return with_spring(part * spring_N_, rest_N, law_N);
+    const Vector<DeviceFrame> force_N = part * spring_N_ + rest_N;
+    // No damper pulls.
+    if (dot(force_N, spring_N_) <= 0.0) return {};
+    return cap_force(force_N, norm(law_N)).force_N;
   }
 
   Vector<DeviceFrame> force_N_;
@@ -229,10 +199,6 @@ class RiseLimit {
   double root_ = 0.0;
   /// c, by which the rendered spring begins deeper, in the unit of sqrt(U); 0: the whole spring.
   double spring_offset_ = 0.0;
-  /// The part of c by which a surface that a change of scene brought up has still to rise.
-  double rise_left_ = 0.0;
-  bool rises_ = false;
-  double brought_J_ = 0.0;
   /// V, the energy that the rendered spring stores.
   double rendered_J_ = 0.0;
   /// The input energy beyond V: P = V + this, if no release is going on. Below 0 where a held force gave more

@@ -56,15 +56,6 @@ SafeContact safe_contact(const device::Traits& device, double rate_hz, double sc
   return safe;
 }
 
-double slow_reading_share(const HeldContact& contact) noexcept {
-  const double acts_ticks = 2.0 * contact.delay;
-  const double least = (acts_ticks + 1.0) / (acts_ticks + contact.ticks_per_reading);
-  const double generates =
-      0.5 * (acts_ticks + contact.ticks_per_reading) * contact.period_s * contact.stiffness_N_per_m;
-  const double dissipates = kHeldMargin * contact.damping_Ns_per_m;
-  return generates > dissipates ? std::max(least, dissipates / generates) : 1.0;
-}
-
 SafeSlopes safe_slopes(const device::Traits& device, double rate_hz, double scale, double damping_Ns_per_m,
                        double hand_damping_Ns_per_m) {
   // Measured (docs/history/2026-11-24-physics.md): with 0.5, none of 300 hands received more than 0.11 uJ;

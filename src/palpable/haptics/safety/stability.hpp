@@ -51,22 +51,6 @@ inline constexpr double kLeastHandDamping_Ns_per_m = 1.5;
 SafeContact safe_contact(const device::Traits& device, double rate_hz, double scale, double stiffness_N_per_m,
                          double damping_Ns_per_m, double hand_damping_Ns_per_m = kLeastHandDamping_Ns_per_m);
 
-/// A contact as it is rendered in a loop, in the device frame.
-struct HeldContact {
-  double stiffness_N_per_m = 0.0;
-  double damping_Ns_per_m = 0.0;
-  /// Ticks until a force acts; ticks from one reading of the device to the next, >= 1; and their length.
-  int delay = 0;
-  int ticks_per_reading = 1;
-  double period_s = 0.001;
-};
-
-/// The share 0 ... 1 of its stiffness at which a contact is safe on a device whose readings are n ticks
-/// apart: each force is then held for n ticks, so the condition `held_spring` becomes (2d + n)·K·T/2 < B. It
-/// is never below (2d + 1) / (2d + n), which lowers a stiffness that is safe at n = 1 enough. safe_contact()
-/// chooses a damping for which the condition `passivity` is then met too. Tick path.
-double slow_reading_share(const HeldContact& contact) noexcept;
-
 /// What loop and device can render of a weight on slopes (`rolling`), in scene quantities. A bend of the
 /// surface acts as a spring along it: in a valley it holds the hand, on a ridge it pushes it away.
 struct SafeSlopes {

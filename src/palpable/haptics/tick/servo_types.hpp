@@ -53,11 +53,6 @@ inline constexpr std::uint32_t kStalled = 1U << 11;
 /// The device gave the reading before once more: it says so, or it is slower than the loop. The force was
 /// held.
 inline constexpr std::uint32_t kRepeated = 1U << 12;
-/// A surface that a change of scene brought up under the hand still rises, no faster than
-/// TickOptions::max_lift_m_per_s.
-inline constexpr std::uint32_t kLifting = 1U << 13;
-/// The energy of this tick may be that of a change of scene.
-inline constexpr std::uint32_t kChanging = kFading | kLifting;
 /// No reading of this tick was used.
 inline constexpr std::uint32_t kNoReading = kImplausible | kRepeated;
 }  // namespace flag

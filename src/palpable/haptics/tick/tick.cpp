@@ -135,7 +135,6 @@ ReadingUse TickPipeline::accept(const device::Reading& reading, double dt_s) noe
   } else if (judged.is_good() && ramp_.value() <= 0.0 && !healthy_) {
     begin_touch();
   }
-  average_held(judged.is_good());
   if (judged.is_good()) take(reading, judged);
   return judged.use;
 }
@@ -210,12 +209,14 @@ bool TickPipeline::evaluate_laws(double dt_s) noexcept {
     flags_ |= flag::kNotFinite;
     return false;
   }
-  law_force_N_ = blended([this](const Side& side) { return device_force_N(side, side.output.force_N); });
-  guide_N_ = blended([this](const Side& side) { return device_force_N(side, side.output.guide_N); });
-  if (has_torque_)
-    law_torque_Nm_ =
-        blended([this](const Side& side) { return device_torque_Nm(side, side.output.torque_Nm); });
-  soften(dt_s);
+  law_force_N_ = device_force_N(now_, now_.output.force_N);
+  if (fading()) law_force_N_ += faded_ * (device_force_N(coming_, coming_.output.force_N) - law_force_N_);
+  guide_N_ = device_force_N(now_, now_.output.guide_N);
+  if (fading()) guide_N_ += faded_ * (device_force_N(coming_, coming_.output.guide_N) - guide_N_);
+  if (!has_torque_) return true;
+  law_torque_Nm_ = device_torque_Nm(now_, now_.output.torque_Nm);
+  if (fading())
+    law_torque_Nm_ += faded_ * (device_torque_Nm(coming_, coming_.output.torque_Nm) - law_torque_Nm_);
   return true;
 }
 
@@ -226,7 +227,6 @@ void TickPipeline::begin_touch() noexcept {
   rise_.reset();
   uncontrolled_rise_.reset();
   begin_returns();
-  contact_begins_ = true;
   motion_.begin();
   rotation_.begin();
   flags_ |= flag::kNewTouch;
@@ -272,8 +272,7 @@ void TickPipeline::make_force(double dt_s) noexcept {
   if (has_torque_) make_torque(risen_s);
   limit_returns(risen_s);
   if (gain > 0.0) control_energy(dt_s);
-  if (rise_.is_weaker() && !rise_.rises())
-    counts_.withheld_max_J = std::max(counts_.withheld_max_J, rise_.withheld_J());
+  if (rise_.is_weaker()) counts_.withheld_max_J = std::max(counts_.withheld_max_J, rise_.withheld_J());
   if (capped.limited) flags_ |= flag::kForceCapped;
   if (risen.limited || rise_.share() < ramp_.value()) flags_ |= flag::kRiseLimited;
   if (gain < 1.0) flags_ |= flag::kRamping;

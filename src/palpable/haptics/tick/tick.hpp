@@ -86,13 +86,6 @@ class TickPipeline {
   bool evaluate_law(Side& side, double dt_s) noexcept;
   Vector<DeviceFrame> device_force_N(const Side& side, Vector<SceneFrame> force_N) const noexcept;
   Vector<DeviceFrame> device_torque_Nm(const Side& side, Vector<SceneFrame> torque_Nm) const noexcept;
-  /// A side's force or torque, between those of two sides during a cross-fade.
-  template <class Of>
-  Vector<DeviceFrame> blended(Of of) const noexcept {
-    Vector<DeviceFrame> value = of(now_);
-    if (fading()) value += faded_ * (of(coming_) - value);
-    return value;
-  }
   /// What is stored, in the device's frame, and the spring's part of the force, after the cap.
   struct Potential {
     Vector<DeviceFrame> spring_N;
@@ -107,8 +100,9 @@ class TickPipeline {
   Potential potential(double faded) const noexcept;
   /// What of it the hand gave.
   double given_J(const RiseLimit& rise) const noexcept;
+  /// What a change of parameters on the same surface added to it in this tick.
+  double changed_J(const RiseLimit& rise) const noexcept;
   void account_spring(double dt_s, bool wanted) noexcept;
-  void account_movement(RiseLimit::Input in, double risen_s) noexcept;
   void account_stall(RiseLimit::Input in, double dt_s) noexcept;
   void make_torque(double risen_s) noexcept;
   void begin_returns() noexcept;
@@ -146,9 +140,6 @@ class TickPipeline {
   device::LocalSurface local_surface() const noexcept;
   void write_device(bool wanted, bool is_held) noexcept;
   bool evaluate_laws(double dt_s) noexcept;
-  /// The part of the springs that a device may render whose readings are slower than the loop.
-  double safe_spring_share() const noexcept;
-  void soften(double dt_s) noexcept;
   void fade(double dt_s) noexcept;
   /// Fading to a scene that feels otherwise here. An equal surface, as a live source sends it, changes
   /// nothing.
@@ -189,7 +180,6 @@ class TickPipeline {
   /// Its scene is null if no scene fades in.
   Side coming_;
   double faded_ = 0.0;
-  /// As of the last account.
   double faded_before_ = 0.0;
   /// The scene that fades in is the same law on the same surface: springs and energies continue.
   bool same_surface_ = false;
@@ -225,21 +215,12 @@ class TickPipeline {
   double stored_before_change_J_ = 0.0;
   double change_work_J_ = 0.0;
   double change_brought_J_ = 0.0;
-  /// What a change of scene added to the springs as they are rendered in this tick: to those of the written
-  /// forces, and without the controller.
-  struct Brought {
-    double written_J = 0.0;
-    double uncontrolled_J = 0.0;
-  };
-  Brought brought_;
+  /// What the current change of scene added to the stored energy in this tick.
+  double changed_J_ = 0.0;
   /// What the law stores, as of the last account.
   double stored_J_ = 0.0;
   /// And its spring's force.
   Vector<DeviceFrame> spring_N_;
-  /// The share of the law's spring that is rendered, because the device's readings are slower than the loop;
-  /// in a contact it only decreases. And whether the contact has not begun yet.
-  double spring_share_ = 1.0;
-  bool contact_begins_ = false;
   /// The law's force (the last finite one), the force after caps and ramp, and the written force.
   Vector<DeviceFrame> law_force_N_;
   Vector<DeviceFrame> guide_N_;
@@ -269,13 +250,6 @@ class TickPipeline {
   std::size_t delay_;
   /// The forces that the motors held since the last reading: written one tick ago, plus the device's delay.
   const Sent& held() const noexcept { return sent_[(newest_ + sent_.size() - delay_) % sent_.size()]; }
-  /// Ticks without a reading that was used. At the next one, the forces that acted during the
-  /// movement are taken as the mean of those of these ticks: nothing is known of the way between.
-  int ticks_without_ = 0;
-  bool has_mean_ = false;
-  Sent mean_;
-  void average_held(bool has_reading) noexcept;
-  const Sent& acted() const noexcept { return has_mean_ ? mean_ : held(); }
   /// The held force was shortened by a fade or a torque cap, or by the ramp of a law without a spring.
   bool shortened_ = true;
   bool scene_changes_ = false;

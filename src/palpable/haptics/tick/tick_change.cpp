@@ -24,6 +24,7 @@ bool is_same(const LawOutput& a, const LawOutput& b) {
 
 void TickPipeline::fade(double dt_s) noexcept {
   flags_ |= flag::kFading;
+  faded_before_ = faded_;
   faded_ = std::min(1.0, faded_ + dt_s / options_.fade_s);
 }
 
@@ -47,7 +48,7 @@ void TickPipeline::change(const HapticScene& scene) noexcept {
   } else if (is_same_place) {
     scene.touchable->take_over(now_.scene->touchable->hand_over(now_.state), coming_.state);
   }
-  faded_ = faded_before_ = 0.0;
+  faded_ = 0.0;
   const double held_J = given_J(rise_);
   stored_before_change_J_ = std::isfinite(held_J) ? held_J : 0.0;
   change_work_J_ = change_brought_J_ = 0.0;

@@ -43,10 +43,6 @@ TickPipeline::Potential TickPipeline::potential(double faded) const noexcept {
   // Potentials of different kinds are not blended: the new one counts from the end of the change on.
   const bool is_new = fading() && now_.energy != coming_.energy && faded >= 1.0;
   if (is_new) p = of(coming_);
-  if (spring_share_ < 1.0) {
-    p.spring_N = spring_share_ * p.spring_N;
-    p.stored_J *= spring_share_;
-  }
   p.uncapped_N = p.spring_N;
   // If a spring exceeds the force cap, the hand only works against the capped force. A spring that stores U
   // at a force f then stores U (2r - r^2) up to the cap r f.
@@ -77,23 +73,14 @@ void TickPipeline::account_spring(double dt_s, bool wanted) noexcept {
   in.gain_rise = risen_s / ramp_.up_s();
   in.spring_N = p.spring_N;
   in.stored_J = is_accounted() ? p.stored_J : std::numeric_limits<double>::quiet_NaN();
-  in.changed_J = fading() ? p.stored_J - potential(faded_before_).stored_J : 0.0;
-  in.rises_m = options_.max_lift_m_per_s * readings_.ticks() * risen_s;
-  faded_before_ = faded_;
+  in.changed_J = changed_J_ = fading() ? p.stored_J - potential(faded_before_).stored_J : 0.0;
   const double spring_N = norm(p.spring_N);
   in.unsure_J = unsure_J(p.spring_N);
   if (spring_N > 0.0) in.moved_out_m = dot(p.spring_N, moved_) / spring_N;
   if ((flags_ & flag::kStalled) != 0) {
     account_stall(in, dt_s);
-  } else {
-    account_movement(in, risen_s);
+    return;
   }
-  brought_ = {rise_.brought_J(), uncontrolled_rise_.brought_J()};
-  if (!is_accounted() && std::isfinite(in.changed_J)) brought_ = {in.changed_J, in.changed_J};
-  if (rise_.rises()) flags_ |= flag::kLifting;
-}
-
-void TickPipeline::account_movement(RiseLimit::Input in, double risen_s) noexcept {
   const auto account = [&](RiseLimit& rise, double received_J, Forces (*sent_as)(const Sent&)) {
     in.received_J = received_J;
     in.coming_J = rise.is_weaker() ? on_the_way_J(sent_as, risen_s) : 0.0;
@@ -104,10 +91,9 @@ void TickPipeline::account_movement(RiseLimit::Input in, double risen_s) noexcep
 }
 
 void TickPipeline::count_received() noexcept {
-  brought_ = {};
-  const Sent& force = acted();
-  received_ = {dot(force.written_N, moved_) + dot(force.written_Nm, rotated_),
-               dot(force.uncontrolled_N, moved_) + dot(force.uncontrolled_Nm, rotated_)};
+  const Sent& acted = held();
+  received_ = {dot(acted.written_N, moved_) + dot(acted.written_Nm, rotated_),
+               dot(acted.uncontrolled_N, moved_) + dot(acted.uncontrolled_Nm, rotated_)};
 }
 
 void TickPipeline::account_stall(RiseLimit::Input in, double dt_s) noexcept {
@@ -136,25 +122,31 @@ double TickPipeline::given_J(const RiseLimit& rise) const noexcept {
 }
 
 void TickPipeline::count_scene_change() noexcept {
-  if ((flags_ & flag::kChanging) == 0) return;
+  if ((flags_ & flag::kFading) == 0) return;
   // What a change brings. On the same surface that is what its parameters add to the spring; otherwise the
   // work during it, and what the springs store more than before it.
   const double given = given_J(rise_);
-  change_work_J_ += same_surface_ ? brought_.written_J : received_.written_J;
+  change_work_J_ += same_surface_ ? changed_J(rise_) : received_.written_J;
   const double more_J = same_surface_ || !std::isfinite(given) ? 0.0 : given - stored_before_change_J_;
   const double most_J = std::max(change_brought_J_, change_work_J_ + more_J);
   counts_.scene_change_J += most_J - change_brought_J_;
   change_brought_J_ = most_J;
 }
 
+double TickPipeline::changed_J(const RiseLimit& rise) const noexcept {
+  // A spring that is held back begins where the hand is: a change adds nothing to it.
+  const bool adds = same_surface_ && std::isfinite(changed_J_) && !(is_accounted() && rise.is_weaker());
+  return adds ? changed_J_ : 0.0;
+}
+
 void TickPipeline::observe() noexcept {
   const bool contact = now_.output.contact;
   const bool stalled = (flags_ & flag::kStalled) != 0;
   PassivityObserver::Step step;
-  step.held_force_N = acted().written_N;
+  step.held_force_N = held().written_N;
   step.moved_m = moved_;
-  step.rotation_J = stalled ? received_.written_J : dot(acted().written_Nm, rotated_);
-  step.guide_N = acted().guide_N;
+  step.rotation_J = stalled ? received_.written_J : dot(held().written_Nm, rotated_);
+  step.guide_N = held().guide_N;
   step.dt_s = passed_s_;
   step.delay = delay_;
   step.is_spring = now_.energy == EnergyModel::spring;
@@ -162,7 +154,7 @@ void TickPipeline::observe() noexcept {
   step.damping_Ns_per_m = contact ? now_.scene->touchable->damping_Ns_per_m() : 0.0;
   step.shortened = shortened_;
   step.scene_changes = scene_changes_;
-  step.weakened = acted().weakened;
+  step.weakened = held().weakened;
   count_scene_change();
   // The springs of two scenes cannot be compared: during a change only their work is counted.
   const bool new_account =
@@ -178,13 +170,13 @@ void TickPipeline::observe() noexcept {
     return;
   }
   step.stored_J = given_J(rise_);
-  step.changed_J = brought_.written_J;
+  step.changed_J = changed_J(rise_);
   rise_.take_back(observer_.update(step));
   step.stored_J = given_J(uncontrolled_rise_);
-  step.changed_J = brought_.uncontrolled_J;
+  step.changed_J = changed_J(uncontrolled_rise_);
   step.weakened = false;
-  step.held_force_N = acted().uncontrolled_N;
-  step.rotation_J = stalled ? received_.uncontrolled_J : dot(acted().uncontrolled_Nm, rotated_);
+  step.held_force_N = held().uncontrolled_N;
+  step.rotation_J = stalled ? received_.uncontrolled_J : dot(held().uncontrolled_Nm, rotated_);
   uncontrolled_rise_.take_back(without_controller_.update(step));
 }
 
@@ -208,7 +200,7 @@ void TickPipeline::count_shown_work() noexcept {
 void TickPipeline::account_returns() noexcept {
   const double stored_J = is_accounted() ? stored_J_ : std::numeric_limits<double>::infinity();
   // A guide's own reserve bounds what its pull gives.
-  const double guide_J = (flags_ & flag::kStalled) != 0 ? 0.0 : dot(acted().guide_N, moved_);
+  const double guide_J = (flags_ & flag::kStalled) != 0 ? 0.0 : dot(held().guide_N, moved_);
   returns_.account(received_.written_J - guide_J, stored_J);
   uncontrolled_returns_.account(received_.uncontrolled_J - guide_J, stored_J);
   // What a change of scene or of parameters brings is not the law's. A spring that is ramped up under a hand

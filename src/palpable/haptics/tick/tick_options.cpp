@@ -26,7 +26,6 @@ constexpr Range kLimits[]{// 250 N is what the strongest grounded devices for a 
                           {"greatest speed (m/s)", &TickOptions::max_speed_m_per_s, 1e3},
                           {"greatest speed of a pointer (m/s)", &TickOptions::max_pointer_speed_m_per_s, 1e3},
                           {"greatest rotation (rad/s)", &TickOptions::max_rotation_rad_per_s, 1e5},
-                          {"speed of a surface that comes up (m/s)", &TickOptions::max_lift_m_per_s, 1e3},
                           {"speed of an impact (m/s)", &TickOptions::impact_speed_m_per_s, 1e3},
                           {"reach in workspaces", &TickOptions::reach_in_workspaces, 1e6}};
 constexpr Range kTimes[]{{"time of a cross-fade (s)", &TickOptions::fade_s, 60.0},

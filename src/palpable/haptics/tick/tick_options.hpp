@@ -33,9 +33,6 @@ struct TickOptions {
   double impact_speed_m_per_s = 0.02;
   /// Duration of the cross-fade from one scene to the next.
   double fade_s = 0.15;
-  /// A surface that a change of scene brings up under a hand rises under it no faster than this: its spring
-  /// gets no more power than its force times this speed.
-  double max_lift_m_per_s = 0.05;
   /// Ramp times: to zero at a fault or pause, and back afterwards.
   double ramp_down_s = 0.02;
   double ramp_up_s = 0.25;

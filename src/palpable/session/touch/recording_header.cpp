@@ -33,7 +33,6 @@ constexpr TickNumber kTickNumbers[]{
     {"max_turn_rad_per_s", &haptics::TickOptions::max_rotation_rad_per_s},
     {"max_force_rate_N_per_s", &haptics::TickOptions::max_force_rate_N_per_s},
     {"fade_s", &haptics::TickOptions::fade_s},
-    {"max_lift_m_per_s", &haptics::TickOptions::max_lift_m_per_s},
     {"ramp_down_s", &haptics::TickOptions::ramp_down_s},
     {"ramp_up_s", &haptics::TickOptions::ramp_up_s},
     {"max_speed_m_per_s", &haptics::TickOptions::max_speed_m_per_s},
