@@ -168,6 +168,21 @@ bool explains_more(const CameraMotion& motion, std::size_t on_rows, const AnyMot
   return static_cast<double>(motion.inliers.size()) >= options.more_matches * static_cast<double>(on_rows);
 }
 
+bool keeps_picture(const Matrix3& homography, int width, int height, const AnyMotionOptions& options) {
+  // The roll at the middle, by a step to the right there.
+  const PicturePoint middle{0.5 * (width - 1), 0.5 * (height - 1)};
+  const PicturePoint from = mapped(homography, middle), to = mapped(homography, {middle.x + 1.0, middle.y});
+  if (std::abs(std::atan2(to.y - from.y, to.x - from.x)) > options.most_roll_deg * kPerDegree) return false;
+  constexpr int kPlaces = 16;
+  int kept = 0;
+  for (int j = 0; j < kPlaces; ++j)
+    for (int i = 0; i < kPlaces; ++i) {
+      const PicturePoint p = mapped(homography, {(i + 0.5) / kPlaces * width, (j + 0.5) / kPlaces * height});
+      kept += p.x >= 0.0 && p.y >= 0.0 && p.x < width && p.y < height ? 1 : 0;
+    }
+  return kept >= options.least_kept * kPlaces * kPlaces;
+}
+
 std::optional<AnyMotion> frame_of_motion(const CameraMotion& motion, const std::vector<FeatureMatch>& matches,
                                          int width, int height, double tolerance_px, std::uint64_t seed,
                                          const AnyMotionOptions& options) {

@@ -33,6 +33,10 @@ struct AnyMotionOptions {
   /// And at most this many times as far from their lines (RMS): pictures whose rows are displaced fit a wrong
   /// motion badly.
   double as_near_as_offsets = 1.5;
+  /// The rectifying rotations change the left picture too much if they roll it by more, degrees, or leave
+  /// less of it, as a share: another plane of epipolar lines would be taken for rows.
+  double most_roll_deg = 5.0;
+  double least_kept = 0.8;
   /// Least parallax, RMS, px; and least share of it with one sign.
   double least_parallax_px = 1.0;
   double least_same_sign = 0.9;
@@ -56,6 +60,9 @@ bool is_sideways(const CameraMotion& motion, const AnyMotionOptions& options = {
 
 /// Whether it explains more matches than the rectifying rotations, which explain `on_rows`.
 bool explains_more(const CameraMotion& motion, std::size_t on_rows, const AnyMotionOptions& options = {});
+
+/// Whether a rectified left picture is still nearly the given one.
+bool keeps_picture(const Matrix3& homography, int width, int height, const AnyMotionOptions& options = {});
 
 /// The frame of pictures whose camera moved like that. Nothing where none is found. Deterministic for a seed.
 std::optional<AnyMotion> frame_of_motion(const CameraMotion& motion, const std::vector<FeatureMatch>& matches,

@@ -341,10 +341,11 @@ Result<RectifiedPair> rectify_uncalibrated(const StereoPair& pair, const Work& w
       return unchanged(pair, as_they_are, options);
     const auto motion = find_any_motion(features, pair.left.width, pair.left.height, tolerance_px);
     const std::size_t on_rows = first.inliers.size();
+    const bool keeps_left = keeps_picture(first.transform.left, pair.left.width, pair.left.height);
     const auto found = estimate(pair, camera, features, std::move(first), options, work);
     const bool has_offsets = found && found->candidate.offsets;
     if (motion && (has_offsets ? explains_offsets(*motion, *found->candidate.offsets, features, tolerance_px)
-                               : !is_sideways(*motion) && explains_more(*motion, on_rows)))
+                               : !is_sideways(*motion) && (explains_more(*motion, on_rows) || !keeps_left)))
       if (auto in_frame = in_frame_of(*motion, features, pair, options, work)) return *in_frame;
     if (!found) return found.error();
     RectifiedPair out = unchanged(pair, found->candidate.rotations.inliers, options);
