@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-// The language in which sentences are made (docs/adr/0012). A message is identified by its English text, with
+// The language in which sentences are made (docs/adr/0013). A message is identified by its English text, with
 // fmt's {} or {0} for its arguments; web/languages/program/*.json hold the others.
 
 namespace palpable::describe {
