@@ -33,47 +33,18 @@
 #include "rendered_video.hpp"
 #include "video_depth_figures.hpp"
 #include "video_faults.hpp"
+#include "video_set_arguments.hpp"
 #include "video_surfaces.hpp"
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-// Structure, motion and depth of rendered videos (rendered_video.hpp) with their exact truth:
-//
-//   palpable_video_set [--seeds N] [--first SEED] [--frames N] [--threads N] [--no-depth] [--set NAME=VALUE]…
-//                      [--marker MM] [--hand PERCENT] [--smooth-hand PERCENT] [--defocus PX] [--filter]
-//                      [--fused] [--surfaces]
-//                      [--steps]
-//                      [--true-depth] [--write FOLDER] [--read FOLDER] [--errors FOLDER]
-//
-// Names are those of `palpable make --set video.…`: tracks.…, motion.…, depth.… --write writes the frames,
-// poses.csv in metres, and intrinsics.json; --read
-// takes them from there, which is faster than rendering. --errors writes where each depth map is wrong.
-// --fused compares the model's fused surface with the truth, --surfaces also the corrected one;
-// --steps prints each step of the correction; --true-depth makes them of the true poses and depth with noise.
-// --filter finds the path by the Kalman filter.
-// --hand lets a hand that covers so much of the picture wander through the view, --smooth-hand one without
-// texture, --defocus blurs all frames: the columns of moving points, covered areas and edges show what the
-// advice's limits divide.
-// --marker lays a printed marker of this side on the board, and the table then states the error of the scale
-// that follows from it.
+// Structure, motion and depth of rendered videos (rendered_video.hpp) with their exact truth; its words:
+// video_set_arguments.hpp.
 namespace palpable::bench {
 namespace {
 
 using vision::CameraMotion;
 using vision::FrameDepth;
-
-struct Arguments {
-  int seeds = 12, first = 1, frames = 60;
-  unsigned threads = 2;
-  bool depth = true, steps = false, true_depth = false;
-  Surfaces surfaces = Surfaces::none;
-  /// Side of a printed marker on the board; 0 = none.
-  int marker_mm = 0;
-  int hand_percent = 0, defocus_px = 0;
-  double hand_contrast = MovingHand().contrast;
-  std::string folder, written, errors;
-  recipes::VideoRecipe recipe;
-};
 
 // Processor time of each stage, s.
 struct StageSeconds {
@@ -161,7 +132,8 @@ class Stopwatch {
 };
 
 // Surfaces from the true poses and depth maps with noise of 0.2 %: the correction alone, in seconds.
-Result<Figures> run_on_true_depth(const RenderedVideo& video, Arguments& arguments, const Work& work) {
+Result<Figures> run_on_true_depth(const RenderedVideo& video, VideoSetArguments& arguments,
+                                  const Work& work) {
   Stopwatch watch;
   std::vector<FrameDepth> maps;
   std::vector<Raster<Rgb8>> pictures(static_cast<std::size_t>(video.frames()));
@@ -225,7 +197,7 @@ Result<CameraMotion> motion_of(const std::vector<vision::PointTrack>& tracks, co
              : vision::motion_from_tracks(tracks, numbers_of(video), camera, recipe.motion, work);
 }
 
-Result<Figures> run(const RenderedVideo& video, Arguments& arguments, const Work& work) {
+Result<Figures> run(const RenderedVideo& video, VideoSetArguments& arguments, const Work& work) {
   std::vector<Raster<Rgb8>> pictures;
   std::vector<Raster<std::uint8_t>> greys;
   for (int i = 0; i < video.frames(); ++i) {
@@ -305,75 +277,6 @@ void write_video(const RenderedVideo& video, const std::string& folder, int seed
                      c.cx, c.cy, c.width, c.height);
 }
 
-bool set_one(Arguments& arguments, const std::string& name, double value) {
-  std::vector<Parameter> all = recipes::parameters_of(arguments.recipe);
-  append_parameters(all, "fusion", sculpt::parameters_of(arguments.recipe.fusion));
-  for (const Parameter& p : all)
-    if (p.name == name) return set_parameter(p, value).has_value();
-  return false;
-}
-
-bool read_switch(std::string_view word, Arguments& out) {
-  const auto at_least = [&](Surfaces surfaces) { out.surfaces = std::max(out.surfaces, surfaces); };
-  if (word == "--no-depth")
-    out.depth = false;
-  else if (word == "--filter")
-    out.recipe.motion_method = recipes::VideoMotion::filter;
-  else if (word == "--fused")
-    at_least(Surfaces::fused);
-  else if (word == "--surfaces")
-    at_least(Surfaces::corrected);
-  else if (word == "--steps")
-    at_least(Surfaces::corrected), out.steps = true;
-  else if (word == "--true-depth")
-    at_least(Surfaces::corrected), out.true_depth = true;
-  else
-    return false;
-  return true;
-}
-
-bool read(int count, char** words, Arguments& out) {
-  for (int i = 1; i < count; ++i) {
-    const std::string_view word = words[i];
-    if (read_switch(word, out)) continue;
-    if (i + 1 >= count) return false;
-    const std::string value = words[++i];
-    if (word == "--write") {
-      out.folder = value;
-    } else if (word == "--read") {
-      out.written = value;
-    } else if (word == "--errors") {
-      out.errors = value;
-    } else if (word == "--set") {
-      const auto sign = value.find('=');
-      if (sign == std::string::npos ||
-          !set_one(out, value.substr(0, sign), std::strtod(value.c_str() + sign + 1, nullptr)))
-        return false;
-    } else {
-      const int number = static_cast<int>(std::strtol(value.c_str(), nullptr, 10));
-      if (word == "--seeds")
-        out.seeds = number;
-      else if (word == "--first")
-        out.first = number;
-      else if (word == "--frames")
-        out.frames = number;
-      else if (word == "--marker")
-        out.marker_mm = number;
-      else if (word == "--hand")
-        out.hand_percent = number;
-      else if (word == "--smooth-hand")
-        out.hand_percent = number, out.hand_contrast = 0;
-      else if (word == "--defocus")
-        out.defocus_px = number;
-      else if (word == "--threads")
-        out.threads = static_cast<unsigned>(number);
-      else
-        return false;
-    }
-  }
-  return true;
-}
-
 void print_row(const std::string& name, const Figures& f, int frames, bool steps) {
   fmt::print(
       "| {} | {} of {} | {:.3f} | {:.3f} | {:.3f} | {:.2f} | {:.2f} | {:.1f} | {:.1f} | {:.1f} | {:.1f} | "
@@ -398,7 +301,7 @@ void print_row(const std::string& name, const Figures& f, int frames, bool steps
   std::fflush(stdout);
 }
 
-int run_all(Arguments& arguments) {
+int run_all(VideoSetArguments& arguments) {
   Work work;
   work.threads = arguments.threads;
   fmt::print(
@@ -441,13 +344,9 @@ int run_all(Arguments& arguments) {
 }  // namespace palpable::bench
 
 int main(int count, char** words) {
-  palpable::bench::Arguments arguments;
+  palpable::bench::VideoSetArguments arguments;
   if (!palpable::bench::read(count, words, arguments)) {
-    fmt::print(stderr,
-               "palpable_video_set [--seeds N] [--first SEED] [--frames N] [--threads N] [--no-depth] "
-               "[--set NAME=VALUE]... [--marker MM] [--hand PERCENT] [--defocus PX] [--filter] [--fused] "
-               "[--surfaces] "
-               "[--steps] [--true-depth] [--write FOLDER] [--read FOLDER] [--errors FOLDER]\n");
+    fmt::print(stderr, "{}", palpable::bench::kVideoSetUsage);
     return 2;
   }
   return palpable::bench::run_all(arguments);

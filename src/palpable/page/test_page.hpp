@@ -282,7 +282,7 @@ class TestPageOver {
     failed_ = failed_ || error;
   }
   bool failed() const { return failed_; }
-  // The next frame; empty once the socket is closed.
+  // The next frame; empty once the socket is closed, or after a minute without one.
   std::string read() {
     boost::beast::flat_buffer buffer;
     boost::beast::error_code error;
@@ -311,6 +311,11 @@ class TestPageOver {
       request.set(http::field::origin, origin);
       request.set(http::field::cookie, cookie);
     }));
+    // A page that is told nothing ends its test instead of waiting for ever.
+    timeval longest{};
+    longest.tv_sec = 60;
+    ::setsockopt(boost::beast::get_lowest_layer(socket_).native_handle(), SOL_SOCKET, SO_RCVTIMEO, &longest,
+                 sizeof longest);
     socket_.handshake(host, "/socket");
   }
   Stream& stream() { return socket_.next_layer(); }

@@ -53,7 +53,7 @@ double rms_off_rows(const EpipolarFrame& frame, const std::vector<FeatureMatch>&
 }
 
 /// Both pictures are turned until the camera moved to the right, then rectified by rotations.
-std::optional<AnyMotion> turned(const CameraMotion& motion, const std::vector<FeatureMatch>& matches,
+std::optional<AnyMotion> turned(const PairMotion& motion, const std::vector<FeatureMatch>& matches,
                                 PicturePoint centre, double tolerance_px, std::uint64_t seed) {
   const double angle = near_quarter(-std::atan2(motion.direction.y, motion.direction.x));
   const double c = std::abs(std::cos(angle)), s = std::abs(std::sin(angle));
@@ -116,7 +116,7 @@ PolarAxes polar_axes(PicturePoint epipole, PicturePoint centre, bool forward, Ep
 }
 
 /// The right picture is turned into the left one's axes; all points then move on lines through the epipole.
-AnyMotion polar(const CameraMotion& motion, PicturePoint centre) {
+AnyMotion polar(const PairMotion& motion, PicturePoint centre) {
   AnyMotion out;
   const Matrix3 camera{motion.focal_px, 0, centre.x, 0, motion.focal_px, centre.y, 0, 0, 1};
   Matrix3 other = camera;
@@ -144,7 +144,7 @@ std::string words_of(const Vec3& d) {
 
 }  // namespace
 
-bool is_sideways(const CameraMotion& motion, const AnyMotionOptions& options) {
+bool is_sideways(const PairMotion& motion, const AnyMotionOptions& options) {
   const Vec3& d = motion.direction;
   const double across = std::hypot(d.x, d.y);
   return std::abs(d.y) <= std::tan(options.sideways_deg * kPerDegree) * std::abs(d.x) &&
@@ -153,9 +153,9 @@ bool is_sideways(const CameraMotion& motion, const AnyMotionOptions& options) {
          std::abs(std::log(motion.zoom)) <= options.sideways_zoom;
 }
 
-std::optional<CameraMotion> find_any_motion(const std::vector<FeatureMatch>& matches, int width, int height,
-                                            double tolerance_px, const AnyMotionOptions& options) {
-  auto motion = find_camera_motion(matches, width, height, tolerance_px);
+std::optional<PairMotion> find_any_motion(const std::vector<FeatureMatch>& matches, int width, int height,
+                                          double tolerance_px, const AnyMotionOptions& options) {
+  auto motion = find_pair_motion(matches, width, height, tolerance_px);
   if (!motion) return motion;
   const auto explained = static_cast<double>(motion->inliers.size());
   if (explained < options.least_share * static_cast<double>(matches.size()) ||
@@ -164,8 +164,26 @@ std::optional<CameraMotion> find_any_motion(const std::vector<FeatureMatch>& mat
   return motion;
 }
 
-bool explains_more(const CameraMotion& motion, std::size_t on_rows, const AnyMotionOptions& options) {
+bool explains_more(const PairMotion& motion, std::size_t on_rows, const AnyMotionOptions& options) {
   return static_cast<double>(motion.inliers.size()) >= options.more_matches * static_cast<double>(on_rows);
+}
+
+bool explains_offsets(const PairMotion& motion, const VerticalOffsets& offsets,
+                      const std::vector<FeatureMatch>& matches, double tolerance_px,
+                      const AnyMotionOptions& options) {
+  std::size_t corrected = 0;
+  double squares = 0.0;
+  for (const FeatureMatch& m : matches) {
+    const FeatureMatch c = offsets.corrected(m);
+    const double off = c.right_y - c.left_y;
+    if (!(std::abs(off) <= tolerance_px)) continue;
+    ++corrected;
+    squares += off * off;
+  }
+  const double residual_px = std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, corrected)));
+  return static_cast<double>(motion.inliers.size()) >=
+             options.instead_of_offsets * static_cast<double>(corrected) &&
+         motion.residual_px <= options.as_near_as_offsets * residual_px;
 }
 
 bool keeps_picture(const Matrix3& homography, int width, int height, const AnyMotionOptions& options) {
@@ -183,7 +201,7 @@ bool keeps_picture(const Matrix3& homography, int width, int height, const AnyMo
   return kept >= options.least_kept * kPlaces * kPlaces;
 }
 
-std::optional<AnyMotion> frame_of_motion(const CameraMotion& motion, const std::vector<FeatureMatch>& matches,
+std::optional<AnyMotion> frame_of_motion(const PairMotion& motion, const std::vector<FeatureMatch>& matches,
                                          int width, int height, double tolerance_px, std::uint64_t seed,
                                          const AnyMotionOptions& options) {
   const PicturePoint centre{0.5 * (width - 1), 0.5 * (height - 1)};

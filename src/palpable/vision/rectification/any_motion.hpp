@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/vision/rectification/camera_motion.hpp"
+#include "palpable/vision/rectification/pair_motion.hpp"
+#include "palpable/vision/rectification/vertical_offsets.hpp"
 #include "palpable/vision/stereo/problem/epipolar_frame.hpp"
 
 #include <cstddef>
@@ -52,20 +53,26 @@ struct AnyMotion {
 };
 
 /// How the camera moved, if a rigid motion explains the matches with parallax of one sign.
-std::optional<CameraMotion> find_any_motion(const std::vector<FeatureMatch>& matches, int width, int height,
-                                            double tolerance_px, const AnyMotionOptions& options = {});
+std::optional<PairMotion> find_any_motion(const std::vector<FeatureMatch>& matches, int width, int height,
+                                          double tolerance_px, const AnyMotionOptions& options = {});
 
 /// Whether rectifying rotations can bring the pictures of such a motion to common rows.
-bool is_sideways(const CameraMotion& motion, const AnyMotionOptions& options = {});
+bool is_sideways(const PairMotion& motion, const AnyMotionOptions& options = {});
 
 /// Whether it explains more matches than the rectifying rotations, which explain `on_rows`.
-bool explains_more(const CameraMotion& motion, std::size_t on_rows, const AnyMotionOptions& options = {});
+bool explains_more(const PairMotion& motion, std::size_t on_rows, const AnyMotionOptions& options = {});
+
+/// Whether it explains the features about as well, and as closely, as rows that are moved by `offsets`: it
+/// has seven numbers, and they many.
+bool explains_offsets(const PairMotion& motion, const VerticalOffsets& offsets,
+                      const std::vector<FeatureMatch>& matches, double tolerance_px,
+                      const AnyMotionOptions& options = {});
 
 /// Whether a rectified left picture is still nearly the given one.
 bool keeps_picture(const Matrix3& homography, int width, int height, const AnyMotionOptions& options = {});
 
 /// The frame of pictures whose camera moved like that. Nothing where none is found. Deterministic for a seed.
-std::optional<AnyMotion> frame_of_motion(const CameraMotion& motion, const std::vector<FeatureMatch>& matches,
+std::optional<AnyMotion> frame_of_motion(const PairMotion& motion, const std::vector<FeatureMatch>& matches,
                                          int width, int height, double tolerance_px, std::uint64_t seed,
                                          const AnyMotionOptions& options = {});
 

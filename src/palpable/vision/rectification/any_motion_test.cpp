@@ -116,5 +116,19 @@ TEST(EpipolarFrame, ReturnsTheSamePointAndTheSameDisparity) {
   }
 }
 
+TEST(KeepsPicture, IsTrueOfSmallRollsAndShifts) {
+  const auto turned = [](double degrees, double right_px) {
+    const double c = std::cos(degrees * CV_PI / 180.0), s = std::sin(degrees * CV_PI / 180.0);
+    const double cx = 0.5 * (kWidth - 1), cy = 0.5 * (kHeight - 1);
+    return Matrix3{c, -s, cx - c * cx + s * cy + right_px, s, c, cy - s * cx - c * cy, 0, 0, 1};
+  };
+  EXPECT_TRUE(keeps_picture(turned(0, 0), kWidth, kHeight));
+  EXPECT_TRUE(keeps_picture(turned(-4, 0), kWidth, kHeight));
+  EXPECT_TRUE(keeps_picture(turned(0, 0.15 * kWidth), kWidth, kHeight));
+  EXPECT_FALSE(keeps_picture(turned(6, 0), kWidth, kHeight));
+  EXPECT_FALSE(keeps_picture(turned(-20, 0), kWidth, kHeight));
+  EXPECT_FALSE(keeps_picture(turned(0, -0.3 * kWidth), kWidth, kHeight));
+}
+
 }  // namespace
 }  // namespace palpable::vision

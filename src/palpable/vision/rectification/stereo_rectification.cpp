@@ -221,30 +221,10 @@ void rectify(RectifiedPair& out, const RectificationEstimate& estimate, const Op
                     candidate.greatest_px));
 }
 
-/// Whether a rigid motion explains the features about as well as moved rows, with five numbers.
-bool explains_offsets(const CameraMotion& motion, const VerticalOffsets& offsets,
-                      const std::vector<FeatureMatch>& features, double tolerance_px) {
-  std::size_t corrected = 0;
-  double squares = 0.0;
-  for (const FeatureMatch& m : features) {
-    const FeatureMatch c = offsets.corrected(m);
-    const double off = c.right_y - c.left_y;
-    if (!(std::abs(off) <= tolerance_px)) continue;
-    ++corrected;
-    squares += off * off;
-  }
-  const AnyMotionOptions options;
-  const double residual_px = std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, corrected)));
-  return static_cast<double>(motion.inliers.size()) >=
-             options.instead_of_offsets * static_cast<double>(corrected) &&
-         motion.residual_px <= options.as_near_as_offsets * residual_px;
-}
-
 /// The pair with the frame of its camera's motion; the pictures stay as they are. Nothing where the frame
 /// does not bring the features to common rows.
-std::optional<RectifiedPair> in_frame_of(const CameraMotion& camera,
-                                         const std::vector<FeatureMatch>& features, const StereoPair& pair,
-                                         const Options& options, const Work& work) {
+std::optional<RectifiedPair> in_frame_of(const PairMotion& camera, const std::vector<FeatureMatch>& features,
+                                         const StereoPair& pair, const Options& options, const Work& work) {
   const double tolerance_px = feature_tolerance_px(pair.left.width, pair.left.height, options.features);
   const auto motion =
       frame_of_motion(camera, features, pair.left.width, pair.left.height, tolerance_px, work.seed);

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/vision/rectification/camera_motion.hpp"
+#include "palpable/vision/rectification/pair_motion.hpp"
 
 #include "palpable/vision/rectification/least_squares.hpp"
 
@@ -107,8 +107,8 @@ Estimate refined(const Estimate& from, const std::vector<FeatureMatch>& matches)
   return changed(from, least_squares<kUnknowns>(residuals, Unknowns::all(0.0)));
 }
 
-CameraMotion motion_of(const Estimate& at, std::vector<FeatureMatch> inliers, double tolerance_px) {
-  CameraMotion out;
+PairMotion motion_of(const Estimate& at, std::vector<FeatureMatch> inliers, double tolerance_px) {
+  PairMotion out;
   std::copy_n(at.left_from_right.val, out.left_from_right.size(), out.left_from_right.begin());
   out.direction = {at.direction[0], at.direction[1], at.direction[2]};
   out.focal_px = at.focal_px;
@@ -132,7 +132,7 @@ CameraMotion motion_of(const Estimate& at, std::vector<FeatureMatch> inliers, do
 
 /// Refined over the matches that it explains.
 Estimate settled(Estimate at, const std::vector<FeatureMatch>& matches, double tolerance_px,
-                 const CameraMotionOptions& options) {
+                 const PairMotionOptions& options) {
   for (const double loosened : options.round_tolerances) {
     const std::vector<FeatureMatch> inliers = inliers_of(at, matches, loosened * tolerance_px);
     if (inliers.size() < kLeastMatches) break;
@@ -143,9 +143,8 @@ Estimate settled(Estimate at, const std::vector<FeatureMatch>& matches, double t
 
 }  // namespace
 
-std::optional<CameraMotion> find_camera_motion(const std::vector<FeatureMatch>& matches, int width,
-                                               int height, double tolerance_px,
-                                               const CameraMotionOptions& options) {
+std::optional<PairMotion> find_pair_motion(const std::vector<FeatureMatch>& matches, int width, int height,
+                                           double tolerance_px, const PairMotionOptions& options) {
   if (matches.size() < kLeastMatches) return std::nullopt;
   std::optional<Estimate> best;
   double most = 0.0;

@@ -13,7 +13,7 @@
 namespace palpable::vision {
 
 /// A rigid motion in a scene that does not move.
-struct CameraMotion {
+struct PairMotion {
   /// Turns rays of the right camera into the left one's axes (x right, y down, z forward).
   Matrix3 left_from_right = kIdentity3;
   /// Where the right camera is, in the left one's axes: a unit vector.
@@ -31,7 +31,7 @@ struct CameraMotion {
   double same_sign = 0.0;
 };
 
-struct CameraMotionOptions {
+struct PairMotionOptions {
   /// Focal lengths that are tried, as shares of the picture's width, and the right picture's over the left
   /// one's.
   std::vector<double> focal_shares{0.65, 1.05};
@@ -47,8 +47,7 @@ struct CameraMotionOptions {
 /// By the essential matrix (five points; Nistér 2004) with several focal lengths, then by least squares of
 /// the distances to the epipolar lines over rotation, direction and focal lengths; square pixels, principal
 /// point in the middle. Nothing without enough matches. Deterministic.
-std::optional<CameraMotion> find_camera_motion(const std::vector<FeatureMatch>& matches, int width,
-                                               int height, double tolerance_px,
-                                               const CameraMotionOptions& options = {});
+std::optional<PairMotion> find_pair_motion(const std::vector<FeatureMatch>& matches, int width, int height,
+                                           double tolerance_px, const PairMotionOptions& options = {});
 
 }  // namespace palpable::vision
