@@ -18,8 +18,9 @@ namespace palpable::session {
 namespace {
 
 /// The schemes of DESIGN's live sources, so that an address is never taken for the name of a file.
-constexpr std::array<std::string_view, 10> kSchemes{
-    "frames:", "camera:", "openni:", "freenect:", "realsense:", "rtsp:", "http:", "https:", "ros:", "robot:"};
+constexpr std::array<std::string_view, 11> kSchemes{
+    "frames:", "camera:", "openni:", "freenect:", "realsense:", "rtsp:",
+    "rtsps:",  "http:",   "https:",  "ros:",      "robot:"};
 
 constexpr std::string_view kHttp = "http://";
 
@@ -45,26 +46,86 @@ std::optional<std::pair<std::string, std::string>> host_and_port(std::string_vie
   return std::pair(std::string(host), std::to_string(number));
 }
 
-/// One camera's address, without options.
-Result<sources::HttpAddress> parse_http(std::string_view address) {
+/// The parts of a network camera's address, without options.
+struct CameraUrl {
+  std::string host, port;
+  /// The path with its query.
+  std::string target;
+  /// Host and port as written, and the name and password before them.
+  std::string authority, user;
+  /// The address without name and password.
+  std::string shown;
+};
+
+/// `scheme`: with its "://". `usual_port`: where none is given.
+Result<CameraUrl> parse_camera_url(std::string_view address, std::string_view scheme,
+                                   const char* usual_port) {
   const auto usage = [&](std::string message) {
-    return Error{ErrorCode::usage, std::move(message), std::string(address)};
+    // Without a name and a password.
+    const auto at = address.find('@');
+    return Error{ErrorCode::usage, std::move(message),
+                 std::string(at == std::string_view::npos ? address : scheme)};
   };
-  if (!address.starts_with(kHttp)) return usage("a camera's address begins with http://");
+  if (!address.starts_with(scheme)) return usage(fmt::format("a camera's address begins with {}", scheme));
   const bool is_plain =
       std::all_of(address.begin(), address.end(), [](char c) { return c > ' ' && c < '\x7F' && c != '#'; });
   if (!is_plain)
     return usage("a camera's address has no spaces, further # or characters outside of ASCII (write %20)");
-  const auto rest = address.substr(kHttp.size());
-  const auto authority = rest.substr(0, rest.find_first_of("/?"));
-  if (authority.find('@') != std::string_view::npos)
-    return usage("names and passwords are not sent to cameras; give an address that needs none");
-  auto place = host_and_port(authority, "80");
-  if (!place) return usage("a camera's address is http://HOST:PORT/PATH");
-  std::string target(rest.substr(authority.size()));
-  if (!target.starts_with('/')) target.insert(0, 1, '/');
-  return sources::HttpAddress{std::move(place->first), std::move(place->second), std::move(target),
-                              std::string(authority), std::string(address)};
+  const auto rest = address.substr(scheme.size());
+  const auto before_path = rest.substr(0, rest.find_first_of("/?"));
+  // A password may contain an @, a host none.
+  const auto at = before_path.rfind('@');
+  const auto authority = at == std::string_view::npos ? before_path : before_path.substr(at + 1);
+  auto place = host_and_port(authority, usual_port);
+  if (!place) return usage(fmt::format("a camera's address is {}HOST:PORT/PATH", scheme));
+  CameraUrl url{std::move(place->first),
+                std::move(place->second),
+                std::string(rest.substr(before_path.size())),
+                std::string(authority),
+                std::string(at == std::string_view::npos ? std::string_view() : before_path.substr(0, at)),
+                {}};
+  url.shown = fmt::format("{}{}{}", scheme, url.authority, url.target);
+  if (!url.target.starts_with('/')) url.target.insert(0, 1, '/');
+  return url;
+}
+
+Result<sources::HttpAddress> parse_http(std::string_view address) {
+  auto url = parse_camera_url(address, kHttp, "80");
+  if (!url) return std::move(url).error();
+  if (!url->user.empty())
+    return Error{
+        ErrorCode::usage,
+        "names and passwords are not sent to cameras by http:, where anybody can read them; give an address "
+        "that needs none, or https://",
+        url->shown};
+  return sources::HttpAddress{std::move(url->host), std::move(url->port), std::move(url->target),
+                              std::move(url->authority), std::move(url->shown)};
+}
+
+/// The options after # of the address of a network camera.
+struct CameraOptions {
+  bool takes_any_certificate = false;
+  /// The second camera's address; empty: none.
+  std::string_view right;
+};
+
+/// certificate=any, of encrypted cameras only, and right=ADDRESS, which is the last.
+Result<CameraOptions> parse_camera_options(std::string_view text, bool is_encrypted,
+                                           const std::string& shown) {
+  constexpr std::string_view kAny = "certificate=any", kRight = "right=";
+  CameraOptions options;
+  if (is_encrypted && (text == kAny || text.starts_with("certificate=any&"))) {
+    options.takes_any_certificate = true;
+    text.remove_prefix(std::min(text.size(), kAny.size() + 1));
+    if (text.empty()) return options;
+  }
+  if (!text.starts_with(kRight))
+    return Error{ErrorCode::usage,
+                 fmt::format("after # the address of a camera may have right=ADDRESS{} only",
+                             is_encrypted ? ", and before it certificate=any&," : ""),
+                 shown};
+  options.right = text.substr(kRight.size());
+  return options;
 }
 
 Result<LiveAddress> parse_http_cameras(std::string_view address) {
@@ -73,13 +134,41 @@ Result<LiveAddress> parse_http_cameras(std::string_view address) {
   if (!left) return std::move(left).error();
   HttpCameras cameras{*std::move(left), std::nullopt};
   if (hash == std::string_view::npos) return LiveAddress(std::move(cameras));
-  constexpr std::string_view kRight = "right=";
-  const auto option = address.substr(hash + 1);
-  if (!option.starts_with(kRight))
-    return Error{ErrorCode::usage, "after # an address of a camera may have right=http://… only",
-                 std::string(address)};
-  auto right = parse_http(option.substr(kRight.size()));
+  const auto options = parse_camera_options(address.substr(hash + 1), false, cameras.left.shown);
+  if (!options) return options.error();
+  auto right = parse_http(options->right);
   if (!right) return std::move(right).error();
+  cameras.right = *std::move(right);
+  return LiveAddress(std::move(cameras));
+}
+
+/// The scheme of a camera whose stream FFmpeg reads; empty: of none.
+std::string_view stream_scheme_of(std::string_view address) {
+  for (const std::string_view scheme : {"rtsp://", "rtsps://", "https://"})
+    if (address.starts_with(scheme)) return scheme;
+  return {};
+}
+
+Result<LiveAddress> parse_stream_cameras(std::string_view address, std::string_view scheme) {
+  const auto parse = [](std::string_view one, std::string_view its_scheme) -> Result<sources::StreamAddress> {
+    auto url = parse_camera_url(one, its_scheme, "");
+    if (!url) return std::move(url).error();
+    return sources::StreamAddress{std::string(one), false, std::move(url->shown)};
+  };
+  const auto hash = address.find('#');
+  auto left = parse(address.substr(0, hash), scheme);
+  if (!left) return std::move(left).error();
+  StreamCameras cameras{*std::move(left), std::nullopt};
+  if (hash == std::string_view::npos) return LiveAddress(std::move(cameras));
+  const auto options =
+      parse_camera_options(address.substr(hash + 1), scheme != "rtsp://", cameras.left.shown);
+  if (!options) return options.error();
+  cameras.left.takes_any_certificate = options->takes_any_certificate;
+  if (options->right.empty()) return LiveAddress(std::move(cameras));
+  const auto right_scheme = stream_scheme_of(options->right);
+  auto right = parse(options->right, right_scheme.empty() ? scheme : right_scheme);
+  if (!right) return std::move(right).error();
+  right->takes_any_certificate = options->takes_any_certificate;
   cameras.right = *std::move(right);
   return LiveAddress(std::move(cameras));
 }
@@ -235,6 +324,8 @@ bool is_live_address(const std::string& input) {
 
 Result<LiveAddress> parse_live_address(const std::string& address) {
   if (address.starts_with(kHttp)) return parse_http_cameras(address);
+  if (const auto scheme = stream_scheme_of(address); !scheme.empty())
+    return parse_stream_cameras(address, scheme);
   auto url = device::DeviceUrl::parse(address);
   if (!url) return std::move(url).error();
   if (url->scheme() == "frames") return parse_frames(*std::move(url));
@@ -248,8 +339,8 @@ Result<LiveAddress> parse_live_address(const std::string& address) {
   return Error{
       ErrorCode::usage,
       fmt::format(
-          "live sources of the kind {}: are not supported yet; frames:FOLDER, camera:N, "
-          "openni:N, freenect:N, realsense:N, ros://HOST:PORT, robot:HOST:PORT and http://HOST:PORT/PATH are",
+          "{}: is no address of a live source; frames:FOLDER, camera:N, openni:N, freenect:N, realsense:N, "
+          "ros://HOST:PORT, robot:HOST:PORT, and rtsp://, rtsps://, http:// or https://HOST:PORT/PATH are",
           url->scheme()),
       address};
 }

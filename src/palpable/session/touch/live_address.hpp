@@ -7,6 +7,7 @@
 #include "palpable/sources/depth_camera/depth_camera.hpp"
 #include "palpable/sources/live/http_camera.hpp"
 #include "palpable/sources/live/video_device.hpp"
+#include "palpable/sources/stream/stream_camera.hpp"
 
 #include <optional>
 #include <string>
@@ -28,6 +29,12 @@ struct FramesAddress {
 struct HttpCameras {
   sources::HttpAddress left;
   std::optional<sources::HttpAddress> right;
+};
+
+/// One camera that sends pairs by RTSP or HTTPS, or two.
+struct StreamCameras {
+  sources::StreamAddress left;
+  std::optional<sources::StreamAddress> right;
 };
 
 /// One camera of this machine that sends pairs, or two.
@@ -60,16 +67,17 @@ struct RobotAddress {
   RobotMode mode = RobotMode::drive;
 };
 
-using LiveAddress =
-    std::variant<FramesAddress, HttpCameras, VideoCameras, sources::DepthCamera, RosAddress, RobotAddress>;
+using LiveAddress = std::variant<FramesAddress, HttpCameras, StreamCameras, VideoCameras,
+                                 sources::DepthCamera, RosAddress, RobotAddress>;
 
 /// Parses frames:FOLDER?fps=30&loop=0, camera:N?right=N&size=1280x480&fps=30&format=mjpeg (all that both
 /// cameras have in common; format: mjpeg, yuyv), openni:N?library=FILE, freenect:N and realsense:N likewise,
 /// ros://HOST:PORT?depth=/TOPIC&color=/TOPIC&info=/TOPIC&scale=METRES,
 /// robot:HOST:PORT with these options and those of docs/live.md, or
-/// http://HOST:PORT/PATH?QUERY#right=http://HOST:PORT/PATH?QUERY (what stands before # is the camera's own).
-/// Errors: usage for another scheme, an unknown or wrong option, an address with a user's name, a space or a
-/// character outside of ASCII.
+/// http://HOST:PORT/PATH?QUERY#right=http://HOST:PORT/PATH?QUERY (what stands before # is the camera's own),
+/// and likewise rtsp://NAME:PASSWORD@HOST:PORT/PATH#right=…, rtsps:// and https://, the last two also with
+/// #certificate=any&right=…, which holds for both cameras. Errors: usage for another scheme, an unknown or
+/// wrong option, an address with a space or a character outside of ASCII, or, of http:, a user's name.
 Result<LiveAddress> parse_live_address(const std::string& address);
 
 }  // namespace palpable::session

@@ -119,7 +119,12 @@ Result<std::unique_ptr<sources::CameraStream>> open_camera(const sources::VideoD
       device.number < 0 ? "camera:" : "camera:" + std::to_string(device.number));
 }
 
-/// `Cameras`: HttpCameras or VideoCameras.
+Result<std::unique_ptr<sources::CameraStream>> open_camera(const sources::StreamAddress& address) {
+  return sources::CameraStream::open([address] { return sources::connect_stream_camera(address); },
+                                     address.shown);
+}
+
+/// `Cameras`: HttpCameras, StreamCameras or VideoCameras.
 template <class Cameras>
 Result<std::unique_ptr<PairSource>> open_pairs(const Cameras& cameras, sources::StereoLayout layout) {
   auto left = open_camera(cameras.left);
@@ -143,6 +148,8 @@ Result<std::unique_ptr<LiveSource>> open_live_source(const std::string& address,
   };
   if (const auto* network = std::get_if<HttpCameras>(&*parsed))
     return matched(open_pairs(*network, options.layout));
+  if (const auto* streams = std::get_if<StreamCameras>(&*parsed))
+    return matched(open_pairs(*streams, options.layout));
   if (const auto* local = std::get_if<VideoCameras>(&*parsed))
     return matched(open_pairs(*local, options.layout));
   const auto* ros = std::get_if<RosAddress>(&*parsed);

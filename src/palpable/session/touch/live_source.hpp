@@ -101,7 +101,8 @@ struct LivePairOptions {
 /// Opens a live source (live_address.hpp): the frames of a folder, paced as from a camera, a stereo
 /// camera, a depth camera of this machine or of a rosbridge server, or a robot. Pairs are matched
 /// (matched_source()) with `options` and `work`. Errors: parse_live_address(); invalid_input as
-/// sources::FrameFolder::open(), sources::connect_http_camera(), sources::open_video_device(),
+/// sources::FrameFolder::open(), sources::connect_http_camera(), sources::connect_stream_camera(),
+/// sources::open_video_device(),
 /// open_ros_source() and open_robot_source(); as sources::open_depth_camera(); as recorded_pairs(), and usage
 /// for frames of depth that shall be recorded.
 Result<std::unique_ptr<LiveSource>> open_live_source(const std::string& address,

@@ -16,9 +16,9 @@
 
 namespace palpable::sources {
 
-/// How the bytes of a camera's picture are to be read: a JPEG file, or two pixels in four bytes (Y U Y V,
-/// BT.601 of limited range).
-enum class CameraCoding : std::uint8_t { jpeg, yuyv };
+/// How the bytes of a camera's picture are to be read: a JPEG file, two pixels in four bytes (Y U Y V, BT.601
+/// of limited range), or rows of RGB, one byte each.
+enum class CameraCoding : std::uint8_t { jpeg, yuyv, rgb };
 
 /// A picture as a camera sends it; untrusted.
 struct CameraFrame {
@@ -26,7 +26,7 @@ struct CameraFrame {
   std::uint64_t number = 0;
   std::chrono::steady_clock::time_point arrival;
   CameraCoding coding = CameraCoding::jpeg;
-  /// Pixels, of yuyv only.
+  /// Pixels, of yuyv and rgb only.
   int width = 0, height = 0;
   std::vector<std::byte> bytes;
 };

@@ -31,6 +31,16 @@ Image from_yuyv(const CameraFrame& frame) {
   return picture;
 }
 
+Image from_rgb(const CameraFrame& frame) {
+  Image picture{frame.width, frame.height, 3, 8, {}};
+  picture.samples.resize(3 * static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
+  std::transform(frame.bytes.begin(),
+                 frame.bytes.begin() + static_cast<std::ptrdiff_t>(picture.samples.size()),
+                 picture.samples.begin(),
+                 [](std::byte sample) { return static_cast<float>(std::to_integer<int>(sample)) / 255.0F; });
+  return picture;
+}
+
 }  // namespace
 
 Result<Image> picture_of(const CameraFrame& frame) {
@@ -40,11 +50,13 @@ Result<Image> picture_of(const CameraFrame& frame) {
     return decode_frame_picture(frame.bytes);
   }
   if (auto size = check_frame_size(frame.width, frame.height); !size) return std::move(size).error();
-  const auto needed = 2 * static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
-  if (frame.width % 2 != 0 || frame.bytes.size() < needed)
+  const bool is_rgb = frame.coding == CameraCoding::rgb;
+  const auto needed = static_cast<std::size_t>(is_rgb ? 3 : 2) * static_cast<std::size_t>(frame.width) *
+                      static_cast<std::size_t>(frame.height);
+  if ((!is_rgb && frame.width % 2 != 0) || frame.bytes.size() < needed)
     return invalid_input(fmt::format("sends {} bytes of a picture of {} pixels", frame.bytes.size(),
                                      size_text(frame.width, frame.height)));
-  return from_yuyv(frame);
+  return is_rgb ? from_rgb(frame) : from_yuyv(frame);
 }
 
 template <class Frame>

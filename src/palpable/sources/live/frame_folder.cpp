@@ -55,11 +55,6 @@ Result<std::vector<std::byte>> read_frame_file(const fs::path& file) {
   return read_regular_file(file, kMostBytes);
 }
 
-Error too_many_pixels(std::uint64_t pixels) {
-  return invalid_input("has " + std::to_string(pixels) + " pixels; a frame of a live source has at most " +
-                       std::to_string(kMostFramePixels));
-}
-
 Result<Raster<float>> decode_frame(std::span<const std::byte> file) {
   if (const auto pixels = formats::pixels_of_png(file); pixels > kMostFramePixels)
     return too_many_pixels(pixels);
@@ -116,13 +111,6 @@ bool is_rigid(const Transform<WorldFrame, palpable::CameraFrame>& pose) {
 }
 
 }  // namespace
-
-Result<void> check_frame_size(int width, int height) {
-  if (auto possible = check_picture_size(width, height); !possible) return possible;
-  const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
-  if (pixels > kMostFramePixels) return too_many_pixels(pixels);
-  return {};
-}
 
 Result<Image> decode_frame_picture(std::span<const std::byte> file) {
   auto picture = decode_picture(file);

@@ -7,6 +7,7 @@
 #include "palpable/core/picture/image.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/sources/depth/depth_picture.hpp"
+#include "palpable/sources/live/frame_size.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,13 +20,6 @@
 #include <vector>
 
 namespace palpable::sources {
-
-/// The most pixels of a frame: more than any depth camera gives (4096 x 2048). Reading twice as many takes
-/// longer than half a second, so that the surface would be older than a hand can use.
-inline constexpr std::uint64_t kMostFramePixels = std::uint64_t{1} << 23U;
-
-/// Errors: invalid_input, without a place, for more pixels than kMostFramePixels, or none.
-Result<void> check_frame_size(int width, int height);
 
 /// A picture of a live source from its file. Errors, without a place: as decode_picture() and
 /// check_frame_size().

@@ -2,18 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/video/video_decoder.hpp"
 
+#include "palpable/sources/video/ffmpeg_owned.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <memory>
 #include <string>
 
 extern "C" {
-#include <libavcodec/avcodec.h>
-#include <libavformat/avformat.h>
 #include <libavutil/display.h>
 #include <libavutil/log.h>
-#include <libswscale/swscale.h>
 }
 
 namespace palpable::sources {
@@ -45,30 +43,6 @@ struct MemoryFile {
     return base + offset;
   }
 };
-
-struct FreeFormat {
-  void operator()(AVFormatContext* context) const { avformat_close_input(&context); }
-};
-struct FreeCodec {
-  void operator()(AVCodecContext* context) const { avcodec_free_context(&context); }
-};
-struct FreeIo {
-  void operator()(AVIOContext* io) const {
-    av_freep(&io->buffer);
-    avio_context_free(&io);
-  }
-};
-struct FreeFrame {
-  void operator()(AVFrame* frame) const { av_frame_free(&frame); }
-};
-struct FreePacket {
-  void operator()(AVPacket* packet) const { av_packet_free(&packet); }
-};
-struct FreeScaler {
-  void operator()(SwsContext* scaler) const { sws_freeContext(scaler); }
-};
-template <class T, class Free>
-using Owned = std::unique_ptr<T, Free>;
 
 Error damaged(const char* what) { return invalid_input(std::string("is damaged: ") + what); }
 
@@ -134,7 +108,7 @@ class VideoFile {
 
   Result<Video> read() {
     step_ = std::max(1, static_cast<int>(std::ceil(std::min(stated_frames(), 1e6) / kMostVideoFrames)));
-    const Owned<AVPacket, FreePacket> packet(av_packet_alloc());
+    const ffmpeg::Packet packet(av_packet_alloc());
     while (av_read_frame(format_.get(), packet.get()) >= 0 && !full()) {
       if (packet->stream_index == stream_ && (packet->flags & AV_PKT_FLAG_DISCARD) != 0) ++hidden_;
       if (packet->stream_index == stream_ && avcodec_send_packet(codec_.get(), packet.get()) == 0)
@@ -170,7 +144,7 @@ class VideoFile {
   }
 
   Result<void> take_frames() {
-    const Owned<AVFrame, FreeFrame> frame(av_frame_alloc());
+    const ffmpeg::Frame frame(av_frame_alloc());
     for (; !full() && avcodec_receive_frame(codec_.get(), frame.get()) == 0; ++number_)
       if (is_damaged(*frame))
         ++video_.lost;
@@ -214,10 +188,10 @@ class VideoFile {
   }
 
   MemoryFile file_;
-  Owned<AVIOContext, FreeIo> io_;
-  Owned<AVFormatContext, FreeFormat> format_;
-  Owned<AVCodecContext, FreeCodec> codec_;
-  Owned<SwsContext, FreeScaler> scaler_;
+  ffmpeg::Io io_;
+  ffmpeg::Format format_;
+  ffmpeg::Codec codec_;
+  ffmpeg::Scaler scaler_;
   std::vector<std::uint8_t> rows_;
   int stream_ = -1;
   int turns_ = 0;
