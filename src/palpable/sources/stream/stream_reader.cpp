@@ -61,6 +61,14 @@ class LastWords {
     });
   }
   static bool have(std::string_view part) { return words().find(part) != std::string::npos; }
+  /// The reason in "Connection to … failed: REASON"; empty: it said no such thing.
+  static std::string unreachable() {
+    constexpr std::string_view kBefore = " failed: ";
+    const auto at = words().find(kBefore);
+    if (!words().starts_with("Connection to ") || at == std::string::npos) return {};
+    const auto reason = words().substr(at + kBefore.size());
+    return reason.substr(0, reason.find('\n'));
+  }
 
  private:
   // FFmpeg's callback gets nothing of ours.
@@ -72,6 +80,10 @@ class LastWords {
 
 /// Why FFmpeg could not connect.
 std::string refusal(int code, bool is_encrypted) {
+  if (const auto reason = LastWords::unreachable(); !reason.empty()) return "cannot be reached: " + reason;
+  if (LastWords::have("resolve")) return "cannot be found: no host of this name is known";
+  if (LastWords::have("certificate"))
+    return "has a certificate that this machine does not trust for this name (#certificate=any takes any)";
   switch (code) {
     case AVERROR_HTTP_UNAUTHORIZED:
     case AVERROR_HTTP_FORBIDDEN:
@@ -86,9 +98,6 @@ std::string refusal(int code, bool is_encrypted) {
     default:
       break;
   }
-  if (LastWords::have("resolve")) return "cannot be found: no host of this name is known";
-  if (LastWords::have("certificate"))
-    return "has a certificate that this machine does not trust for this name (#certificate=any takes any)";
   if (is_encrypted && code == AVERROR(EIO)) return "cannot be reached: it speaks no TLS";
   std::vector<char> reason(AV_ERROR_MAX_STRING_SIZE);
   av_strerror(code, reason.data(), reason.size());
@@ -119,10 +128,12 @@ class Stream {
     options.set("tls_verify", takes_any_certificate ? "0" : "1");
     if (const char* authorities = std::getenv("SSL_CERT_FILE"); authorities != nullptr)
       options.set("ca_file", authorities);
+    const auto begin = Clock::now();
     begin_waiting(kOpening);
     const bool is_encrypted = !url.starts_with("rtsp:");
     if (const int code = avformat_open_input(&format, url.c_str(), nullptr, options.entries()); code < 0)
-      return is_late() ? silent_for(kOpening) : refusal(code, is_encrypted);
+      // FFmpeg has no code of its own for an answer that did not come within `timeout`.
+      return Clock::now() - begin >= kSilence ? silent_for(kSilence) : refusal(code, is_encrypted);
     format_.reset(format);
     if (is_encrypted && leads_elsewhere()) return "leads to an address without TLS";
     if (avformat_find_stream_info(format, nullptr) < 0)
