@@ -4,7 +4,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(PALPABLE_COMPONENTS core models formats sources vision sculpt recipes measure device haptics describe session)
+set(PALPABLE_COMPONENTS core models formats sources vision hearing sculpt recipes measure device haptics describe session)
 set(palpable_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Palpable)
 set(palpable_tables "")
 

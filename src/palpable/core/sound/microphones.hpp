@@ -4,6 +4,7 @@
 
 #include "palpable/core/frame.hpp"
 
+#include <numbers>
 #include <vector>
 
 namespace palpable {
@@ -15,5 +16,12 @@ struct Microphones {
   /// In dry air of 20 degrees Celsius.
   double speed_of_sound_m_per_s = 343.2;
 };
+
+/// Four microphones on the corners of a level square, which is straight ahead: ahead at the left, ahead at
+/// the right, behind at the right, behind at the left. `radius_m`: from its middle, the origin.
+inline Microphones square_array(double radius_m) {
+  const double side = radius_m / std::numbers::sqrt2;
+  return {{{{-side, 0.0, side}}, {{side, 0.0, side}}, {{side, 0.0, -side}}, {{-side, 0.0, -side}}}};
+}
 
 }  // namespace palpable

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/touch/live_address.hpp"
 
+#include "palpable/core/text/number_text.hpp"
 #include "palpable/device/url.hpp"
+#include "palpable/sources/sound/microphones_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -247,6 +249,17 @@ Result<LiveAddress> parse_ros(device::DeviceUrl url) {
   return LiveAddress(*std::move(address));
 }
 
+/// A file of microphones, or square:RADIUS in metres: square_array().
+Result<Microphones> microphones_of(const std::string& text) {
+  constexpr std::string_view kSquare = "square:";
+  if (!text.starts_with(kSquare)) return sources::read_microphones(text);
+  constexpr double kLeast_m = 0.01, kMost_m = 1.0;
+  const auto radius_m = finite_number(std::string_view(text).substr(kSquare.size()));
+  if (!radius_m || *radius_m < kLeast_m || *radius_m > kMost_m)
+    return Error{ErrorCode::usage, "the radius of a square of microphones is 0.01 to 1 m", "microphones"};
+  return square_array(*radius_m);
+}
+
 Result<LiveAddress> parse_robot(device::DeviceUrl url) {
   if (url.path() == "sample")
     return Error{ErrorCode::usage, "the simulated robot is no server; the command touch starts one for it",
@@ -258,7 +271,9 @@ Result<LiveAddress> parse_robot(device::DeviceUrl url) {
   if (auto taken = take_topics(url, {{"odom", &address.odometry},
                                      {"cmd", &address.command},
                                      {"battery", &address.battery},
-                                     {"contact", &address.contact}});
+                                     {"contact", &address.contact},
+                                     {"audio", &address.sound},
+                                     {"audio-info", &address.sound_format}});
       !taken)
     return std::move(taken).error();
   DriveOptions& drive = address.drive;
@@ -273,6 +288,12 @@ Result<LiveAddress> parse_robot(device::DeviceUrl url) {
   drive.speed_m_per_s = url.take_number("speed", drive.speed_m_per_s, 0.05, 1.0);
   drive.turn_rad_per_s = url.take_number("turn", drive.turn_rad_per_s, 0.1, 2.0);
   drive.reaction_s = url.take_number("reaction", drive.reaction_s, 0.0, 2.0);
+  address.marks_sounds = url.take_count("sound-marker", 1, 0, 1) == 1;
+  if (const auto text = url.take_text("microphones"); !text.empty()) {
+    auto microphones = microphones_of(text);
+    if (!microphones) return std::move(microphones).error();
+    address.microphones = *std::move(microphones);
+  }
   const auto mode = url.take_word("mode", {"drive", "look", "touch"});
   address.mode = mode == "look" ? RobotMode::look : mode == "touch" ? RobotMode::touch : RobotMode::drive;
   if (auto finished = url.finish(); !finished) return std::move(finished).error();

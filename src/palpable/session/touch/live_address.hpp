@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/result.hpp"
+#include "palpable/core/sound/microphones.hpp"
 #include "palpable/session/robot/robot_drive.hpp"
 #include "palpable/sources/depth_camera/depth_camera.hpp"
 #include "palpable/sources/live/http_camera.hpp"
@@ -63,6 +64,12 @@ struct RobotAddress {
   std::string command = "/cmd_vel";
   std::string battery = "/battery_state";
   std::string contact = "/contact";
+  std::string sound = "/audio";
+  std::string sound_format = "/audio_info";
+  /// Level, around the robot's axis; none: it is not listened to.
+  std::optional<Microphones> microphones;
+  /// The direction of a sound is marked in the touched picture.
+  bool marks_sounds = true;
   DriveOptions drive;
   RobotMode mode = RobotMode::drive;
 };

@@ -3,6 +3,7 @@
 #include "palpable/session/touch/live_feed.hpp"
 
 #include "palpable/core/check.hpp"
+#include "palpable/session/robot/robot_ears.hpp"
 #include "palpable/session/touch/touch_session.hpp"
 #include "palpable/vision/depth_camera/clean_depth.hpp"
 
@@ -101,6 +102,10 @@ void LiveFeed::begin_with(Surface surface) {
   scene->model = std::move(surface.relief);
   scene->labels = std::move(surface.labels);
   if (memory_) scene->materials = memory_materials();
+  if (source_->marks_sounds()) {
+    if (scene->materials.empty()) scene->materials.resize(1);
+    scene->materials.push_back(sound_material());
+  }
   scene->source.method = kLiveMethod;
   if (memory_) scene->source.method += ", with memory";
   scene->title = "Live pictures of a " + std::string(source_->kind());
@@ -133,6 +138,12 @@ Result<LiveFeed::Surface> LiveFeed::surface_of(const LiveFrame& frame) {
     return surface;
   }
   surface.relief = std::make_shared<const models::Relief>(*std::move(relief));
+  if (source_->marks_sounds() && frame.depth.camera) {
+    if (surface.labels.count() == 0)
+      surface.labels = Raster<std::uint8_t>(depth_m->width(), depth_m->height(), 0);
+    const auto label = static_cast<std::uint8_t>(memory_ ? memory_materials().size() : 1);
+    source_->mark_sound(surface.labels, label, vision::reduced_camera(*frame.depth.camera, k));
+  }
   return surface;
 }
 
@@ -234,7 +245,7 @@ void LiveFeed::feel(TouchSession& session, const LiveFrame& frame) {
   if (!surface || !surface->relief) return;
   auto scene = std::make_shared<models::Scene>(*session.scene());
   scene->model = std::move(surface->relief);
-  if (memory_) scene->labels = std::move(surface->labels);
+  if (memory_ || source_->marks_sounds()) scene->labels = std::move(surface->labels);
   refresh_picture(*scene);
   if (const auto changed = session.change_surface(std::move(scene)); !changed) return;
   if (!wait_until_felt(session, session.newest_scene_id(), ending_)) return;

@@ -75,6 +75,11 @@ class LiveSource {
   virtual std::optional<std::string> notice() { return std::nullopt; }
   /// "depth camera", for titles.
   virtual std::string_view kind() const { return "depth camera"; }
+  /// Whether it may mark the direction of a sound.
+  virtual bool marks_sounds() const { return false; }
+  /// Gives the pixels from which a sound is heard now this label; labels of the camera's size.
+  virtual void mark_sound(Raster<std::uint8_t>& /*labels*/, std::uint8_t /*label*/,
+                          const Pinhole& /*camera*/) {}
   /// The noise of its depth, after the first frame.
   virtual vision::DepthNoise noise() const { return {}; }
   /// What is touched now instead of the surface that was seen last, of its size; null: that surface.

@@ -4,6 +4,7 @@
 
 #include "palpable/session/robot/drive_surface.hpp"
 #include "palpable/session/robot/motion_watch.hpp"
+#include "palpable/session/robot/robot_ears.hpp"
 #include "palpable/session/touch/touch_session.hpp"
 #include "palpable/sources/live/rosbridge_client.hpp"
 #include "palpable/sources/live/rosbridge_picture.hpp"
@@ -34,7 +35,9 @@ enum RobotTopic : std::size_t {
   kRobotInfo,
   kRobotOdometry,
   kRobotBattery,
-  kRobotContact
+  kRobotContact,
+  kRobotSound,
+  kRobotSoundFormat
 };
 
 constexpr auto kTick = std::chrono::milliseconds(20);
@@ -69,9 +72,13 @@ std::string sentence_of(DriveLimit limit) {
 
 class RobotSource final : public LiveSource, public RobotControl {
  public:
-  RobotSource(std::unique_ptr<RosbridgeClient> client, const RobotAddress& address)
+  RobotSource(std::unique_ptr<RosbridgeClient> client, const RobotAddress& address,
+              std::optional<RobotEars> ears)
       : client_(std::move(client)),
         metres_per_unit_(address.pictures.metres_per_unit),
+        marks_sounds_(ears && address.marks_sounds),
+        camera_down_rad_(address.drive.shape.camera_down_rad),
+        ears_(std::move(ears)),
         drive_(address.drive) {
     drive_.set_mode(address.mode);
     mode_ = address.mode;
@@ -116,6 +123,15 @@ class RobotSource final : public LiveSource, public RobotControl {
     return made ? *std::move(made) : nullptr;
   }
   RobotControl* robot() override { return this; }
+  bool marks_sounds() const override { return marks_sounds_; }
+  void mark_sound(Raster<std::uint8_t>& labels, std::uint8_t label, const Pinhole& camera) override {
+    const auto azimuth_rad = [&]() -> std::optional<double> {
+      const std::lock_guard lock(mutex_);
+      return ears_ ? ears_->azimuth_rad(seconds_of(RobotClock::now()), drive_.pose().heading_rad)
+                   : std::nullopt;
+    }();
+    if (azimuth_rad) mark_direction(labels, label, camera, camera_down_rad_, *azimuth_rad);
+  }
   void begin(TouchSession& session) override {
     touch_law_ = session.settings().law;
     session_ = &session;
@@ -236,6 +252,7 @@ class RobotSource final : public LiveSource, public RobotControl {
     if (const auto newest = client_->take(kRobotContact))
       if (const auto* touches = std::get_if<sources::RosFlag>(&newest->message.body))
         take_contact(touches->value);
+    if (ears_) listen();
     if (const auto newest = client_->take(kRobotBattery))
       if (const auto* battery = std::get_if<sources::RosBattery>(&newest->message.body))
         take_battery(battery->charge);
@@ -248,6 +265,28 @@ class RobotSource final : public LiveSource, public RobotControl {
       notices_.emplace_back("The robot touches something: it is stopped, and must be started again.");
     }
     touches_ = touches;
+  }
+
+  void listen() {
+    const std::lock_guard lock(mutex_);
+    const double heading_rad = drive_.pose().heading_rad;
+    if (const auto newest = client_->take(kRobotSoundFormat))
+      if (const auto* stated = std::get_if<sources::RosSoundFormat>(&newest->message.body))
+        if (auto taken =
+                ears_->take_format({stated->channels, static_cast<double>(stated->rate_hz), stated->samples});
+            !taken)
+          return refuse_sound(taken.error());
+    while (const auto part = client_->take(kRobotSound))
+      if (const auto* sound = std::get_if<sources::RosSound>(&part->message.body))
+        ears_->take(sound->data, seconds_of(part->arrival), heading_rad);
+    if (auto words = ears_->words()) notices_.push_back(*std::move(words));
+    statistics_.sounds = ears_->sounds();
+  }
+
+  /// It is not listened to any more. With the lock.
+  void refuse_sound(const Error& error) {
+    notices_.push_back(fmt::format("The robot {}: it is not listened to.", error.message));
+    ears_.reset();
   }
 
   void take_battery(double charge) {
@@ -339,6 +378,8 @@ class RobotSource final : public LiveSource, public RobotControl {
 
   std::unique_ptr<RosbridgeClient> client_;
   std::optional<double> metres_per_unit_;
+  bool marks_sounds_;
+  double camera_down_rad_;
   std::atomic<bool> ending_{false};
   std::atomic<Asked> asked_{Asked::nothing};
   std::atomic<bool> law_is_set_{true};
@@ -368,6 +409,8 @@ class RobotSource final : public LiveSource, public RobotControl {
   /// Guards what follows.
   mutable std::mutex mutex_;
   std::condition_variable changed_;
+  /// Changed by the thread alone, with the lock.
+  std::optional<RobotEars> ears_;
   RobotDrive drive_;
   RobotMode mode_ = RobotMode::drive;
   std::optional<LiveFrame> newest_;
@@ -387,10 +430,19 @@ Result<std::unique_ptr<LiveSource>> open_robot_source(const RobotAddress& addres
   options.port = address.pictures.port;
   options.topics = {address.pictures.depth, address.pictures.colour, address.pictures.info,
                     address.odometry,       address.battery,         address.contact};
+  std::optional<RobotEars> ears;
+  if (address.microphones) {
+    auto made = RobotEars::create(*address.microphones, {});
+    if (!made) return std::move(made).error();
+    ears = *std::move(made);
+    options.topics.insert(options.topics.end(), {address.sound, address.sound_format});
+    options.kept_whole = {kRobotSound};
+  }
   options.publications = {{address.command, "geometry_msgs", "Twist"}};
   auto client = RosbridgeClient::open(std::move(options));
   if (!client) return std::move(client).error();
-  return std::unique_ptr<LiveSource>(std::make_unique<RobotSource>(*std::move(client), address));
+  return std::unique_ptr<LiveSource>(
+      std::make_unique<RobotSource>(*std::move(client), address, std::move(ears)));
 }
 
 }  // namespace palpable::session

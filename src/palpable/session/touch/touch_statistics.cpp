@@ -33,6 +33,7 @@ Json live_json(const LiveStatistics& live) {
     json["robot"] = {{"commands", robot->commands},
                      {"moving_commands", robot->moving_commands},
                      {"started", robot->is_started},
+                     {"sounds", robot->sounds},
                      {"picture_age_ms", latency_json(robot->picture_age)}};
   if (const auto& memory = live.memory)
     json["memory"] = {{"share", memory->share}, {"map_mib", memory->map_mib}, {"lost", memory->lost}};

@@ -19,6 +19,8 @@ struct RobotStatistics {
   /// Those that were not zero.
   std::uint64_t moving_commands = 0;
   bool is_started = false;
+  /// Sounds that had a direction.
+  std::uint64_t sounds = 0;
   /// From when a picture was taken to the newest odometry when it had arrived, both by the robot's clock.
   haptics::LatencySummary picture_age;
 };

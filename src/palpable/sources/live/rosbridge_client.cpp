@@ -47,8 +47,11 @@ RosbridgeClient::RosbridgeClient(RosbridgeOptions options)
     : options_(std::move(options)),
       name_("ros://" + options_.host + ":" + options_.port),
       advertised_(options_.publications.size(), false),
-      newest_(options_.topics.size()),
-      count_(options_.topics.size(), 0) {}
+      untaken_(options_.topics.size()),
+      most_(options_.topics.size(), 1),
+      count_(options_.topics.size(), 0) {
+  for (const std::size_t k : options_.kept_whole) most_[k] = kMostKept;
+}
 
 Result<std::unique_ptr<RosbridgeClient>> RosbridgeClient::open(RosbridgeOptions options) {
   std::unique_ptr<RosbridgeClient> client(new RosbridgeClient(std::move(options)));
@@ -86,7 +89,7 @@ void RosbridgeClient::subscribe(WebSocket& socket) const {
     if (socket_ != nullptr && count_[k] > 0) continue;
     const std::string& topic = options_.topics[k];
     socket.send(rosbridge_text(
-        {{"op", "subscribe"}, {"id", "palpable:" + topic}, {"topic", topic}, {"queue_length", 1}}));
+        {{"op", "subscribe"}, {"id", "palpable:" + topic}, {"topic", topic}, {"queue_length", most_[k]}}));
   }
 }
 
@@ -162,7 +165,8 @@ void RosbridgeClient::keep(RosMessage message, Clock::time_point arrival) {
   {
     const std::lock_guard lock(mutex_);
     if (message.version != RosVersion::unknown) version_ = message.version;
-    newest_[k] = Newest{count_[k]++, arrival, std::move(message)};
+    untaken_[k].push_back({count_[k]++, arrival, std::move(message)});
+    if (untaken_[k].size() > most_[k]) untaken_[k].pop_front();
     came_ = is_here_ = true;
   }
   changed_.notify_all();
@@ -195,14 +199,21 @@ bool RosbridgeClient::lose(Error error) {
 
 std::optional<RosbridgeClient::Newest> RosbridgeClient::take(std::size_t k) {
   const std::lock_guard lock(mutex_);
-  return std::exchange(newest_[k], std::nullopt);
+  return take_locked(k);
+}
+
+std::optional<RosbridgeClient::Newest> RosbridgeClient::take_locked(std::size_t k) {
+  if (untaken_[k].empty()) return std::nullopt;
+  auto first = std::move(untaken_[k].front());
+  untaken_[k].pop_front();
+  return first;
 }
 
 Result<std::optional<RosbridgeClient::Newest>> RosbridgeClient::wait(std::size_t k,
                                                                      Clock::time_point deadline) {
   std::unique_lock lock(mutex_);
-  changed_.wait_until(lock, deadline, [&] { return newest_[k] || (lost_ && !came_); });
-  if (newest_[k]) return std::exchange(newest_[k], std::nullopt);
+  changed_.wait_until(lock, deadline, [&] { return !untaken_[k].empty() || (lost_ && !came_); });
+  if (auto first = take_locked(k)) return first;
   if (lost_ && !came_) return *lost_;
   return std::optional<Newest>();
 }

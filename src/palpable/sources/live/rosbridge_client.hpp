@@ -11,6 +11,7 @@
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -32,6 +33,9 @@ struct RosbridgeOptions {
   std::string port = "9090";
   /// Topics that are subscribed to, without a type: the server knows it.
   std::vector<std::string> topics;
+  /// Of these topics (places in the list) every message is kept until it is taken, and not the newest alone:
+  /// parts of a sound. At most kMostKept, then the oldest are lost.
+  std::vector<std::size_t> kept_whole;
   std::vector<RosPublication> publications;
   /// The connection counts as lost if nothing comes for this time.
   std::chrono::milliseconds silence{5000};
@@ -46,6 +50,7 @@ struct RosbridgeOptions {
 class RosbridgeClient {
  public:
   using Clock = std::chrono::steady_clock;
+  static constexpr std::size_t kMostKept = 100;
   struct Newest {
     /// Counted from 0 with every message of the topic, also those that nobody took.
     std::uint64_t number = 0;
@@ -60,7 +65,8 @@ class RosbridgeClient {
   RosbridgeClient(const RosbridgeClient&) = delete;
   RosbridgeClient& operator=(const RosbridgeClient&) = delete;
 
-  /// The newest message of topic `k` of the options that was not taken.
+  /// The newest message of topic `k` of the options that was not taken; of one that is kept whole, the
+  /// oldest.
   std::optional<Newest> take(std::size_t k);
   /// As take(); waits for one until `deadline`. Errors: why the server was lost before its first message of
   /// any topic.
@@ -88,6 +94,7 @@ class RosbridgeClient {
   void take_in(const std::string& text);
   void keep(RosMessage message, Clock::time_point arrival);
   bool lose(Error error);
+  std::optional<Newest> take_locked(std::size_t k);
   void refuse(const Error& error);
 
   RosbridgeOptions options_;
@@ -100,7 +107,10 @@ class RosbridgeClient {
   /// Which publications were advertised over this connection.
   std::vector<bool> advertised_;
   RosVersion version_ = RosVersion::unknown;
-  std::vector<std::optional<Newest>> newest_;
+  /// Of each topic.
+  std::vector<std::deque<Newest>> untaken_;
+  /// How many of them are kept.
+  std::vector<std::size_t> most_;
   std::vector<std::uint64_t> count_;
   std::uint64_t losses_ = 0;
   bool came_ = false;

@@ -190,6 +190,23 @@ Result<RosBody> odometry_in(const RosJson& message) {
   return RosBody(RosOdometry{*px, *py, yaw_rad, *forward, *turning});
 }
 
+Result<RosBody> sound_format_in(const RosJson& message) {
+  constexpr std::size_t kMostChannels = 64, kLeastRate_hz = 8'000, kMostRate_hz = 192'000;
+  const auto channels = ros_count(ros_member(message, "channels"), kMostChannels);
+  const auto rate_hz = ros_count(ros_member(message, "sample_rate"), kMostRate_hz);
+  const auto& samples = ros_member(message, "sample_format");
+  if (!channels || *channels == 0 || !rate_hz || *rate_hz < kLeastRate_hz || !samples.is_string())
+    return invalid_input("sends sound without channels, rate and format");
+  return RosBody(
+      RosSoundFormat{static_cast<int>(*channels), static_cast<int>(*rate_hz), samples.get<std::string>()});
+}
+
+Result<RosBody> sound_in(const RosJson& data) {
+  auto bytes = ros_bytes(data);
+  if (!bytes) return invalid_input("sends damaged sound");
+  return RosBody(RosSound{*std::move(bytes)});
+}
+
 Result<RosBody> body_in(const RosJson& message) {
   for (const char* matrix : {"K", "k"})
     if (const auto& numbers = ros_member(message, matrix); numbers.is_array())
@@ -202,6 +219,10 @@ Result<RosBody> body_in(const RosJson& message) {
     return RosBody(RosBattery{std::clamp(*charge, 0.0, 1.0)});
   if (const auto& data = ros_member(message, "data"); data.is_boolean())
     return RosBody(RosFlag{data.get<bool>()});
+  if (message.contains("sample_rate")) return sound_format_in(message);
+  const auto& stamped = ros_member(ros_member(message, "audio"), "data");
+  for (const auto& data : {ros_member(message, "data"), stamped})
+    if (data.is_string() || data.is_array()) return sound_in(data);
   return invalid_input("sends a message of another type than was asked for");
 }
 

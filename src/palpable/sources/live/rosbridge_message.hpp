@@ -64,9 +64,25 @@ struct RosFlag {
   bool value = false;
 };
 
+/// audio_common_msgs/AudioData or AudioDataStamped: samples as its AudioInfo says.
+struct RosSound {
+  std::vector<std::byte> data;
+};
+
+/// audio_common_msgs/AudioInfo.
+struct RosSoundFormat {
+  /// 1 ... 64; samples of all channels at one instant follow one another.
+  int channels = 1;
+  /// 8000 ... 192 000.
+  int rate_hz = 16'000;
+  /// "S16LE", "S32LE", "F32LE", …
+  std::string samples;
+};
+
 /// What a topic's message is, recognised by its members. sensor_msgs/CameraInfo is a Pinhole; its distortion
 /// is not used. All numbers are finite.
-using RosBody = std::variant<RosPicture, RosCompressed, Pinhole, RosCloud, RosOdometry, RosBattery, RosFlag>;
+using RosBody = std::variant<RosPicture, RosCompressed, Pinhole, RosCloud, RosOdometry, RosBattery, RosFlag,
+                             RosSound, RosSoundFormat>;
 
 enum class RosVersion : std::uint8_t { unknown, ros1, ros2 };
 

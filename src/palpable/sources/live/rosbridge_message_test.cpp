@@ -145,7 +145,8 @@ TEST(RosbridgeMessage, IsRefusedInOneClauseIfItIsNone) {
       {R"({"a":[)" + std::string(3'000'001, ','), "nested deeper"},
       {R"({"op":"fragment"})", "was not asked for"},
       {R"({"op":"publish","topic":7,"msg":{}})", "was not asked for"},
-      {ros_published("/t", R"({"data":"hello"})"), "another type"},
+      {ros_published("/t", R"({"data":"hello"})"), "damaged sound"},
+      {ros_published("/t", R"({"data":7})"), "another type"},
       {picture("1", "2", R"("%%%%")"), "damaged"},
       {picture("1", "2", R"([0,256])"), "damaged"},
       {picture("-1", "2", flat.c_str()), "without a size"},
@@ -184,6 +185,34 @@ TEST(RosbridgeMessage, StatesErrorsOfItsServerInOneShortLine) {
   EXPECT_TRUE(status.words.starts_with("a b "));
   EXPECT_EQ(status.words.find('\x1b'), std::string::npos);
   EXPECT_EQ(status.words.size(), 200U);
+}
+
+TEST(RosbridgeMessage, ReadsSoundAndItsFormat) {
+  const auto of = [](const char* message) {
+    return parse_rosbridge(std::string(R"({"op":"publish","topic":"/audio","msg":)") + message + "}");
+  };
+  for (const char* message :
+       {R"({"data":"AQIDBA=="})", R"({"data":[1,2,3,4]})", R"({"header":{},"audio":{"data":"AQIDBA=="}})"}) {
+    const auto heard = of(message);
+    ASSERT_TRUE(heard) << message;
+    const auto* sound = std::get_if<RosSound>(&std::get<RosMessage>(*heard).body);
+    ASSERT_NE(sound, nullptr) << message;
+    EXPECT_EQ(sound->data.size(), 4U);
+    EXPECT_EQ(sound->data[3], std::byte{4});
+  }
+  const auto format =
+      of(R"({"channels":4,"sample_rate":16000,"sample_format":"S16LE","bitrate":0,"coding_format":"wave"})");
+  ASSERT_TRUE(format);
+  const auto* stated = std::get_if<RosSoundFormat>(&std::get<RosMessage>(*format).body);
+  ASSERT_NE(stated, nullptr);
+  EXPECT_EQ(stated->channels, 4);
+  EXPECT_EQ(stated->rate_hz, 16'000);
+  EXPECT_EQ(stated->samples, "S16LE");
+  for (const char* wrong :
+       {R"({"data":"*"})", R"({"data":[1,256]})", R"({"audio":{"data":3}})",
+        R"({"channels":0,"sample_rate":16000,"sample_format":"S16LE"})",
+        R"({"channels":4,"sample_rate":1,"sample_format":"S16LE"})", R"({"channels":4,"sample_rate":16000})"})
+    EXPECT_FALSE(of(wrong)) << wrong;
 }
 
 }  // namespace

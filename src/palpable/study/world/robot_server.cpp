@@ -5,6 +5,8 @@
 #include "palpable/core/net/tcp_stream.hpp"
 #include "palpable/core/net/web_socket.hpp"
 #include "palpable/core/text/base64.hpp"
+#include "palpable/study/world/robot_microphones.hpp"
+#include "palpable/study/world/sound_scene.hpp"
 
 #include <algorithm>
 #include <array>
@@ -99,6 +101,7 @@ struct RobotServer::Impl {
         link(wanted.link),
         camera(camera_of(wanted.width, wanted.height, wanted.field_of_view_rad)),
         world(make_room(wanted.seed), wanted.body, wanted.errors, wanted.seed),
+        microphones(world.room(), square_array(kArray_m), wanted.body.camera_height_m, wanted.seed),
         random(wanted.seed),
         listener(std::move(bound)) {}
 
@@ -140,6 +143,7 @@ struct RobotServer::Impl {
     if (*text) take(**text);
     if (followed_s >= next_picture_s) take_picture();
     if (followed_s >= next_state_s) send_state(socket);
+    if (options.has_sound && followed_s >= next_sound_s) send_sound(socket);
     for (; !waiting.empty() && waiting.front().first <= followed_s; waiting.pop_front())
       for (std::string& message : waiting.front().second) socket.send(std::move(message));
     return true;
@@ -204,12 +208,32 @@ struct RobotServer::Impl {
     add("/battery_state", {{"header", header}, {"percentage", 0.8}});
   }
 
+  void send_sound(WebSocket& socket) {
+    constexpr double kPart_s = 0.05;
+    // Parts that nobody subscribed to, or that a stall held back, are not made up for.
+    next_sound_s = std::max(next_sound_s + kPart_s, followed_s - kPart_s);
+    if (!subscribed.contains("/audio")) return;
+    constexpr auto kLength = static_cast<std::size_t>(kPart_s * RobotMicrophones::kRate_hz);
+    const auto samples = microphones.hear(world.pose(), kLength);
+    socket.send(sent_text("/audio", {{"data", base64(std::as_bytes(std::span(samples)))}}));
+    if (!subscribed.contains("/audio_info") || followed_s < next_format_s) return;
+    next_format_s = followed_s + 1.0;
+    socket.send(sent_text("/audio_info", {{"channels", 4},
+                                          {"sample_rate", RobotMicrophones::kRate_hz},
+                                          {"sample_format", "S16LE"},
+                                          {"bitrate", 0},
+                                          {"coding_format", "wave"}}));
+  }
+
+  static constexpr double kArray_m = 0.1;
+
   RobotServerOptions options;
   RobotLink link;
   Pinhole camera;
   /// Guards changes of the world, the link and the count of commands.
   mutable std::mutex mutex;
   RobotWorld world;
+  RobotMicrophones microphones;
   std::mt19937_64 random;
   TcpListener listener;
   std::set<std::string> subscribed;
@@ -217,7 +241,8 @@ struct RobotServer::Impl {
   std::deque<std::pair<double, std::vector<std::string>>> waiting;
   ServerClock::time_point begin;
   double followed_s = 0.0;
-  double next_picture_s = 0.0, next_state_s = 0.0, next_battery_s = 0.0;
+  double next_picture_s = 0.0, next_state_s = 0.0, next_battery_s = 0.0, next_sound_s = 0.0,
+         next_format_s = 0.0;
   std::uint64_t commands = 0;
   std::atomic<bool> hangs_up{false};
   std::atomic<bool> ending{false};
@@ -260,6 +285,8 @@ std::uint64_t RobotServer::commands() const {
   const std::lock_guard lock(impl_->mutex);
   return impl_->commands;
 }
+
+Point<WorldFrame> RobotServer::sound_source() const { return impl_->microphones.source(); }
 
 void RobotServer::set_link(const RobotLink& link) {
   const std::lock_guard lock(impl_->mutex);

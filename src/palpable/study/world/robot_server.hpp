@@ -30,6 +30,9 @@ struct RobotServerOptions {
   double field_of_view_rad = 1.52;
   /// Of a structured-light camera.
   CameraNoise noise{vision::DepthNoise{}, 0.25, 6.0, 2.0, 1};
+  /// Somebody speaks in the room, and four microphones on a level square with a radius of 0.1 m, about the
+  /// robot's axis at the camera's height, hear it (RobotMicrophones).
+  bool has_sound = true;
   /// Names of message types and members: of ROS 2, or of ROS 1.
   bool is_ros2 = true;
   /// 0: any free one, of the loopback interface.
@@ -38,8 +41,8 @@ struct RobotServerOptions {
 
 /// A robot in a room (RobotWorld of make_room()) behind a rosbridge server on a real WebSocket, in real time,
 /// on a thread of its own. Topics that it sends: /camera/depth/image_rect_raw (16UC1),
-/// /camera/color/image_raw (rgb8), /camera/depth/camera_info, /odom, /battery_state, /contact; that it takes:
-/// /cmd_vel. One client at a time.
+/// /camera/color/image_raw (rgb8), /camera/depth/camera_info, /odom, /battery_state, /contact, /audio (S16LE,
+/// 20 parts a second) and /audio_info; that it takes: /cmd_vel. One client at a time.
 class RobotServer {
  public:
   /// Errors: failed (the port is in use).
@@ -53,6 +56,8 @@ class RobotServer {
   FloorPose pose() const;
   WheelMotion commanded() const;
   bool has_touched() const;
+  /// Where somebody speaks.
+  Point<WorldFrame> sound_source() const;
   /// Commands that came, also those of 0.
   std::uint64_t commands() const;
   void set_link(const RobotLink& link);

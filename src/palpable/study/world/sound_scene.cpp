@@ -110,11 +110,6 @@ Channels heard_at(const SoundScene& scene, const SoundSceneOptions& options, con
 
 }  // namespace
 
-Microphones square_array(double radius_m) {
-  const double side = radius_m / std::numbers::sqrt2;
-  return {{{{-side, 0.0, side}}, {{side, 0.0, side}}, {{side, 0.0, -side}}, {{-side, 0.0, -side}}}};
-}
-
 Microphones tetrahedral_array(double radius_m) {
   const double side = radius_m / std::numbers::sqrt3;
   return {{{{-side, -side, -side}}, {{side, -side, side}}, {{side, side, -side}}, {{-side, side, side}}}};

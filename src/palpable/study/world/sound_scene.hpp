@@ -25,8 +25,6 @@ enum class TestSound : std::uint8_t {
 /// sound.
 std::vector<float> test_sound(TestSound kind, double rate_hz, double length_s, std::uint64_t seed);
 
-/// Four microphones on the corners of a level square; the origin is its middle.
-Microphones square_array(double radius_m);
 /// Four microphones on the corners of a regular tetrahedron.
 Microphones tetrahedral_array(double radius_m);
 

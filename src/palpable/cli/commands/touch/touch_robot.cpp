@@ -27,7 +27,7 @@ std::string further_options(std::string_view address) {
     const auto option = options.substr(0, options.find('&'));
     options.remove_prefix(std::min(options.size(), option.size() + 1));
     const auto name = option.substr(0, option.find('='));
-    constexpr std::array<std::string_view, 5> kOwn{"seed", "fps", "delay", "jitter", "loss"};
+    constexpr std::array<std::string_view, 6> kOwn{"seed", "fps", "delay", "jitter", "loss", "sound"};
     if (std::find(kOwn.begin(), kOwn.end(), name) == kOwn.end()) rest.append("&").append(option);
   }
   return rest;
@@ -49,7 +49,8 @@ Result<SampleRobot> start_sample_robot(const std::string& address) {
   options.link.jitter_s = url->take_number("jitter", 0.0, 0.0, 5.0);
   options.link.loss = url->take_number("loss", 0.0, 0.0, 1.0);
   // What is left is checked with the robot's address.
-  for (const auto* other : {"mode", "speed", "turn", "reaction"}) url->take_text(other);
+  options.has_sound = url->take_count("sound", 1, 0, 1) == 1;
+  for (const auto* other : {"mode", "speed", "turn", "reaction", "sound-marker"}) url->take_text(other);
   if (auto finished = url->finish(); !finished) return std::move(finished).error();
   auto server = study::RobotServer::start(options);
   if (!server) return std::move(server).error();
@@ -57,7 +58,8 @@ Result<SampleRobot> start_sample_robot(const std::string& address) {
   constexpr double kDegree = 3.14159265358979323846 / 180.0;
   const std::string there = fmt::format(
       "robot:127.0.0.1:{}?color=/camera/color/"
-      "image_raw&radius={}&height={}&camera-height={}&camera-forward={}&camera-down={}",
+      "image_raw&radius={}&height={}&camera-height={}&camera-forward={}&camera-down={}&microphones=square:0."
+      "1",
       (*server)->port(), body.radius_m, body.height_m, body.camera_height_m, body.camera_forward_m,
       body.camera_down_rad / kDegree);
   return SampleRobot{*std::move(server), there + further_options(address)};

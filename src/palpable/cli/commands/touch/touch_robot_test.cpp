@@ -3,13 +3,16 @@
 // A simulated robot on a real WebSocket, its live source, and a touch.
 #include "palpable/cli/commands/touch/touch_robot.hpp"
 
+#include "palpable/describe/sound_words.hpp"
 #include "palpable/session/touch/live_feed.hpp"
 #include "palpable/session/touch/touch_session.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -109,6 +112,28 @@ TEST_F(RobotTouch, StandsWhenTheHandIsReleasedOrPicturesDoNotComeAndAfterALostLi
   EXPECT_TRUE(held_at(left, [&] { return says("its connection was lost"); }));
   // Its own driver stops a robot whose link is gone.
   EXPECT_TRUE(held_at(left, [&] { return !moves(); }));
+}
+
+TEST_F(RobotTouch, HearsWhereSomebodySpeaksAndMarksIt) {
+  open("robot:sample?fps=20&mode=touch");
+  // As the robot stands: x and y of the room's floor.
+  const auto pose = robot_.server->pose();
+  const auto source = robot_.server->sound_source().v;
+  const double azimuth_rad = pose.heading_rad - std::atan2(source.y - pose.y_m, source.x - pose.x_m);
+  const auto expected =
+      "A sound " + describe::sound_words(azimuth_rad * 180.0 / std::numbers::pi, std::nullopt);
+  EXPECT_TRUE(held_at({}, [&] { return says(expected); })) << azimuth_rad * 180.0 / std::numbers::pi << "\n"
+                                                           << said();
+  EXPECT_GE(feed_->robot()->statistics().sounds, 1U);
+  const auto& materials = session_->scene()->materials;
+  EXPECT_EQ(materials.back().name, "a sound comes from here");
+}
+
+TEST_F(RobotTouch, CanLeaveTheMarkAndTheSoundOut) {
+  open("robot:sample?fps=20&mode=touch&sound-marker=0&sound=0");
+  for (const auto& material : session_->scene()->materials)
+    EXPECT_NE(material.name, "a sound comes from here");
+  EXPECT_EQ(feed_->robot()->statistics().sounds, 0U);
 }
 
 TEST_F(RobotTouch, IsTouchedWithTheLawOfPicturesInTheModeTouch) {
