@@ -88,6 +88,15 @@ TEST(StreamCamera, IsLostWhenTheCameraEnds) {
   EXPECT_EQ(seen.loss, "has ended the stream");
 }
 
+TEST(StreamCamera, SurvivesRubbishBetweenPictures) {
+  RtspBehaviour noisy;
+  noisy.rubbish_after = 25;
+  const RtspServer server(noisy);
+  const auto seen = seen_of(server.url(), 40);
+  EXPECT_GE(seen.frames.size(), 1U);
+  EXPECT_EQ(seen.loss.find("crashed"), std::string::npos);
+}
+
 TEST(StreamCamera, OpensNoFilesAndNoOtherProtocols) {
   for (const char* url :
        {"/etc/hostname", "file:///etc/hostname", "concat:/etc/hostname", "rtp://127.0.0.1:9"})

@@ -95,6 +95,7 @@ void add_touch(Program& program) {
       "  palpable touch room.palp --share    also on phones and tablets\n"
       "  palpable touch room.palp --device falcon:0 --device falcon:1    two hands\n"
       "  palpable touch http://192.168.1.20:8080/video    a stereo camera (MJPEG), live\n"
+      "  palpable touch rtsp://NAME:PASSWORD@192.168.1.21/stream1    a stereo camera (H.264 and others)\n"
       "  palpable touch \"camera:0?size=1280x480\"    a stereo camera of this machine\n"
       "  palpable touch \"frames:folder?fps=30&loop=1\"    frames of a depth camera, live\n"
       "  palpable touch \"ros://robot.local:9090?depth=/depth\"    a depth camera of a rosbridge server\n"
