@@ -32,7 +32,7 @@ struct Pair {
     load_centres(windows, 0, 0, centres);
     over_window(windows, 0, 0, [&](const WindowOffset& offset, std::size_t at) {
       if (offset.dx != 1.0F || offset.dy != 0.0F) return;
-      weigh(windows, centres, offset, at, weights, rises);
+      vision::weigh(windows, centres, offset, at, weights, rises);
       out = {weights[0], rises[0]};
     });
     return out;
