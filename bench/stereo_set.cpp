@@ -23,8 +23,7 @@
 //   palpable_stereo_set [--methods best,fast] [--seeds N] [--kinds rods,plain] [--set NAME=VALUE]…
 //                       [--threads N] [--json FILE] [--dump FOLDER] [--sheet FILE.png] [--sheet-method M]
 //
-// --dump writes each scene's pictures, truth (0 where only one camera sees the point) and results into the
-// folder.
+// --dump writes each scene's pictures, truth, what both cameras see and the results into the folder.
 // --sheet writes a picture of all scenes, each with its truth and, with --sheet-method, that method's result.
 namespace palpable::bench {
 namespace {
