@@ -23,16 +23,16 @@ using LaneMasks = int __attribute__((vector_size(sizeof(int) * kCount)));
 inline __attribute__((always_inline)) float cost_at(const std::uint16_t* cost, int count, float disparity,
                                                     float beyond_range_per_px) {
   constexpr float kUnit = 1.0F / kCostUnit;
-  const auto value = [&](int d) { return static_cast<float>(cost[std::clamp(d, 0, count - 1)]) * kUnit; };
+  const auto value = [&](int d) { return static_cast<float>(cost[d]) * kUnit; };
   if (!(disparity >= 0.0F)) return value(0) - beyond_range_per_px * disparity;
   const auto last = static_cast<float>(count - 1);
   if (disparity > last) return value(count - 1) + beyond_range_per_px * (disparity - last);
   const int d = static_cast<int>(disparity);
   const float t = disparity - static_cast<float>(d);
-  const float a = value(d - 1);
+  const float a = value(std::max(d - 1, 0));
   const float b = value(d);
-  const float c = value(d + 1);
-  const float e = value(d + 2);
+  const float c = value(std::min(d + 1, count - 1));
+  const float e = value(std::min(d + 2, count - 1));
   return b + 0.5F * t * (c - a + t * (2.0F * a - 5.0F * b + 4.0F * c - e + t * (3.0F * (b - c) + e - a)));
 }
 
