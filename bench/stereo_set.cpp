@@ -21,8 +21,9 @@
 // Runs stereo methods over the tuning set (stereo_scenes.hpp) and reports bad pixels by kind of scene:
 //
 //   palpable_stereo_set [--methods best,fast] [--seeds N] [--kinds rods,plain] [--set NAME=VALUE]…
-//                       [--threads N] [--json FILE] [--sheet FILE.png] [--sheet-method M]
+//                       [--threads N] [--json FILE] [--dump FOLDER] [--sheet FILE.png] [--sheet-method M]
 //
+// --dump writes each scene's pictures, truth, what both cameras see and the results into the folder.
 // --sheet writes a picture of all scenes, each with its truth and, with --sheet-method, that method's result.
 namespace palpable::bench {
 namespace {
@@ -33,7 +34,7 @@ struct Arguments {
   std::vector<std::string> parameters;
   int seeds = 4;
   unsigned threads = 1;
-  std::string json, sheet, sheet_method;
+  std::string json, dump, sheet, sheet_method;
 };
 
 std::vector<std::string> parts_of(const std::string& text, char separator) {
@@ -98,6 +99,23 @@ void set_parameters(const Arguments& arguments, vision::StereoMethod method, vis
   }
 }
 
+void report_failure(const Result<void>& written) {
+  if (!written) fmt::print(stderr, "{}\n", written.error().sentence());
+}
+
+/// FOLDER/SCENE.left.png, .right.png, .truth.pfm (px) and .seen.pfm (0 or 1).
+void dump_scenes(const std::string& folder, const std::vector<StereoScene>& scenes) {
+  for (const StereoScene& scene : scenes) {
+    const std::string name = folder + "/" + scene.name;
+    Raster<float> seen(scene.truth_px.width(), scene.truth_px.height());
+    std::copy(scene.seen_by_both.values().begin(), scene.seen_by_both.values().end(), seen.values().begin());
+    report_failure(formats::write_png(name + ".left.png", rgb8(scene.pair.left)));
+    report_failure(formats::write_png(name + ".right.png", rgb8(scene.pair.right)));
+    report_failure(formats::write_pfm(name + ".truth.pfm", scene.truth_px));
+    report_failure(formats::write_pfm(name + ".seen.pfm", seen));
+  }
+}
+
 /// Runs one method over the set: prints rows of a table and returns them as JSON.
 nlohmann::ordered_json run(const std::string& name, const std::vector<StereoScene>& scenes,
                            const Arguments& arguments) {
@@ -120,6 +138,9 @@ nlohmann::ordered_json run(const std::string& name, const std::vector<StereoScen
       fmt::print(stderr, "{}: {}\n", scene.name, match.error().sentence());
       continue;
     }
+    if (!arguments.dump.empty())
+      report_failure(formats::write_pfm(fmt::format("{}/{}.{}.pfm", arguments.dump, scene.name, name),
+                                        match->disparity.disparity_px));
     const Score score = score_of(scene, match->disparity.disparity_px);
     by_kind[static_cast<std::size_t>(scene.kind)].add(score);
     total.add(score);
@@ -193,6 +214,8 @@ std::optional<Arguments> parsed(int count, char** words) {
       out.threads = static_cast<unsigned>(std::stoul(value));
     else if (name == "--json")
       out.json = value;
+    else if (name == "--dump")
+      out.dump = value;
     else if (name == "--sheet")
       out.sheet = value;
     else if (name == "--sheet-method")
@@ -221,6 +244,7 @@ int main_program(int count, char** words) {
     if (!written) fmt::print(stderr, "{}\n", written.error().sentence());
     return written ? 0 : 1;
   }
+  if (!arguments->dump.empty()) dump_scenes(arguments->dump, scenes);
   nlohmann::ordered_json all;
   all["seeds_per_kind"] = arguments->seeds;
   all["parameters"] = arguments->parameters;

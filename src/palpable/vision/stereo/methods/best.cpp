@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/methods/best.hpp"
 
+#include "palpable/core/numbers/median.hpp"
 #include "palpable/vision/image/median.hpp"
 #include "palpable/vision/stereo/occlusion/left_right_check.hpp"
 
@@ -112,13 +113,16 @@ class BestMatcher {
   /// is updated.
   void joint_round(int round) {
     for (View* view : {&left_, &right_})
-      remove_false_islands(view->costs, options_.islands, options_.costs, view->map, view->start);
+      remove_false_islands(view->costs, options_.islands, costs_, view->map, view->start);
     const Raster<float> seen_right = seen_from_right(right_, input_.right_first);
     const Raster<float> seen_left = mirrored(left_.map.disparity);
     const Raster<float> confirmed = left_right_check(left_.map.disparity, seen_right);
-    if (round == options_.separate_rounds)
+    if (round == options_.separate_rounds) {
+      costs_.hidden_cost =
+          std::max(options_.costs.hidden_cost, options_.hidden_above_match + median_match(confirmed));
       furthest_px_ = quantile_where(left_.map.disparity, confirmed, options_.furthest_fraction) -
                      options_.furthest_margin_px;
+    }
     if (work_.cancelled()) return;
     const Raster<float> confirmed_right = left_right_check(right_.map.disparity, seen_left);
     search(left_, right_, {&seen_right, furthest_px_}, confirmed, round);
@@ -157,8 +161,18 @@ class BestMatcher {
                    options_.proposals, round, candidates_, work_);
     const Raster<float> nearer_px =
         nearer_beyond_edges(view.picture.colour, view.map.disparity, options_.edges, work_);
-    plane_costs(view.costs, other, options_.costs, candidates_, work_, &nearer_px);
+    plane_costs(view.costs, other, costs_, candidates_, work_, &nearer_px);
     choose_planes(view.picture.colour, options_.smoothness, candidates_, view.map, work_);
+  }
+  /// The median matching cost of the left view's confirmed pixels, in units; 0 if there are none.
+  float median_match(const Raster<float>& confirmed) const {
+    std::vector<float> costs;
+    for (int y = 0; y < confirmed.height(); ++y)
+      for (int x = 0; x < confirmed.width(); ++x)
+        if (confirmed(x, y) > 0.0F)
+          costs.push_back(matching_cost_at(left_.costs, x, y, left_.map.disparity(x, y),
+                                           options_.costs.beyond_range_per_px));
+    return costs.empty() ? 0.0F : median_of(std::move(costs));
   }
   void report(int round, const char* what) const { work_.report(0.2 + 0.8 * (round + 1) / rounds(), what); }
 
@@ -167,6 +181,8 @@ class BestMatcher {
   const Work& work_;
   View left_, right_;
   PlaneCandidates candidates_{0, 0};
+  /// With the cost of occluded pixels in this pair.
+  PlaneCostOptions costs_ = options_.costs;
   /// Nothing lies further away than this.
   float furthest_px_ = 0.0F;
 };
@@ -188,6 +204,11 @@ std::vector<Parameter> parameters_of(BestOptions& o) {
        "",
        "First round with the other view's planes as candidates"},
       {"region_complexity", &o.region_complexity, {1, 1024}, "", "Q of statistical region merging"},
+      {"hidden_above_match",
+       &o.hidden_above_match,
+       {0, 4},
+       "units",
+       "What an occluded pixel costs more than the median match, at least"},
       {"furthest_fraction", &o.furthest_fraction, {0, 0.5}, "", "Farthest pixels left out of the seen range"},
       {"furthest_margin_px",
        &o.furthest_margin_px,

@@ -31,6 +31,10 @@ struct BestOptions {
   /// Q of statistical region merging: larger than elsewhere, since a region should contain one or two
   /// surfaces; 1 … 1024.
   double region_complexity = 128.0;
+  /// An occluded pixel costs at least this much more than the median of the matches that both views confirm
+  /// after their separate rounds (else `costs.hidden_cost`): in dark and noisy pictures true matches would
+  /// cost more than occlusions; units, 0 … 4.
+  float hidden_above_match = 0.4F;
   /// Share of the farthest visible pixels that are left out when the farthest visible disparity is
   /// determined; 0 … 0.5.
   double furthest_fraction = 0.005;

@@ -59,27 +59,35 @@ void compare_row(const Raster<std::uint8_t>& luma, const Raster<std::uint8_t>& o
 /// Weighted sums over a window of a residual e and a gradient g: 1, e, g, e g, g g and e e.
 using ShiftSums = RowSums<6>;
 
-/// Adds the pixels at an offset, with their residuals reduced to the centre's plane.
+/// The measurements with margins, like the windows'.
+struct PaddedEvidence {
+  PaddedPlane residual, gradient;
+};
+
+/// The sums of the windows of row y, with the residuals reduced to the centre's plane.
 PALPABLE_VECTORIZE
-void add_to_sums(const SurfaceRow& centre, Offset offset, int count, const float* __restrict weight,
-                 const float* __restrict rise, const float* __restrict residual,
-                 const float* __restrict gradient, float* __restrict w, float* __restrict e1,
-                 float* __restrict g1, float* __restrict eg, float* __restrict gg, float* __restrict ee,
-                 float per_residual2) {
-  const auto dx = static_cast<float>(offset.x);
-  const auto dy = static_cast<float>(offset.y);
-  const float* __restrict sx = centre.slope_x;
-  const float* __restrict sy = centre.slope_y;
-  for (int x = 0; x < count; ++x) {
-    const float g = gradient[x];
-    const float e = residual[x] + g * (sx[x] * dx + sy[x] * dy - rise[x]);
-    const float v = weight[x] / (1.0F + e * e * per_residual2);
-    w[x] += v;
-    e1[x] += v * e;
-    g1[x] += v * g;
-    eg[x] += v * e * g;
-    gg[x] += v * g * g;
-    ee[x] += v * e * e;
+void sum_row(const SurfaceWindows& windows, const PaddedEvidence& evidence, float per_residual2, int y,
+             ShiftSums& out) {
+  for (int x = 0; x < windows.width; x += kSurfaceLanes) {
+    SurfaceCentres centres;
+    load_centres(windows, x, y, centres);
+    SurfaceLanes w = {}, e1 = {}, g1 = {}, eg = {}, gg = {}, ee = {};
+    over_window(
+        windows, x, y, [&](const WindowOffset& o, std::size_t at) __attribute__((always_inline)) {
+          SurfaceLanes v, rise, e, g;
+          weigh(windows, centres, o, at, v, rise);
+          load(evidence.residual, at, e);
+          load(evidence.gradient, at, g);
+          e += g * (centres.slope_x * o.dx + centres.slope_y * o.dy - rise);
+          v /= 1.0F + e * e * per_residual2;
+          w += v;
+          e1 += v * e;
+          g1 += v * g;
+          eg += v * e * g;
+          gg += v * g * g;
+          ee += v * e * e;
+        });
+    out.store(x, {w, e1, g1, eg, gg, ee});
   }
 }
 
@@ -109,20 +117,17 @@ void shift_row(const ShiftSums& sums, const PhotometricShiftOptions& options, in
 
 void measure(const ColourPlanes& colour, const Evidence& evidence, const PhotometricShiftOptions& options,
              PlaneMap& map, Raster<float>& trust, const Work& work) {
-  const PlaneMap before = map;
+  const SurfaceWindows windows(colour, map, evidence.weight, options.shift_window, work);
+  const int margin = options.shift_window.radius_px;
+  const PaddedEvidence padded{{evidence.residual, margin, work}, {evidence.gradient, margin, work}};
   const float per_residual2 = 1.0F / (options.half_weight_residual * options.half_weight_residual);
-  sum_over_surfaces<6>(
-      colour, before, evidence.weight, options.shift_window, work,
-      [&](Pixel first, Offset offset, int count, const float* weights, const float* rises, ShiftSums& sums) {
-        const auto sum = [&](std::size_t k) { return sums.of[k].data() + first.x; };
-        const auto there = [&](const Raster<float>& raster) {
-          return raster.row(first.y + offset.y).data() + first.x + offset.x;
-        };
-        add_to_sums(surface_row(colour, before, evidence.weight, first.x, first.y), offset, count, weights,
-                    rises, there(evidence.residual), there(evidence.gradient), sum(0), sum(1), sum(2), sum(3),
-                    sum(4), sum(5), per_residual2);
-      },
-      [&](const ShiftSums& sums, int y) { shift_row(sums, options, y, evidence.weight, map, trust); });
+  parallel_for(work, windows.height, 8, [&](int begin, int end) {
+    ShiftSums sums(windows.width);
+    for (int y = begin; y < end; ++y) {
+      sum_row(windows, padded, per_residual2, y, sums);
+      shift_row(sums, options, y, evidence.weight, map, trust);
+    }
+  });
 }
 
 }  // namespace

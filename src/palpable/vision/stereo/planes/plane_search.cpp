@@ -20,24 +20,26 @@ using Lanes = float __attribute__((vector_size(sizeof(float) * kCount)));
 using LaneMasks = int __attribute__((vector_size(sizeof(int) * kCount)));
 
 /// The cost at a real disparity (Catmull-Rom interpolation), in units; linear beyond the volume's ends.
-float cost_at(const std::uint16_t* cost, int count, float disparity, float beyond_range_per_px) {
+inline __attribute__((always_inline)) float cost_at(const std::uint16_t* cost, int count, float disparity,
+                                                    float beyond_range_per_px) {
   constexpr float kUnit = 1.0F / kCostUnit;
-  const auto value = [&](int d) { return static_cast<float>(cost[std::clamp(d, 0, count - 1)]) * kUnit; };
+  const auto value = [&](int d) { return static_cast<float>(cost[d]) * kUnit; };
   if (!(disparity >= 0.0F)) return value(0) - beyond_range_per_px * disparity;
   const auto last = static_cast<float>(count - 1);
   if (disparity > last) return value(count - 1) + beyond_range_per_px * (disparity - last);
   const int d = static_cast<int>(disparity);
   const float t = disparity - static_cast<float>(d);
-  const float a = value(d - 1);
+  const float a = value(std::max(d - 1, 0));
   const float b = value(d);
-  const float c = value(d + 1);
-  const float e = value(d + 2);
+  const float c = value(std::min(d + 1, count - 1));
+  const float e = value(std::min(d + 2, count - 1));
   return b + 0.5F * t * (c - a + t * (2.0F * a - 5.0F * b + 4.0F * c - e + t * (3.0F * (b - c) + e - a)));
 }
 
 /// The cost at a pixel that matches as a nearer surface beside it: what lies behind costs no more.
-float cost_beside_nearer(const std::uint16_t* cost, int count, float disparity, float nearer,
-                         float beyond_range_per_px) {
+inline __attribute__((always_inline)) float cost_beside_nearer(const std::uint16_t* cost, int count,
+                                                               float disparity, float nearer,
+                                                               float beyond_range_per_px) {
   const float own = cost_at(cost, count, disparity, beyond_range_per_px);
   if (!(disparity < nearer)) return own;
   return std::min(own, cost_at(cost, count, nearer, beyond_range_per_px) +
@@ -45,8 +47,9 @@ float cost_beside_nearer(const std::uint16_t* cost, int count, float disparity, 
 }
 
 /// A candidate's cost including visibility in the other view.
-float cost_with_other_view(const OtherView& other, const PlaneCostOptions& options, int x, int y,
-                           float disparity, float cost) {
+inline __attribute__((always_inline)) float cost_with_other_view(const OtherView& other,
+                                                                 const PlaneCostOptions& options, int x,
+                                                                 int y, float disparity, float cost) {
   if (other.disparity == nullptr)
     return static_cast<float>(x) - disparity < static_cast<float>(other.first) - 0.5F ? options.hidden_cost
                                                                                       : cost;
@@ -60,6 +63,25 @@ float cost_with_other_view(const OtherView& other, const PlaneCostOptions& optio
     cost += (options.hidden_cost - cost) * hidden + options.conflict_cost * conflict;
   }
   return cost + options.beyond_range_per_px * std::max(0.0F, other.least_px - disparity);
+}
+
+/// Sets the costs of row y's candidates; compiled for newer processors, whose rounding is one instruction.
+PALPABLE_VECTORIZE
+void plane_costs_of_row(const CostVolume& volume, const OtherView& other, const PlaneCostOptions& options,
+                        int y, const Raster<float>* nearer_px, PlaneCandidates& candidates) {
+  for (int x = 0; x < volume.width; ++x) {
+    const std::uint16_t* cost = volume.at(x, y);
+    const float nearer = nearer_px != nullptr ? (*nearer_px)(x, y) : NAN;
+    const std::size_t at = candidates.at(x, y);
+    for (std::size_t k = at; k < at + kCount; ++k) {
+      const float d = candidates.disparity[k];
+      const float matching =
+          cost_beside_nearer(cost, volume.disparities, d, nearer, options.beyond_range_per_px);
+      const float own = cost_with_other_view(other, options, x, y, d, matching);
+      candidates.cost[k] =
+          own + options.slope_cost * (std::fabs(candidates.slope_x[k]) + std::fabs(candidates.slope_y[k]));
+    }
+  }
 }
 
 /// The rows of candidates that a sweep reads.
@@ -331,20 +353,7 @@ float matching_cost_at(const CostVolume& volume, int x, int y, float disparity, 
 void plane_costs(const CostVolume& volume, const OtherView& other, const PlaneCostOptions& options,
                  PlaneCandidates& candidates, const Work& work, const Raster<float>* nearer_px) {
   parallel_for(work, volume.height, 4, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y)
-      for (int x = 0; x < volume.width; ++x) {
-        const std::uint16_t* cost = volume.at(x, y);
-        const float nearer = nearer_px != nullptr ? (*nearer_px)(x, y) : NAN;
-        const std::size_t at = candidates.at(x, y);
-        for (std::size_t k = at; k < at + kCount; ++k) {
-          const float d = candidates.disparity[k];
-          const float matching =
-              cost_beside_nearer(cost, volume.disparities, d, nearer, options.beyond_range_per_px);
-          const float own = cost_with_other_view(other, options, x, y, d, matching);
-          candidates.cost[k] = own + options.slope_cost * (std::fabs(candidates.slope_x[k]) +
-                                                           std::fabs(candidates.slope_y[k]));
-        }
-      }
+    for (int y = begin; y < end; ++y) plane_costs_of_row(volume, other, options, y, nearer_px, candidates);
   });
 }
 

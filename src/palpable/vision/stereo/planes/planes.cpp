@@ -15,27 +15,29 @@ namespace {
 /// The weighted sums of the normal equations.
 using PlaneSums = RowSums<9>;
 
+/// The sums of the windows of row y.
 PALPABLE_VECTORIZE
-void add_to_sums(const float* __restrict weight, const float* __restrict rise, Offset offset, int count,
-                 float* __restrict w, float* __restrict x1, float* __restrict y1, float* __restrict xx,
-                 float* __restrict xy, float* __restrict yy, float* __restrict z1, float* __restrict xz,
-                 float* __restrict yz) {
-  const auto dx = static_cast<float>(offset.x);
-  const auto dy = static_cast<float>(offset.y);
-  for (int x = 0; x < count; ++x) {
-    const float v = weight[x];
-    const float vx = v * dx;
-    const float vy = v * dy;
-    const float vz = v * rise[x];
-    w[x] += v;
-    x1[x] += vx;
-    y1[x] += vy;
-    xx[x] += vx * dx;
-    xy[x] += vx * dy;
-    yy[x] += vy * dy;
-    z1[x] += vz;
-    xz[x] += vz * dx;
-    yz[x] += vz * dy;
+void sum_row(const SurfaceWindows& windows, int y, PlaneSums& out) {
+  for (int x = 0; x < windows.width; x += kSurfaceLanes) {
+    SurfaceCentres centres;
+    load_centres(windows, x, y, centres);
+    SurfaceLanes w = {}, x1 = {}, y1 = {}, xx = {}, xy = {}, yy = {}, z1 = {}, xz = {}, yz = {};
+    over_window(
+        windows, x, y, [&](const WindowOffset& o, std::size_t at) __attribute__((always_inline)) {
+          SurfaceLanes v, rise;
+          weigh(windows, centres, o, at, v, rise);
+          const SurfaceLanes vx = v * o.dx, vy = v * o.dy, vz = v * rise;
+          w += v;
+          x1 += vx;
+          y1 += vy;
+          xx += vx * o.dx;
+          xy += vx * o.dy;
+          yy += vy * o.dy;
+          z1 += vz;
+          xz += vz * o.dx;
+          yz += vz * o.dy;
+        });
+    out.store(x, {w, x1, y1, xx, xy, yy, z1, xz, yz});
   }
 }
 
@@ -117,14 +119,14 @@ PlaneMap planes_in_other_view(const PlaneMap& map, const PlaneFitOptions& fit, c
 PlaneMap fit_planes(const ColourPlanes& colour, const PlaneMap& map, const Raster<float>& weight,
                     const FitWindow& window, const PlaneFitOptions& fit, const Work& work) {
   PlaneMap out(colour.width(), colour.height());
-  sum_over_surfaces<9>(
-      colour, map, weight, window, work,
-      [](Pixel first, Offset offset, int count, const float* weights, const float* rises, PlaneSums& sums) {
-        const auto sum = [&](std::size_t k) { return sums.of[k].data() + first.x; };
-        add_to_sums(weights, rises, offset, count, sum(0), sum(1), sum(2), sum(3), sum(4), sum(5), sum(6),
-                    sum(7), sum(8));
-      },
-      [&](const PlaneSums& sums, int y) { solve(sums, map, fit, y, out); });
+  const SurfaceWindows windows(colour, map, weight, window, work);
+  parallel_for(work, out.disparity.height(), 8, [&](int begin, int end) {
+    PlaneSums sums(windows.width);
+    for (int y = begin; y < end; ++y) {
+      sum_row(windows, y, sums);
+      solve(sums, map, fit, y, out);
+    }
+  });
   return out;
 }
 

@@ -26,8 +26,15 @@ struct Pair {
     map.disparity(1, 0) = disparity;
     Raster<float> weight(2, 1, own_weight);
     std::array<float, 2> out{};
-    surface_weights(surface_row(colour, map, weight, 0, 0), surface_row(colour, map, weight, 1, 0), {1, 0},
-                    window, 1, &out[0], &out[1]);
+    const SurfaceWindows windows(colour, map, weight, window, {});
+    SurfaceCentres centres;
+    SurfaceLanes weights, rises;
+    load_centres(windows, 0, 0, centres);
+    over_window(windows, 0, 0, [&](const WindowOffset& offset, std::size_t at) {
+      if (offset.dx != 1.0F || offset.dy != 0.0F) return;
+      vision::weigh(windows, centres, offset, at, weights, rises);
+      out = {weights[0], rises[0]};
+    });
     return out;
   }
 };
@@ -52,16 +59,21 @@ TEST(SurfaceWeights, IncludeThePixelsOwnWeight) {
   EXPECT_NEAR((Pair{.own_weight = 0.3F}.weigh({})[0]), 0.3F, 1e-6F);
 }
 
-TEST(OverWindow, VisitsEveryOffsetWithItsPixels) {
-  int pixels = 0;
-  over_window({.radius_px = 2, .step_px = 2}, 5, 5, 0, [&](Offset offset, int first, int count) {
-    EXPECT_GE(offset.y, 0);
-    EXPECT_GE(first + offset.x, 0);
-    EXPECT_LE(first + count + offset.x, 5);
-    pixels += count;
+TEST(OverWindow, VisitsEveryOffsetInThePictureAndTheMargin) {
+  const Raster<std::uint8_t> plane(5, 5, 90);
+  const PlaneMap map(5, 5);
+  const Raster<float> weight(5, 5, 1.0F);
+  const SurfaceWindows windows({plane, plane, plane}, map, weight, {.radius_px = 2, .step_px = 2}, {});
+  int offsets = 0;
+  float weights = 0.0F;
+  over_window(windows, 0, 0, [&](const WindowOffset& offset, std::size_t at) {
+    EXPECT_GE(offset.dy, 0.0F);
+    ++offsets;
+    weights += windows.weight.data()[at];
   });
-  // Rows 0 and 2 of the window; columns -2, 0 and 2 with 3, 5 and 3 pixels.
-  EXPECT_EQ(pixels, 2 * (3 + 5 + 3));
+  // Rows 0 and 2 of the window, columns -2, 0 and 2; the first is outside the picture.
+  EXPECT_EQ(offsets, 2 * 3);
+  EXPECT_EQ(weights, 2 * 2);
 }
 
 }  // namespace
