@@ -41,7 +41,8 @@ struct DrawnMapStyle {
   StreetPaint major, middle, minor, service, pedestrian;
   /// Drawn like major (motorways, trunk roads) and middle ones if not given.
   std::optional<StreetPaint> motorway, trunk, tertiary;
-  /// How much of the land's colour is mixed into streets in tunnels, 0 ... 1.
+  /// How much of the land's colour is mixed into white streets in tunnels, and of white into coloured ones, 0
+  /// ... 1.
   double tunnel_fade = 0.0;
   /// What maps show besides: areas of use, squares, car parks, trees, symbols and their labels, arrows of
   /// one-way streets, bridges, borders.
