@@ -145,28 +145,32 @@ std::vector<double> radii_by_arrows(const Raster<std::uint8_t>& mask, const Cent
                                     const ArrowOptions& options) {
   const cv::Mat distance = distance_of(mask);
   std::vector<std::vector<double>> of_line(lines.lines.size());
+  // Whether an arrow's distances from the middle and from the border together are the area's radius.
+  std::vector<bool> agrees(lines.lines.size(), false);
   std::vector<double> all;
   std::size_t in_middle = 0;
   for (const Arrow& arrow : arrows) {
     const auto [line, point, aside] = nearest_line(lines, arrow.at);
     if (line == lines.lines.size() || !is_along(arrow, lines.lines[line], point, options)) continue;
-    const double area = lines.lines[line].radius_px;
+    const double radius = distance.at<float>(static_cast<int>(std::lround(arrow.at.y)),
+                                             static_cast<int>(std::lround(arrow.at.x)));
+    const double area = aside + radius;
     if (aside > options.most_aside * area) continue;
     if (aside < std::max(options.least_aside_px, options.least_aside * area)) {
       ++in_middle;
       continue;
     }
-    const double radius = distance.at<float>(static_cast<int>(std::lround(arrow.at.y)),
-                                             static_cast<int>(std::lround(arrow.at.x)));
     of_line[line].push_back(radius);
+    agrees[line] = agrees[line] || std::abs(area - lines.lines[line].radius_px) <= options.same_radius * area;
     all.push_back(radius);
   }
   // Where most arrows are in the middle, the colour's streets are single carriageways.
   if (in_middle > all.size()) all.clear();
   const double common = widest_common(std::move(all), options).value_or(otherwise);
   std::vector<double> out;
-  for (std::vector<double>& radii : of_line) {
-    const bool is_enough = radii.size() >= static_cast<std::size_t>(options.fewest_of_street);
+  for (std::size_t i = 0; i < of_line.size(); ++i) {
+    std::vector<double>& radii = of_line[i];
+    const bool is_enough = agrees[i] || radii.size() >= static_cast<std::size_t>(options.fewest_of_street);
     if (is_enough) std::nth_element(radii.begin(), radii.begin() + middle_of(radii), radii.end());
     out.push_back(is_enough ? radii[static_cast<std::size_t>(middle_of(radii))] : common);
   }
