@@ -83,10 +83,10 @@ TEST(StreetColours, WaterAndParksAreComparedWithTheLand) {
 Raster<Rgb8> map_with_tunnel(Rgb8 casing) {
   constexpr Rgb8 kPale{248, 247, 244};
   Raster<Rgb8> picture = map_with_buildings();
-  for (int y = 300; y < 400; ++y)
-    for (int x = 250; x < 350; ++x) picture(x, y) = kPale;
+  for (int y = 310; y < 385; ++y)
+    for (int x = 250; x < 320; ++x) picture(x, y) = kPale;
   for (int y = 73; y <= 87; ++y)
-    for (int x = 0; x < 400; ++x) {
+    for (int x = 0; x < 180; ++x) {
       const bool is_side = y == 73 || y == 87;
       const Rgb8 side = x % 6 < 4 ? casing : kGround;
       picture(x, y) = is_side ? side : kPale;
