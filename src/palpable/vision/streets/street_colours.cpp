@@ -214,10 +214,8 @@ void accept_tunnels(const MapColours& colours, std::size_t land, std::vector<Lay
   }
 }
 
-/// Streets with two carriageways that the map draws as one area become two lines.
-void divide_carriageways(const MapColours& colours, std::size_t land, std::vector<LayerOfColour>& layers,
-                         const std::vector<std::vector<CentreLine>>& rims,
-                         const StreetColourOptions& options) {
+/// Radius of a single carriageway in each colour; 0 for a colour that is none of streets.
+std::vector<double> radii_of(const std::vector<LayerOfColour>& layers, const StreetColourOptions& options) {
   std::vector<std::size_t> numbers;
   std::vector<const CentreLines*> streets;
   for (std::size_t k = 0; k < layers.size(); ++k)
@@ -226,23 +224,30 @@ void divide_carriageways(const MapColours& colours, std::size_t land, std::vecto
       streets.push_back(&layers[k].lines);
     }
   const std::vector<double> radii = carriageway_radii(streets, options.carriageways);
-  // Tunnels are as wide as the streets of their colour.
-  const auto radius_of = [&](std::size_t k) {
-    const std::size_t open = open_colour_of(k, land, colours, layers, options);
-    return radii[static_cast<std::size_t>(std::find(numbers.begin(), numbers.end(), open) - numbers.begin())];
-  };
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    Raster<std::uint8_t> mask = mask_of(colours, numbers[i], options);
-    clear_around(mask, rims[numbers[i]]);
-    const auto arrows = find_arrows(colours.picture, mask, colours.colours[numbers[i]].value, options.arrows);
-    const CentreLines& lines = *streets[i];
+  std::vector<double> out(layers.size(), 0.0);
+  for (std::size_t i = 0; i < numbers.size(); ++i) out[numbers[i]] = radii[i];
+  return out;
+}
+
+/// Streets with two carriageways that the map draws as one area become two lines. `radii`: of a single
+/// carriageway, for each colour; `rims`: lines that are no streets.
+void divide_carriageways(const MapColours& colours, std::size_t land, std::vector<LayerOfColour>& layers,
+                         const std::vector<double>& radii, const std::vector<std::vector<CentreLine>>& rims,
+                         const StreetColourOptions& options) {
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    if (layers[k].layer != MapLayer::street) continue;
+    Raster<std::uint8_t> mask = mask_of(colours, k, options);
+    clear_around(mask, rims[k]);
+    const auto arrows = find_arrows(colours.picture, mask, colours.colours[k].value, options.arrows);
+    CentreLines& lines = layers[k].lines;
+    // Tunnels are as wide as the streets of their colour.
+    const double radius = radii[open_colour_of(k, land, colours, layers, options)];
     const ThinningGuide guide = carriageways_in(
-        mask, lines, radii_by_arrows(mask, lines, arrows, radius_of(numbers[i]), options.arrows),
-        options.carriageways);
+        mask, lines, radii_by_arrows(mask, lines, arrows, radius, options.arrows), options.carriageways);
     const auto& kept = guide.kept.values();
     if (std::none_of(kept.begin(), kept.end(), [](std::uint8_t v) { return v != 0; })) continue;
-    layers[numbers[i]].lines = centre_lines_of(mask, guide, options.lines);
-    remove_unseen(layers[numbers[i]].lines, colours, options);
+    lines = centre_lines_of(mask, guide, options.lines);
+    remove_unseen(lines, colours, options);
   }
 }
 
@@ -289,8 +294,9 @@ std::vector<LayerOfColour> layers_of(const MapColours& colours, const StreetColo
   accept_tunnels(colours, background, out, options);
   for (LayerOfColour& layer : out)
     if (layer.layer != MapLayer::street) layer.lines = {};
+  const std::vector<double> radii = radii_of(out, options);
   const auto rims = remove_uncased(colours, out, options);
-  divide_carriageways(colours, background, out, rims, options);
+  divide_carriageways(colours, background, out, radii, rims, options);
   return out;
 }
 
