@@ -114,7 +114,7 @@ DrawnMap drawn_map(const sources::MapExtract& extract, const DrawnWindow& window
 const StreetPaint& paint_of(const std::string& kind, const DrawnMapStyle& style);
 
 /// A town that is not real: streets of several kinds, among them dual carriageways, bent and dead-end ones,
-/// tracks, paths, a railway, a river, parks and buildings, around 0,0. For where there are no extracts.
+/// tracks, paths, tunnels, ponds, parks and buildings, around 0,0. For where there are no extracts.
 sources::MapExtract drawn_town(std::uint64_t seed);
 
 }  // namespace palpable::bench

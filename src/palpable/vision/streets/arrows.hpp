@@ -39,8 +39,9 @@ struct ArrowOptions {
   int direction_points = 5;
   /// Radii of carriageways that differ by less than this part are the same. 0 ... 1.
   double same_radius = 0.12;
-  /// So many such arrows decide for one street, and for all streets of a colour, of which they are at least
-  /// this part. 1 ... 100, 1 ... 1000 and 0 ... 1.
+  /// So many such arrows decide for one street (or one, whose distances from the area's middle and border are
+  /// together its radius), and so many for all streets of a colour, of which they are at least this part. 1
+  /// ... 100, 1 ... 1000 and 0 ... 1.
   int fewest_of_street = 2;
   int fewest_of_colour = 3;
   double common_part = 0.2;
