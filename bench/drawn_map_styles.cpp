@@ -129,6 +129,7 @@ DrawnMapStyle classes() {
   s.halo_px = 1.2;
   s.font = "DejaVu Sans Bold";
   s.font_px = 9.5;
+  s.tunnel_fade = 0.5;
   s.jpeg_quality = 80;
   return s;
 }

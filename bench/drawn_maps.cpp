@@ -75,6 +75,11 @@ void draw_paths(cairo_t* cr, const std::vector<ProjectedWay>& ways, const DrawnM
     }
 }
 
+Rgb8 fill_in_tunnel(Rgb8 fill, const DrawnMapStyle& style) {
+  constexpr Rgb8 kWhite{255, 255, 255};
+  return mixed(fill, fill == kWhite ? style.land : kWhite, style.tunnel_fade);
+}
+
 void draw_ways(cairo_t* cr, const std::vector<ProjectedWay>& ways, const DrawnMapStyle& style) {
   draw_paths(cr, ways, style);
   const auto is_street = [](const ProjectedWay& w) {
@@ -92,8 +97,7 @@ void draw_ways(cairo_t* cr, const std::vector<ProjectedWay>& ways, const DrawnMa
     for (const ProjectedWay& w : ways) {
       const StreetPaint& paint = paint_of(w.way->kind, style);
       if (is_street(w) && w.way->tunnel == tunnel)
-        stroke(cr, w.points, tunnel ? mixed(paint.fill, style.land, style.tunnel_fade) : paint.fill,
-               paint.width_px);
+        stroke(cr, w.points, tunnel ? fill_in_tunnel(paint.fill, style) : paint.fill, paint.width_px);
     }
   }
   const double scale = style.minor.width_px / kMinorWidth_px;

@@ -41,7 +41,8 @@ struct DrawnMapStyle {
   StreetPaint major, middle, minor, service, pedestrian;
   /// Drawn like major (motorways, trunk roads) and middle ones if not given.
   std::optional<StreetPaint> motorway, trunk, tertiary;
-  /// How much of the land's colour is mixed into streets in tunnels, 0 ... 1.
+  /// How much of the land's colour is mixed into white streets in tunnels, and of white into coloured ones, 0
+  /// ... 1.
   double tunnel_fade = 0.0;
   /// What maps show besides: areas of use, squares, car parks, trees, symbols and their labels, arrows of
   /// one-way streets, bridges, borders.
@@ -113,7 +114,7 @@ DrawnMap drawn_map(const sources::MapExtract& extract, const DrawnWindow& window
 const StreetPaint& paint_of(const std::string& kind, const DrawnMapStyle& style);
 
 /// A town that is not real: streets of several kinds, among them dual carriageways, bent and dead-end ones,
-/// tracks, paths, a railway, a river, parks and buildings, around 0,0. For where there are no extracts.
+/// tracks, paths, tunnels, ponds, parks and buildings, around 0,0. For where there are no extracts.
 sources::MapExtract drawn_town(std::uint64_t seed);
 
 }  // namespace palpable::bench

@@ -1,5 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -15,7 +16,7 @@ constexpr double kMetresPerDegree = 111195.0;
 
 class Town {
  public:
-  explicit Town(std::uint64_t seed) : random_(seed) {}
+  explicit Town(std::uint64_t seed) : random_(seed), random_tunnels_(seed + 500) {}
 
   sources::MapExtract take() {
     place_nodes();
@@ -23,6 +24,7 @@ class Town {
     for (int column = 0; column < kSide; ++column) add_street(column, false);
     add_blocks();
     add_lanes();
+    add_tunnels();
     return std::move(town_);
   }
 
@@ -72,8 +74,9 @@ class Town {
   }
 
   void add_way(std::string kind, std::string name, std::vector<std::int64_t> nodes,
-               std::vector<sources::GeoPoint> points) {
+               std::vector<sources::GeoPoint> points, bool tunnel = false) {
     sources::ExtractWay way;
+    way.tunnel = tunnel;
     way.kind = std::move(kind);
     way.name = std::move(name);
     way.nodes = std::move(nodes);
@@ -82,7 +85,7 @@ class Town {
   }
 
   /// A row or column of the grid, in which pieces are missing; some are main streets, of which some have two
-  /// carriageways.
+  /// carriageways of opposite directions, and of these some blocks are in tunnels.
   void add_street(int number, bool is_row) {
     const bool main = number % 5 == 2;
     const bool is_dual = main && chance(0.5);
@@ -93,13 +96,16 @@ class Town {
     std::string name = new_name();
     std::vector<std::int64_t> nodes;
     std::vector<sources::GeoPoint> points, beside;
+    const double apart_m = std::uniform_real_distribution<>(9.0, 16.0)(random_tunnels_);
+    bool tunnel = false;
     const auto flush = [&] {
       if (points.size() >= 2) {
-        add_way(kind, name, nodes, points);
+        add_way(kind, name, nodes, points, tunnel);
         if (is_dual) {
           std::vector<std::int64_t> numbers;
           for (std::size_t k = 0; k < beside.size(); ++k) numbers.push_back(next_++);
-          add_way(kind, name, std::move(numbers), beside);
+          std::reverse(beside.begin(), beside.end());
+          add_way(kind, name, std::move(numbers), beside, tunnel);
         }
       }
       nodes.clear();
@@ -111,7 +117,17 @@ class Town {
       const int j = is_row ? number : k;
       nodes.push_back(j * kSide + i);
       points.push_back(geo(x_[j][i], y_[j][i]));
-      beside.push_back(is_row ? geo(x_[j][i], y_[j][i] + 13.0) : geo(x_[j][i] + 13.0, y_[j][i]));
+      beside.push_back(is_row ? geo(x_[j][i], y_[j][i] + apart_m) : geo(x_[j][i] + apart_m, y_[j][i]));
+      if (main && tunnel != std::bernoulli_distribution(tunnel ? 0.5 : 0.1)(random_tunnels_)) {
+        const auto node = nodes.back();
+        const auto here = points.back();
+        const auto there = beside.back();
+        flush();
+        nodes = {node};
+        points = {here};
+        beside = {there};
+        tunnel = !tunnel;
+      }
       if (!main && chance(0.22)) flush();
       if (!main && chance(0.12)) name = new_name();
       if (k + 1 == kSide || points.empty() || !chance(0.5)) continue;
@@ -122,7 +138,7 @@ class Town {
       const double my = 0.5 * (y_[j][i] + y_[j2][i2]) + uniform(-12.0, 12.0);
       nodes.push_back(next_++);
       points.push_back(geo(mx, my));
-      beside.push_back(is_row ? geo(mx, my + 13.0) : geo(mx + 13.0, my));
+      beside.push_back(is_row ? geo(mx, my + apart_m) : geo(mx + apart_m, my));
     }
     flush();
   }
@@ -172,7 +188,49 @@ class Town {
       }
   }
 
+  /// Tunnels below blocks and streets, from one crossing to another, some with a second tube beside them.
+  void add_tunnels() {
+    constexpr std::array<std::string_view, 4> kKinds{"primary", "primary", "secondary", "residential"};
+    constexpr int kTunnels = 9;
+    const auto any = [this](int low, int high) {
+      return std::uniform_int_distribution<>(low, high)(random_tunnels_);
+    };
+    const auto sway_m = [this] { return std::uniform_real_distribution<>(-25.0, 25.0)(random_tunnels_); };
+    for (int n = 0; n < kTunnels; ++n) {
+      const int i = any(2, kSide - 7);
+      const int j = any(4, kSide - 5);
+      const int i2 = i + any(2, 4);
+      const int j2 = j + any(-3, 3);
+      const double dx = x_[j2][i2] - x_[j][i];
+      const double dy = y_[j2][i2] - y_[j][i];
+      const double length = std::hypot(dx, dy);
+      const double sway = sway_m();
+      const std::string kind(kKinds[static_cast<std::size_t>(any(0, 3))]);
+      const std::string name = any(0, 1) == 0 ? "" : "Tunnel Rocher";
+      const int tubes = any(0, 2) == 0 ? 2 : 1;
+      for (int tube = 0; tube < tubes; ++tube) {
+        const double aside = sway + tube * 14.0;
+        std::vector<sources::GeoPoint> points{geo(x_[j][i], y_[j][i])};
+        std::vector<std::int64_t> nodes{j * kSide + i};
+        for (const double t : {0.3, 0.7}) {
+          points.push_back(
+              geo(x_[j][i] + t * dx - aside * dy / length, y_[j][i] + t * dy + aside * dx / length));
+          nodes.push_back(next_++);
+        }
+        points.push_back(geo(x_[j2][i2], y_[j2][i2]));
+        nodes.push_back(j2 * kSide + i2);
+        if (tube == 1) {
+          std::reverse(points.begin(), points.end());
+          std::reverse(nodes.begin(), nodes.end());
+        }
+        add_way(kind, name, std::move(nodes), std::move(points), true);
+      }
+    }
+  }
+
   std::mt19937_64 random_;
+  /// For tunnels and carriageways.
+  std::mt19937_64 random_tunnels_;
   std::array<std::array<double, kSide>, kSide> x_{}, y_{};
   std::int64_t next_ = kSide * kSide;
   sources::MapExtract town_;

@@ -87,6 +87,22 @@ void draw_border(cairo_t* cr, int side, Random& random) {
   stroke(cr, line, {140, 105, 165}, 1.2, {12.0, 3.0, 2.0, 3.0});
 }
 
+/// The rim inside of a protected area's border: wide and pale, darker on one side.
+void draw_rim(cairo_t* cr, const std::vector<MapPoint>& ring, Rgb8 colour) {
+  cairo_save(cr);
+  add_path(cr, ring);
+  cairo_close_path(cr);
+  cairo_clip_preserve(cr);
+  set_colour(cr, colour);
+  cairo_set_line_width(cr, 12.0);
+  cairo_set_dash(cr, nullptr, 0, 0.0);
+  cairo_stroke_preserve(cr);
+  set_colour(cr, mixed(colour, {150, 130, 250}, 0.3));
+  cairo_set_line_width(cr, 4.0);
+  cairo_stroke(cr);
+  cairo_restore(cr);
+}
+
 double length_of(const std::vector<MapPoint>& p) {
   double sum = 0.0;
   for (std::size_t i = 1; i < p.size(); ++i) sum += std::hypot(p[i].x - p[i - 1].x, p[i].y - p[i - 1].y);
@@ -210,6 +226,7 @@ void draw_areas_of_use(cairo_t* cr, const DrawnMapStyle& style, int side, Random
   set_colour(cr, mixed(style.pedestrian.fill, {150, 140, 190}, 0.3));
   cairo_set_line_width(cr, 4.0);
   cairo_stroke(cr);
+  for (int i = 0; i < 2; ++i) draw_rim(cr, any_quad(random, side, 150.0, 400.0), style.pedestrian.fill);
 }
 
 std::vector<TakenPlace> draw_symbols(cairo_t* cr, const std::vector<ProjectedWay>& ways,

@@ -142,4 +142,29 @@ ThinningGuide carriageways_in(const Raster<std::uint8_t>& mask, double radius_px
   return guide;
 }
 
+ThinningGuide carriageways_in(const Raster<std::uint8_t>& mask, const CentreLines& lines,
+                              std::span<const double> radii_px, const CarriagewayOptions& options) {
+  ThinningGuide out{Raster<std::uint8_t>(mask.width(), mask.height()),
+                    Raster<std::uint8_t>(mask.width(), mask.height())};
+  cv::Mat kept(mask.height(), mask.width(), CV_8U, out.kept.data());
+  cv::Mat outside(mask.height(), mask.width(), CV_8U, out.outside.data());
+  std::vector<double> radii(radii_px.begin(), radii_px.end());
+  std::sort(radii.begin(), radii.end());
+  radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
+  for (const double radius : radii) {
+    cv::Mat zone = cv::Mat::zeros(mask.height(), mask.width(), CV_8U);
+    for (std::size_t i = 0; i < lines.lines.size(); ++i)
+      if (radii_px[i] == radius)
+        for (const MapPoint p : lines.lines[i].points)
+          cv::circle(zone, {static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y))},
+                     static_cast<int>(std::ceil(lines.lines[i].radius_px)), cv::Scalar(1), cv::FILLED);
+    const ThinningGuide guide = carriageways_in(mask, radius, options);
+    cv::Mat(mask.height(), mask.width(), CV_8U, const_cast<std::uint8_t*>(guide.kept.data()))
+        .copyTo(kept, zone);
+    cv::Mat(mask.height(), mask.width(), CV_8U, const_cast<std::uint8_t*>(guide.outside.data()))
+        .copyTo(outside, zone);
+  }
+  return out;
+}
+
 }  // namespace palpable::vision

@@ -43,8 +43,13 @@ std::vector<Parameter> parameters_of(CarriagewayOptions& options);
 std::vector<double> carriageway_radii(std::span<const CentreLines* const> colours,
                                       const CarriagewayOptions& options = {});
 
-/// Where a mask of streets is wider than one carriageway of this radius, two run beside each other. Their
-/// centre lines are the places at that distance from the mask's border. Any thread.
+/// Where a mask of streets is wider than one carriageway, two run beside each other. Their centre lines are
+/// the places at a carriageway's radius from the mask's border. `radii_px`: that of each of the mask's lines.
+/// Any thread.
+ThinningGuide carriageways_in(const Raster<std::uint8_t>& mask, const CentreLines& lines,
+                              std::span<const double> radii_px, const CarriagewayOptions& options = {});
+
+/// The same with one radius everywhere. Any thread.
 ThinningGuide carriageways_in(const Raster<std::uint8_t>& mask, double radius_px,
                               const CarriagewayOptions& options = {});
 

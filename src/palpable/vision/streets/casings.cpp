@@ -8,6 +8,10 @@
 namespace palpable::vision {
 namespace {
 
+bool is_inside(const Raster<Rgb8>& picture, double x, double y) {
+  return picture.contains(static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y)));
+}
+
 /// The grey level of the nearest pixel; that of the border outside the picture.
 double luma_at(const Raster<Rgb8>& picture, double x, double y) {
   const int column = std::clamp(static_cast<int>(std::lround(x)), 0, picture.width() - 1);
@@ -18,10 +22,10 @@ double luma_at(const Raster<Rgb8>& picture, double x, double y) {
 
 }  // namespace
 
-double cased_part(const Raster<Rgb8>& picture, const CentreLine& line, const CasingOptions& options) {
+CasedParts cased_parts(const Raster<Rgb8>& picture, const CentreLine& line, const CasingOptions& options) {
   const auto& p = line.points;
   int all = 0;
-  int cased = 0;
+  CasedParts cased;
   const auto step = static_cast<std::size_t>(options.step_points);
   const auto reach = static_cast<std::size_t>(options.direction_points);
   for (std::size_t i = 0; i < p.size(); i += step) {
@@ -37,16 +41,23 @@ double cased_part(const Raster<Rgb8>& picture, const CentreLine& line, const Cas
       for (double v = line.radius_px - options.casing_inside_px;
            v <= line.radius_px + options.casing_outside_px; v += 0.5)
         border = std::min(border, at(side * v));
+      // What is outside of the picture may have a casing.
+      const double beyond = side * (line.radius_px + options.beside_px);
+      const bool is_known = is_inside(picture, p[i].x + beyond * across.x, p[i].y + beyond * across.y);
       // Lettering beside the street is dark as well.
       const double outside = std::max(at(side * (line.radius_px + options.beside_px)),
                                       at(side * (line.radius_px + options.far_beside_px)));
-      is_cased = is_cased || border + options.least_contrast <= std::min(inside, outside) ||
-                 outside + options.dark_land <= inside;
+      const bool is_bare =
+          border + options.least_contrast > std::min(inside, outside) && outside + options.dark_land > inside;
+      if (is_known && is_bare) continue;
+      (side < 0.0 ? cased.left : cased.right) += 1.0;
+      is_cased = is_cased || !is_bare;
     }
     ++all;
-    cased += is_cased ? 1 : 0;
+    cased.any += is_cased ? 1.0 : 0.0;
   }
-  return static_cast<double>(cased) / std::max(1, all);
+  for (double* part : {&cased.left, &cased.right, &cased.any}) *part /= std::max(1, all);
+  return cased;
 }
 
 }  // namespace palpable::vision

@@ -34,12 +34,22 @@ struct CasingOptions {
   double least_cased_part = 0.7;
   /// On such a map, a line that has a casing on less than this part of its length is no street. 0 ... 1.
   double least_line_part = 0.15;
+  /// And so is one that has a casing on less than this part of one of its sides: the rim of an area. 0 ... 1.
+  double least_side_part = 0.15;
 };
 std::vector<Parameter> parameters_of(CasingOptions& options);
 
-/// Part of a line's length, 0 ... 1, on which a thin darker line, or land that is much darker, bounds the
-/// street on at least one side. Any
-/// thread.
-double cased_part(const Raster<Rgb8>& picture, const CentreLine& line, const CasingOptions& options = {});
+/// Parts of a line's length, 0 ... 1, on which a thin darker line, or land that is much darker, bounds the
+/// street: on its left side, on its right one (what is outside of the picture counts for these), and on at
+/// least one of them.
+struct CasedParts {
+  double left = 0.0;
+  double right = 0.0;
+  double any = 0.0;
+};
+
+/// Any thread.
+CasedParts cased_parts(const Raster<Rgb8>& picture, const CentreLine& line,
+                       const CasingOptions& options = {});
 
 }  // namespace palpable::vision

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/streets/casings.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -21,11 +22,13 @@ Raster<Rgb8> street(std::uint8_t casing, int until) {
   return out;
 }
 
-double part_of(const Raster<Rgb8>& picture) {
+CasedParts parts_of(const Raster<Rgb8>& picture) {
   CentreLine line{{}, 0, 1, 6.5, 0.1};
   for (int x = 0; x < 200; ++x) line.points.push_back({static_cast<double>(x), 50.0});
-  return cased_part(picture, line);
+  return cased_parts(picture, line);
 }
+
+double part_of(const Raster<Rgb8>& picture) { return parts_of(picture).any; }
 
 TEST(Casings, ArePartOfALine) {
   EXPECT_EQ(part_of(street(187, 200)), 1.0);
@@ -39,6 +42,15 @@ TEST(Casings, ArePartOfALine) {
     for (int x = 0; x < 200; ++x)
       if (wood(x, y) == Rgb8{240, 238, 232}) wood(x, y) = {150, 170, 140};
   EXPECT_EQ(part_of(wood), 1.0);
+}
+
+TEST(Casings, OnOneSideOnlyShowTheRimOfAnArea) {
+  Raster<Rgb8> rim = street(187, 200);
+  for (int x = 0; x < 200; ++x) rim(x, 57) = {240, 238, 232};
+  const CasedParts parts = parts_of(rim);
+  EXPECT_EQ(parts.any, 1.0);
+  EXPECT_EQ(std::min(parts.left, parts.right), 0.0);
+  EXPECT_EQ(std::max(parts.left, parts.right), 1.0);
 }
 
 }  // namespace

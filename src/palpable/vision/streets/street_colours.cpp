@@ -3,6 +3,7 @@
 #include "palpable/vision/streets/street_colours.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -119,9 +120,102 @@ void remove_unseen(CentreLines& lines, const MapColours& colours, const StreetCo
   join_lines(lines);
 }
 
-/// Streets with two carriageways that the map draws as one area become two lines.
-void divide_carriageways(const MapColours& colours, std::vector<LayerOfColour>& layers,
-                         const StreetColourOptions& options) {
+/// On a map whose streets have casings, lines without them are rims of areas. Returns these, for each colour.
+std::vector<std::vector<CentreLine>> remove_uncased(const MapColours& colours,
+                                                    std::vector<LayerOfColour>& layers,
+                                                    const StreetColourOptions& options) {
+  std::vector<std::vector<CentreLine>> removed(layers.size());
+  double all = 0.0;
+  double cased = 0.0;
+  std::vector<std::vector<CasedParts>> parts(layers.size());
+  for (std::size_t k = 0; k < layers.size(); ++k)
+    for (const CentreLine& line : layers[k].lines.lines) {
+      parts[k].push_back(cased_parts(colours.picture, line, options.casings));
+      const double length = length_px(line.points);
+      all += length;
+      cased += length * parts[k].back().any;
+    }
+  if (cased < options.casings.least_cased_part * all) return removed;
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    std::size_t i = 0;
+    std::erase_if(layers[k].lines.lines, [&](const CentreLine& line) {
+      const CasedParts& p = parts[k][i++];
+      const bool is_rim = p.any < options.casings.least_line_part ||
+                          std::min(p.left, p.right) < options.casings.least_side_part;
+      if (is_rim) removed[k].push_back(line);
+      return is_rim;
+    });
+    join_lines(layers[k].lines);
+  }
+  return removed;
+}
+
+/// Clears the area around lines that are no streets.
+void clear_around(Raster<std::uint8_t>& mask, const std::vector<CentreLine>& lines) {
+  cv::Mat view(mask.height(), mask.width(), CV_8U, mask.data());
+  for (const CentreLine& line : lines)
+    for (const MapPoint p : line.points)
+      cv::circle(view, {static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y))},
+                 static_cast<int>(std::ceil(line.radius_px)), cv::Scalar(0), cv::FILLED);
+}
+
+/// Whether a colour is the pale one in which tunnels of a street's colour are drawn.
+bool is_paler(Rgb8 colour, Rgb8 street, Rgb8 land, const StreetColourOptions& options) {
+  constexpr int kNearlyWhite = 250;
+  constexpr Rgb8 kWhite{255, 255, 255};
+  const bool is_white = std::min({street.r, street.g, street.b}) >= kNearlyWhite;
+  const Rgb8 other = is_white ? land : kWhite;
+  const std::array<double, 3> way{static_cast<double>(other.r - street.r),
+                                  static_cast<double>(other.g - street.g),
+                                  static_cast<double>(other.b - street.b)};
+  const std::array<double, 3> gone{static_cast<double>(colour.r - street.r),
+                                   static_cast<double>(colour.g - street.g),
+                                   static_cast<double>(colour.b - street.b)};
+  const double square = way[0] * way[0] + way[1] * way[1] + way[2] * way[2];
+  if (square == 0.0) return false;
+  const double part = (way[0] * gone[0] + way[1] * gone[1] + way[2] * gone[2]) / square;
+  if (part < options.least_paler || part > options.most_paler) return false;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (std::abs(gone[i] - part * way[i]) > options.paler_tolerance) return false;
+  return true;
+}
+
+/// The colour of streets of which colour `k` is that of tunnels: that of most pixels; `k` if there is none.
+std::size_t open_colour_of(std::size_t k, std::size_t land, const MapColours& colours,
+                           const std::vector<LayerOfColour>& layers, const StreetColourOptions& options) {
+  std::size_t best = k;
+  for (std::size_t i = 0; i < layers.size(); ++i)
+    if (layers[i].layer == MapLayer::street && colours.colours[i].pixels > colours.colours[best].pixels &&
+        is_paler(colours.colours[k].value, colours.colours[i].value, colours.colours[land].value, options))
+      best = i;
+  return best;
+}
+
+/// Colours that were refused since few of their areas are streets, but that are paler ones of streets: their
+/// lines with casings on both sides are tunnels.
+void accept_tunnels(const MapColours& colours, std::size_t land, std::vector<LayerOfColour>& layers,
+                    const StreetColourOptions& options) {
+  std::vector<std::size_t> tunnels;
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    const bool is_refused = layers[k].layer == MapLayer::land || layers[k].layer == MapLayer::building;
+    if (k != land && is_refused && layers[k].ribbon_part >= options.tunnel_ribbon_part &&
+        open_colour_of(k, land, colours, layers, options) != k)
+      tunnels.push_back(k);
+  }
+  for (const std::size_t k : tunnels) {
+    CentreLines& lines = layers[k].lines;
+    std::erase_if(lines.lines, [&](const CentreLine& line) {
+      if (length_px(line.points) < options.tunnel_widths * 2.0 * line.radius_px) return true;
+      const CasedParts parts = cased_parts(colours.picture, line, options.casings);
+      return std::min(parts.left, parts.right) < options.tunnel_side_part;
+    });
+    join_lines(lines);
+    if (!lines.lines.empty()) layers[k].layer = MapLayer::street;
+  }
+}
+
+/// Radius of a single carriageway in each colour; 0 for a colour that is none of streets.
+std::vector<double> radii_of(const std::vector<LayerOfColour>& layers, const StreetColourOptions& options) {
   std::vector<std::size_t> numbers;
   std::vector<const CentreLines*> streets;
   for (std::size_t k = 0; k < layers.size(); ++k)
@@ -130,33 +224,30 @@ void divide_carriageways(const MapColours& colours, std::vector<LayerOfColour>& 
       streets.push_back(&layers[k].lines);
     }
   const std::vector<double> radii = carriageway_radii(streets, options.carriageways);
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const Raster<std::uint8_t> mask = mask_of(colours, numbers[i], options);
-    const ThinningGuide guide = carriageways_in(mask, radii[i], options.carriageways);
-    const auto& kept = guide.kept.values();
-    if (std::none_of(kept.begin(), kept.end(), [](std::uint8_t v) { return v != 0; })) continue;
-    layers[numbers[i]].lines = centre_lines_of(mask, guide, options.lines);
-    remove_unseen(layers[numbers[i]].lines, colours, options);
-  }
+  std::vector<double> out(layers.size(), 0.0);
+  for (std::size_t i = 0; i < numbers.size(); ++i) out[numbers[i]] = radii[i];
+  return out;
 }
 
-/// On a map whose streets have casings, lines without them are rims of areas.
-void remove_uncased(const MapColours& colours, std::vector<LayerOfColour>& layers,
-                    const StreetColourOptions& options) {
-  double all = 0.0;
-  double cased = 0.0;
-  for (const LayerOfColour& layer : layers)
-    for (const CentreLine& line : layer.lines.lines) {
-      const double length = length_px(line.points);
-      all += length;
-      cased += length * cased_part(colours.picture, line, options.casings);
-    }
-  if (cased < options.casings.least_cased_part * all) return;
-  for (LayerOfColour& layer : layers) {
-    std::erase_if(layer.lines.lines, [&](const CentreLine& line) {
-      return cased_part(colours.picture, line, options.casings) < options.casings.least_line_part;
-    });
-    join_lines(layer.lines);
+/// Streets with two carriageways that the map draws as one area become two lines. `radii`: of a single
+/// carriageway, for each colour; `rims`: lines that are no streets.
+void divide_carriageways(const MapColours& colours, std::size_t land, std::vector<LayerOfColour>& layers,
+                         const std::vector<double>& radii, const std::vector<std::vector<CentreLine>>& rims,
+                         const StreetColourOptions& options) {
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    if (layers[k].layer != MapLayer::street) continue;
+    Raster<std::uint8_t> mask = mask_of(colours, k, options);
+    clear_around(mask, rims[k]);
+    const auto arrows = find_arrows(colours.picture, mask, colours.colours[k].value, options.arrows);
+    CentreLines& lines = layers[k].lines;
+    // Tunnels are as wide as the streets of their colour.
+    const double radius = radii[open_colour_of(k, land, colours, layers, options)];
+    const ThinningGuide guide = carriageways_in(
+        mask, lines, radii_by_arrows(mask, lines, arrows, radius, options.arrows), options.carriageways);
+    const auto& kept = guide.kept.values();
+    if (std::none_of(kept.begin(), kept.end(), [](std::uint8_t v) { return v != 0; })) continue;
+    lines = centre_lines_of(mask, guide, options.lines);
+    remove_unseen(lines, colours, options);
   }
 }
 
@@ -195,14 +286,17 @@ std::vector<LayerOfColour> layers_of(const MapColours& colours, const StreetColo
       layer.layer = MapLayer::street;
       continue;
     }
-    layer.lines = {};
     // Buildings are many small pieces, none of which is a large part of the map.
     if (k != background && pieces.count >= options.fewest_buildings &&
         pieces.largest < options.most_building_part * static_cast<double>(of_pixel.count()))
       layer.layer = MapLayer::building;
   }
-  divide_carriageways(colours, out, options);
-  remove_uncased(colours, out, options);
+  accept_tunnels(colours, background, out, options);
+  for (LayerOfColour& layer : out)
+    if (layer.layer != MapLayer::street) layer.lines = {};
+  const std::vector<double> radii = radii_of(out, options);
+  const auto rims = remove_uncased(colours, out, options);
+  divide_carriageways(colours, background, out, radii, rims, options);
   return out;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/vision/streets/arrows.hpp"
 #include "palpable/vision/streets/carriageways.hpp"
 #include "palpable/vision/streets/casings.hpp"
 #include "palpable/vision/streets/centre_lines.hpp"
@@ -19,6 +20,17 @@ struct StreetColourOptions {
   /// A colour is one of streets if at least this part of its area lies in ribbons: long strips of nearly
   /// constant width. 0 ... 1.
   double least_ribbon_part = 0.45;
+  /// Tunnels are drawn in a paler colour of their streets: between these parts of the way from it to white,
+  /// or from white to the land's colour, 0 ... 1 each, with at most this difference, levels, 0 ... 128.
+  double least_paler = 0.3;
+  double most_paler = 0.8;
+  double paler_tolerance = 5.0;
+  /// Such a colour needs only this part of its area in ribbons, 0 ... 1, and its tunnels are the lines that
+  /// have casings, dashed ones as well, on this part of both sides, 0 ... 1, and are longer than this many
+  /// widths, 0 ... 100.
+  double tunnel_ribbon_part = 0.15;
+  double tunnel_side_part = 0.3;
+  double tunnel_widths = 1.5;
   /// A ribbon is longer than this many times its width. 0 ... 100.
   double least_length_widths = 4.0;
   /// The same of one between two junctions. 0 ... 100.
@@ -52,6 +64,7 @@ struct StreetColourOptions {
   double most_building_part = 0.05;
   CentreLineOptions lines;
   CarriagewayOptions carriageways;
+  ArrowOptions arrows;
   CasingOptions casings;
 };
 std::vector<Parameter> parameters_of(StreetColourOptions& options);

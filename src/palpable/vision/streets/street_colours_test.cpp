@@ -79,5 +79,25 @@ TEST(StreetColours, WaterAndParksAreComparedWithTheLand) {
   EXPECT_EQ(layer_at(picture, 100, 190), MapLayer::street);
 }
 
+/// A band in a colour between the streets' and the land's, which a square has, too; with dashed casings.
+Raster<Rgb8> map_with_tunnel(Rgb8 casing) {
+  constexpr Rgb8 kPale{248, 247, 244};
+  Raster<Rgb8> picture = map_with_buildings();
+  for (int y = 310; y < 385; ++y)
+    for (int x = 250; x < 320; ++x) picture(x, y) = kPale;
+  for (int y = 73; y <= 87; ++y)
+    for (int x = 0; x < 180; ++x) {
+      const bool is_side = y == 73 || y == 87;
+      const Rgb8 side = x % 6 < 4 ? casing : kGround;
+      picture(x, y) = is_side ? side : kPale;
+    }
+  return picture;
+}
+
+TEST(StreetColours, PalerOnesWithDashedCasingsAreTunnels) {
+  EXPECT_EQ(layer_at(map_with_tunnel({190, 190, 190}), 100, 80), MapLayer::street);
+  EXPECT_NE(layer_at(map_with_tunnel(kGround), 100, 80), MapLayer::street);
+}
+
 }  // namespace
 }  // namespace palpable::vision

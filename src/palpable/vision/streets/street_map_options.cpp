@@ -64,6 +64,25 @@ std::vector<Parameter> parameters_of(CarriagewayOptions& o) {
           {"least_length_widths", &o.least_length_widths, {0, 20}, "widths", "shortest two carriageways"}};
 }
 
+std::vector<Parameter> parameters_of(ArrowOptions& o) {
+  return {{"least_contrast", &o.least_contrast, {1, 255}, "levels", "how much darker an arrow is"},
+          {"inside_px", &o.inside_px, {0, 20}, "px", "how far inside of the street it is"},
+          {"shortest_px", &o.shortest_px, {1, 100}, "px", "its least length"},
+          {"longest_px", &o.longest_px, {1, 100}, "px", "its greatest length"},
+          {"least_area_px", &o.least_area_px, {1, 100}, "px", "its least area"},
+          {"least_elongation", &o.least_elongation, {1, 10}, "", "how much longer than wide it is"},
+          {"apart_lengths", &o.apart_lengths, {0, 10}, "lengths", "distance from other marks"},
+          {"least_aside_px", &o.least_aside_px, {0, 50}, "px", "how far it is beside the street's middle"},
+          {"least_aside", &o.least_aside, {0, 1}, "radii", "and this"},
+          {"most_aside", &o.most_aside, {0, 1}, "radii", "and at most this"},
+          {"angle_deg", &o.angle_deg, {0, 90}, "degrees", "its direction to the street's"},
+          {"direction_points", &o.direction_points, {1, 50}, "points", "on both sides for that"},
+          {"same_radius", &o.same_radius, {0, 1}, "", "radii of carriageways that are the same"},
+          {"fewest_of_street", &o.fewest_of_street, {1, 100}, "", "arrows that decide for a street"},
+          {"fewest_of_colour", &o.fewest_of_colour, {1, 1000}, "", "and for a colour's streets"},
+          {"common_part", &o.common_part, {0, 1}, "", "and this part of all"}};
+}
+
 std::vector<Parameter> parameters_of(CasingOptions& o) {
   return {
       {"least_contrast", &o.least_contrast, {0, 255}, "levels", "how much darker a casing is"},
@@ -76,12 +95,19 @@ std::vector<Parameter> parameters_of(CasingOptions& o) {
       {"step_points", &o.step_points, {1, 20}, "points", "steps along a line"},
       {"direction_points", &o.direction_points, {1, 20}, "points", "on both sides for a direction"},
       {"least_cased_part", &o.least_cased_part, {0, 1}, "", "part of all streets with casings"},
-      {"least_line_part", &o.least_line_part, {0, 1}, "", "part of each street with casings"}};
+      {"least_line_part", &o.least_line_part, {0, 1}, "", "part of each street with casings"},
+      {"least_side_part", &o.least_side_part, {0, 1}, "", "and of each side of it"}};
 }
 
 std::vector<Parameter> parameters_of(StreetColourOptions& o) {
   std::vector<Parameter> all{
       {"least_ribbon_part", &o.least_ribbon_part, {0, 1}, "", "part of a colour's area in ribbons"},
+      {"tunnel_ribbon_part", &o.tunnel_ribbon_part, {0, 1}, "", "the same of a paler colour, of tunnels"},
+      {"least_paler", &o.least_paler, {0, 1}, "", "how much paler tunnels are"},
+      {"most_paler", &o.most_paler, {0, 1}, "", "and at most"},
+      {"paler_tolerance", &o.paler_tolerance, {0, 128}, "levels", "difference from such a colour"},
+      {"tunnel_side_part", &o.tunnel_side_part, {0, 1}, "", "part of each side of a tunnel with casings"},
+      {"tunnel_widths", &o.tunnel_widths, {0, 100}, "widths", "shortest piece of a tunnel"},
       {"least_length_widths", &o.least_length_widths, {0, 100}, "widths", "shortest ribbon"},
       {"least_block_widths", &o.least_block_widths, {0, 100}, "widths", "shortest ribbon between junctions"},
       {"most_width_spread", &o.most_width_spread, {0, 2}, "", "spread of a ribbon's width, as a part of it"},
@@ -99,6 +125,7 @@ std::vector<Parameter> parameters_of(StreetColourOptions& o) {
       {"most_building_part", &o.most_building_part, {0, 1}, "", "largest one, as a part of the picture"}};
   append_parameters(all, "lines", parameters_of(o.lines));
   append_parameters(all, "carriageways", parameters_of(o.carriageways));
+  append_parameters(all, "arrows", parameters_of(o.arrows));
   append_parameters(all, "casings", parameters_of(o.casings));
   return all;
 }
