@@ -294,6 +294,7 @@ void spell_by_gazetteer(std::span<ReadLine> read, std::span<const std::string> g
         best = sum;
         line.text = *name;
         line.confidence = std::max(line.confidence, similarity);
+        line.weight = std::max(line.weight, best);
       }
   }
 }

@@ -91,14 +91,16 @@ void add_street(CentreLines& graph, const TextLine& name, double radius_px,
 }  // namespace
 
 std::vector<Parameter> parameters_of(StreetsUnderNamesOptions& o) {
-  return {{"least_part_on_street", &o.least_part_on_street, {0, 1}, "", "part of a name on its street"},
-          {"aside", &o.aside, {0, 5}, "heights", "how far it is beside the street's middle"},
-          {"least_confidence", &o.least_confidence, {0, 1}, "", "of names that show a street"},
-          {"fewest_names", &o.fewest_names, {1, 100}, "", "names that show how streets are lettered"},
-          {"most_colour_difference", &o.most_colour_difference, {0, 442}, "levels", "from these names"},
-          {"most_height_ratio", &o.most_height_ratio, {1, 10}, "", "height of these names"},
-          {"reach_heights", &o.reach_heights, {0, 20}, "heights", "how far the next street is"},
-          {"reach_angle_deg", &o.reach_angle_deg, {0, 90}, "degrees", "its direction"}};
+  return {
+      {"least_part_on_street", &o.least_part_on_street, {0, 1}, "", "part of a name on its street"},
+      {"aside", &o.aside, {0, 5}, "heights", "how far it is beside the street's middle"},
+      {"least_confidence", &o.least_confidence, {0, 1}, "", "of names that show a street"},
+      {"least_name_confidence", &o.least_name_confidence, {0, 1}, "", "of a name on a street that it hides"},
+      {"fewest_names", &o.fewest_names, {1, 100}, "", "names that show how streets are lettered"},
+      {"most_colour_difference", &o.most_colour_difference, {0, 442}, "levels", "from these names"},
+      {"most_height_ratio", &o.most_height_ratio, {1, 10}, "", "height of these names"},
+      {"reach_heights", &o.reach_heights, {0, 20}, "heights", "how far the next street is"},
+      {"reach_angle_deg", &o.reach_angle_deg, {0, 90}, "degrees", "its direction"}};
 }
 
 std::optional<StreetLettering> street_lettering(const CentreLines& graph, std::span<const TextLine> lines,
@@ -126,7 +128,7 @@ int add_streets_under(CentreLines& graph, std::span<const TextLine> lines, std::
   const double radius = median_of(radii);
   int added = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (read[i].confidence < options.least_confidence || !is_street_name(read[i].text) ||
+    if (read[i].confidence < options.least_name_confidence || !is_street_name(read[i].text) ||
         !is_like(lines[i], *names, options) || is_on_street(graph, lines[i], options))
       continue;
     add_street(graph, lines[i], std::min(radius, 0.5 * lines[i].height_px), options);

@@ -22,6 +22,8 @@ struct StreetsUnderNamesOptions {
   /// streets alike if at least this many such names lie on streets. 1 ... 100.
   double least_confidence = 0.8;
   int fewest_names = 3;
+  /// A street is added under a name that is read with at least this confidence. 0 ... 1.
+  double least_name_confidence = 0.7;
   /// Lettering is like theirs if its mean colour differs by at most this, RGB levels, 0 ... 442, and its
   /// height by at most this factor, 1 ... 10.
   double most_colour_difference = 60.0;

@@ -17,12 +17,12 @@ namespace {
 using Kind = StraightText::Kind;
 
 /// What most of the readings say; nothing if fewer than `least_count` agree.
-Reading agreed(const std::vector<Reading>& readings, int least_count) {
+ReadingVote agreed(const std::vector<Reading>& readings, int least_count) {
   const std::vector<ReadingVote> votes = votes_of_readings(readings);
   const auto best =
       std::max_element(votes.begin(), votes.end(),
                        [](const ReadingVote& a, const ReadingVote& b) { return a.weight < b.weight; });
-  return best == votes.end() || best->count < least_count ? Reading{} : best->best;
+  return best == votes.end() || best->count < least_count ? ReadingVote{} : *best;
 }
 
 double weight_of(const std::vector<Reading>& readings) {
@@ -50,7 +50,7 @@ Result<std::vector<Readings>> read_both_ways(const StraightText& straight, std::
     numbers.clear();
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const int least = reader.languages.size() > 1 ? 2 : 1;
-      if (again && agreed(out[i].all, least).confidence >= options.sure) continue;
+      if (again && agreed(out[i].all, least).best.confidence >= options.sure) continue;
       numbers.push_back(i);
       pictures.push_back(straight.of(lines[i], leftwards(lines[i]) != again, Kind::strokes));
     }
@@ -65,14 +65,20 @@ Result<std::vector<Readings>> read_both_ways(const StraightText& straight, std::
   return out;
 }
 
-/// Reads other pictures of the lines that said something.
+/// Whether too few of the readings of a line agree.
+bool is_unsure(const std::vector<Reading>& readings, const ReadTextOptions& options) {
+  return agreed(readings, 1).count < options.agreeing_part * static_cast<double>(readings.size());
+}
+
+/// Reads other pictures of the lines that said something, one of them only where readings differ.
 Result<void> read_more(std::vector<Readings>& readings, const StraightText& straight,
                        std::span<const TextLine> lines, Kind kind, const Reader& reader,
                        const ReadTextOptions& options, const Work& work) {
   std::vector<std::size_t> numbers;
   std::vector<cv::Mat> pictures;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (weight_of(readings[i].all) <= 0.0) continue;
+    if (weight_of(readings[i].all) <= 0.0 || (kind == Kind::covered && !is_unsure(readings[i].all, options)))
+      continue;
     numbers.push_back(i);
     pictures.push_back(straight.of(lines[i], readings[i].reversed, kind));
   }
@@ -92,6 +98,7 @@ Result<std::vector<Readings>> all_readings(const Raster<Rgb8>& picture, std::spa
   // With one language, a third picture makes up for the readings of others.
   std::vector<Kind> kinds{Kind::sharpened};
   if (reader.languages.size() == 1) kinds.push_back(Kind::stretched);
+  kinds.push_back(Kind::covered);
   for (const Kind kind : kinds)
     if (auto more = read_more(*readings, straight, lines, kind, reader, options, work); !more)
       return more.error();
@@ -136,8 +143,9 @@ Result<TextReading> read_text_lines(const Raster<Rgb8>& picture, std::span<const
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const Readings& line = (*readings)[i];
     constexpr int kLeast = 2;
-    Reading reading = agreed(line.all, kLeast);
-    out.lines[i] = {std::move(reading.text), reading.confidence, line.reversed, different_texts(line.all)};
+    ReadingVote vote = agreed(line.all, kLeast);
+    out.lines[i] = {std::move(vote.best.text), vote.best.confidence, line.reversed, different_texts(line.all),
+                    vote.weight};
   }
   return out;
 }
