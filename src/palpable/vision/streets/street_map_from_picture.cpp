@@ -305,9 +305,10 @@ Result<FoundStreetMap> street_map_from_picture(const Image& picture, const Stree
   if (auto more = read_extended(lettering, text, reading->lines, options, work); !more) return more.error();
   if (options.names.gazetteer.empty()) correct_by_map_words(reading->lines, options.words);
   join_name_pieces(text, reading->lines, options.pieces);
+  const auto names = street_lettering(graph, text, reading->lines, options.under_names);
   add_streets_under(graph, text, reading->lines, options.under_names);
   add_network(map, graph, options.outlines);
-  add_names(map, text, reading->lines, options.names);
+  add_names(map, text, reading->lines, options.names, names);
   out.notes = std::move(reading->notes);
   return out;
 }

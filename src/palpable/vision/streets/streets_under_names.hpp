@@ -47,6 +47,10 @@ std::optional<StreetLettering> street_lettering(const CentreLines& graph, std::s
                                                 std::span<const ReadLine> read,
                                                 const StreetsUnderNamesOptions& options = {});
 
+/// Whether a line has about the colour and the height of the streets' names. Any thread.
+bool is_lettered_like(const TextLine& line, const StreetLettering& names,
+                      const StreetsUnderNamesOptions& options = {});
+
 /// Where lettering like that of streets says the name of a street ("Mill Lane") and lies on none, the street
 /// is hidden by its name, or not drawn as streets are: a line is added along the name and to the streets at
 /// its ends. Returns the number of lines. Any thread.

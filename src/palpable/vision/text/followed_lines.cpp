@@ -18,8 +18,8 @@ namespace palpable::vision {
 namespace {
 
 /// Pieces of ink of the size of letters.
-std::vector<Ink> letters_of(const cv::Mat& coverage, Rgb8 colour, double height_px,
-                            const FollowedLinesOptions& options) {
+std::vector<Ink> letters_of(const Raster<Rgb8>& picture, const cv::Mat& coverage, Rgb8 colour,
+                            double height_px, const FollowedLinesOptions& options) {
   cv::Mat labels, stats, centres;
   const cv::Mat is_ink = coverage >= 255.0 * options.least_coverage;
   const int n = cv::connectedComponentsWithStats(is_ink, labels, stats, centres, 8);
@@ -29,14 +29,13 @@ std::vector<Ink> letters_of(const cv::Mat& coverage, Rgb8 colour, double height_
                        stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
     const double size = std::max(box.width, box.height);
     if (size < options.smallest_letter * height_px || size > options.largest_letter * height_px) continue;
-    Ink ink{{centres.at<double>(i, 0), centres.at<double>(i, 1)},
-            size,
-            cv::Vec3d(colour.r, colour.g, colour.b),
-            {}};
+    Ink ink{{centres.at<double>(i, 0), centres.at<double>(i, 1)}, size, {}, {}};
     for (int y = box.y; y < box.y + box.height; ++y)
       for (int x = box.x; x < box.x + box.width; ++x)
         if (labels.at<int>(y, x) == i) ink.pixels.emplace_back(x, y);
-    out.push_back(std::move(ink));
+    ink.colour = mean_colour(picture, ink.pixels);
+    if (cv::norm(ink.colour - cv::Vec3d(colour.r, colour.g, colour.b)) <= options.most_letter_difference)
+      out.push_back(std::move(ink));
   }
   return out;
 }
@@ -173,28 +172,30 @@ bool is_name(const TextLine& line, double height_px, const FollowedLinesOptions&
 }  // namespace
 
 std::vector<Parameter> parameters_of(FollowedLinesOptions& o) {
-  return {{"least_coverage", &o.least_coverage, {0.05, 1}, "", "least part of a pixel that is ink"},
-          {"most_colour_difference", &o.most_colour_difference, {1, 442}, "levels", "from the names' ink"},
-          {"smallest_letter", &o.smallest_letter, {0, 1}, "heights", "least size of a letter"},
-          {"largest_letter", &o.largest_letter, {1, 20}, "heights", "of letters that touch"},
-          {"most_gap", &o.most_gap, {0, 3}, "heights", "largest gap between letters and words"},
-          {"least_step", &o.least_step, {0, 2}, "heights", "how far ahead the next letter is at least"},
-          {"most_aside", &o.most_aside, {0, 2}, "heights", "how far beside the line its middle is"},
-          {"most_reach", &o.most_reach, {0, 2}, "heights", "how far it reaches from the line"},
-          {"direction_length", &o.direction_length, {0.5, 10}, "heights", "length that gives the direction"},
-          {"word_gap", &o.word_gap, {0, 10}, "heights", "largest gap between words"},
-          {"word_turn_deg", &o.word_turn_deg, {0, 90}, "degrees", "largest turn between words"},
-          {"least_height", &o.least_height, {0, 1}, "", "least height of a line, of the names'"},
-          {"most_height", &o.most_height, {1, 5}, "", "greatest height"},
-          {"least_length", &o.least_length, {0, 50}, "heights", "least length of a line"},
-          {"fewest_letters", &o.fewest_letters, {2, 20}, "", "fewest letters of a line"}};
+  return {
+      {"least_coverage", &o.least_coverage, {0.05, 1}, "", "least part of a pixel that is ink"},
+      {"most_colour_difference", &o.most_colour_difference, {1, 442}, "levels", "from the names' ink"},
+      {"most_letter_difference", &o.most_letter_difference, {0, 442}, "levels", "of a letter's mean colour"},
+      {"smallest_letter", &o.smallest_letter, {0, 1}, "heights", "least size of a letter"},
+      {"largest_letter", &o.largest_letter, {1, 20}, "heights", "of letters that touch"},
+      {"most_gap", &o.most_gap, {0, 3}, "heights", "largest gap between letters and words"},
+      {"least_step", &o.least_step, {0, 2}, "heights", "how far ahead the next letter is at least"},
+      {"most_aside", &o.most_aside, {0, 2}, "heights", "how far beside the line its middle is"},
+      {"most_reach", &o.most_reach, {0, 2}, "heights", "how far it reaches from the line"},
+      {"direction_length", &o.direction_length, {0.5, 10}, "heights", "length that gives the direction"},
+      {"word_gap", &o.word_gap, {0, 10}, "heights", "largest gap between words"},
+      {"word_turn_deg", &o.word_turn_deg, {0, 90}, "degrees", "largest turn between words"},
+      {"least_height", &o.least_height, {0, 1}, "", "least height of a line, of the names'"},
+      {"most_height", &o.most_height, {1, 5}, "", "greatest height"},
+      {"least_length", &o.least_length, {0, 50}, "heights", "least length of a line"},
+      {"fewest_letters", &o.fewest_letters, {2, 20}, "", "fewest letters of a line"}};
 }
 
 std::vector<TextLine> followed_lines(const Raster<Rgb8>& picture, double height_px, Rgb8 colour,
                                      const TextLineOptions& ink, const FollowedLinesOptions& options) {
   const cv::Mat coverage =
       coverage_of(picture, colour, ink.thickest_stroke_px, options.most_colour_difference);
-  const LetterChains chains(letters_of(coverage, colour, height_px, options), height_px, options);
+  const LetterChains chains(letters_of(picture, coverage, colour, height_px, options), height_px, options);
   std::vector<char> used(chains.letters().size(), 0);
   std::vector<InkLine> words;
   for (const auto& chain : chains.all())

@@ -16,6 +16,8 @@ struct FollowedLinesOptions {
   /// differ from its mixtures by more than this, RGB levels. 1 ... 442.
   double least_coverage = 0.45;
   double most_colour_difference = 45.0;
+  /// The mean colour of a letter differs from that of the lettering by at most this. 0 ... 442.
+  double most_letter_difference = 90.0;
   /// Sizes of letters, or of several that touch. 0 ... 1 and 1 ... 20.
   double smallest_letter = 0.35;
   double largest_letter = 4.0;
