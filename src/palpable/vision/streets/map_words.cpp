@@ -3,6 +3,7 @@
 #include "palpable/vision/streets/map_words.hpp"
 
 #include "palpable/core/text/edit_distance.hpp"
+#include "palpable/vision/streets/street_names.hpp"
 #include "palpable/vision/text/compared_form.hpp"
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace palpable::vision {
 namespace {
@@ -67,7 +69,8 @@ struct MapWords {
 MapWords words_of(std::span<const ReadLine> read, const MapWordsOptions& options) {
   MapWords out;
   for (const ReadLine& line : read) {
-    if (line.confidence < options.least_confidence || line.text.empty()) continue;
+    // Words whose first letters are cut off are none of the map's.
+    if (line.confidence < options.least_confidence || !is_whole_name(line.text)) continue;
     const std::string name = compared_form(line.text);
     if (has_words(line.text)) {
       out.first.add(first_word(line.text), name);
@@ -121,7 +124,9 @@ void correct_by_map_words(std::span<ReadLine> read, const MapWordsOptions& optio
   const MapWords words = words_of(read, options);
   for (ReadLine& line : read) {
     if (line.text.empty()) continue;
-    line.text = corrected(line.text, words, options);
+    std::string better = corrected(line.text, words, options);
+    if (better == line.text) continue;
+    line.text = std::move(better);
     line.others.push_back(line.text);
   }
 }

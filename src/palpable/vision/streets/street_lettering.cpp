@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/streets/street_lettering.hpp"
 
+#include "palpable/vision/streets/name_pieces.hpp"
 #include "palpable/vision/streets/street_names.hpp"
 #include "palpable/vision/text/compared_form.hpp"
 #include "palpable/vision/text/ink.hpp"
@@ -11,6 +12,8 @@
 #include <iterator>
 #include <numbers>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 
 namespace palpable::vision {
@@ -226,6 +229,18 @@ std::vector<bool> joined_names(std::span<const TextLine> lines, std::span<const 
   return out;
 }
 
+/// Whether `longer` says `shorter` with words before or after it that belong to a street's name ("Rue").
+bool completes(std::string_view longer, std::string_view shorter) {
+  for (std::size_t at = longer.find(' '); at != longer.npos; at = longer.find(' ', at + 1)) {
+    const std::string_view before = longer.substr(0, at), after = longer.substr(at + 1);
+    const std::string form = compared_form(shorter);
+    if ((is_piece_of_name(before) && compared_form(after) == form) ||
+        (is_piece_of_name(after) && compared_form(before) == form))
+      return true;
+  }
+  return false;
+}
+
 /// A name that another reading of it begins with a capital begins so, too.
 void take_capital(ReadLine& read, const ReadLine& other) {
   if (!is_whole_name(read.text) && is_whole_name(other.text) &&
@@ -289,7 +304,8 @@ void keep_best_readings(std::vector<TextLine>& lines, std::vector<ReadLine>& rea
   for (std::size_t a = 0; a < lines.size(); ++a)
     for (std::size_t b = a + 1; b < lines.size() && !gone[a]; ++b)
       if (!gone[b] && are_same(lines[a], lines[b])) {
-        const bool first = score(a) >= score(b);
+        const bool first = completes(read[a].text, read[b].text) ||
+                           (score(a) >= score(b) && !completes(read[b].text, read[a].text));
         gone[first ? b : a] = true;
         take_capital(read[first ? a : b], read[first ? b : a]);
       }

@@ -44,7 +44,8 @@ std::vector<TextLine> lettering_along(const Raster<Rgb8>& picture, const CentreL
 std::vector<TextLine> different_lines(std::vector<TextLine> followed, std::vector<TextLine> along);
 
 /// Of lines of lettering that cover each other, the one that more was read of stays: the letters times the
-/// weight of the readings decide. Two names beside each other stay instead of a line that holds both. Any
+/// weight of the readings decide. Two names beside each other stay instead of a line that
+/// holds both, and a name with its word of streets ("Rue") instead of one without. Any
 /// thread.
 void keep_best_readings(std::vector<TextLine>& lines, std::vector<ReadLine>& read);
 

@@ -241,6 +241,7 @@ Result<void> read_extended(const Lettering& lettering, std::vector<TextLine>& te
     text.push_back(longer[i]);
     read.push_back(std::move(more->lines[i]));
   }
+  if (options.names.gazetteer.empty()) correct_by_map_words(read, options.words);
   keep_best_readings(text, read);
   return {};
 }
@@ -264,6 +265,7 @@ Result<void> read_street_lettering(const Lettering& lettering, const CentreLines
     text.push_back(more_text[i]);
     read.push_back(more->lines[i]);
   }
+  if (options.names.gazetteer.empty()) correct_by_map_words(read, options.words);
   keep_best_readings(text, read);
   return {};
 }
@@ -303,7 +305,6 @@ Result<FoundStreetMap> street_map_from_picture(const Image& picture, const Stree
   if (auto more = read_street_lettering(lettering, graph, text, reading->lines, options, work); !more)
     return more.error();
   if (auto more = read_extended(lettering, text, reading->lines, options, work); !more) return more.error();
-  if (options.names.gazetteer.empty()) correct_by_map_words(reading->lines, options.words);
   join_name_pieces(text, reading->lines, options.pieces);
   const auto names = street_lettering(graph, text, reading->lines, options.under_names);
   add_streets_under(graph, text, reading->lines, options.under_names);

@@ -8,7 +8,9 @@
 #include "palpable/vision/text/tesseract.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <utility>
 
 namespace palpable::vision {
@@ -37,6 +39,12 @@ struct Readings {
   bool reversed = false;
 };
 
+/// Whether a line is so steep that its lettering may be read to the left: lettering is placed upright.
+bool may_be_upside_down(const TextLine& line, const ReadTextOptions& options) {
+  const MapPoint a = line.centre.front(), b = line.centre.back();
+  return std::abs(b.y - a.y) > std::tan(options.level_deg * std::numbers::pi / 180.0) * std::abs(b.x - a.x);
+}
+
 bool leftwards(const TextLine& line) { return line.centre.back().x < line.centre.front().x; }
 
 /// Reads each line to the right, and to the left where that is unsure.
@@ -50,7 +58,9 @@ Result<std::vector<Readings>> read_both_ways(const StraightText& straight, std::
     numbers.clear();
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const int least = reader.languages.size() > 1 ? 2 : 1;
-      if (again && agreed(out[i].all, least).best.confidence >= options.sure) continue;
+      if (again && (!may_be_upside_down(lines[i], options) ||
+                    agreed(out[i].all, least).best.confidence >= options.sure))
+        continue;
       numbers.push_back(i);
       pictures.push_back(straight.of(lines[i], leftwards(lines[i]) != again, Kind::strokes));
     }
@@ -142,8 +152,10 @@ Result<TextReading> read_text_lines(const Raster<Rgb8>& picture, std::span<const
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const Readings& line = (*readings)[i];
-    constexpr int kLeast = 2;
-    ReadingVote vote = agreed(line.all, kLeast);
+    // One in four, at least two.
+    constexpr int kLeast = 2, kPart = 4;
+    const int readings_count = static_cast<int>(line.all.size());
+    ReadingVote vote = agreed(line.all, std::max(kLeast, (readings_count + kPart - 1) / kPart));
     out.lines[i] = {std::move(vote.best.text), vote.best.confidence, line.reversed, different_texts(line.all),
                     vote.weight};
   }

@@ -78,6 +78,7 @@ std::vector<Parameter> parameters_of(ReadTextOptions& o) {
       {"letter_part", &o.letter_part, {0, 1}, "", "least part of it that is letters"},
       {"least_confidence", &o.least_confidence, {0, 1}, "", "lines read with less are dropped"},
       {"sure", &o.sure, {0, 1}, "", "lines read with less are also read upside down"},
+      {"level_deg", &o.level_deg, {0, 90}, "degrees", "slope of lines that are not"},
       {"most_seconds", &o.most_seconds, {1, 3600}, "s", "most processor time of a reader"}};
 }
 
