@@ -2,18 +2,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/streets/street_lettering.hpp"
 
+#include "palpable/vision/streets/name_pieces.hpp"
+#include "palpable/vision/streets/street_names.hpp"
+#include "palpable/vision/text/compared_form.hpp"
 #include "palpable/vision/text/ink.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace palpable::vision {
 namespace {
 
 /// A line of a network, and whether it is followed from its last point to its first.
-struct Step {
+struct LineStep {
   std::size_t line = 0;
   bool back = false;
 };
@@ -45,10 +52,10 @@ class StraightStreets {
 
  private:
   /// The key of a line's end: where it begins if it is followed like this.
-  static std::size_t key(Step step) { return 2 * step.line + (step.back ? 1 : 0); }
+  static std::size_t key(LineStep step) { return 2 * step.line + (step.back ? 1 : 0); }
 
   /// The direction from a line's end into the line.
-  MapPoint direction(Step end) const {
+  MapPoint direction(LineStep end) const {
     const auto& p = graph_.lines[end.line].points;
     const std::size_t far = std::min(p.size() - 1, static_cast<std::size_t>(end_px_));
     const MapPoint a = end.back ? p.back() : p.front();
@@ -58,7 +65,7 @@ class StraightStreets {
   }
 
   /// Pairs the lines that meet at a node, the straightest first.
-  void pair_at(std::vector<Step> here) {
+  void pair_at(std::vector<LineStep> here) {
     while (here.size() > 1) {
       double straightest = least_;
       std::optional<std::pair<std::size_t, std::size_t>> best;
@@ -72,15 +79,15 @@ class StraightStreets {
           best = {a, b};
         }
       if (!best) return;
-      const Step a = here[best->first];
-      const Step b = here[best->second];
+      const LineStep a = here[best->first];
+      const LineStep b = here[best->second];
       next_[key(a)] = b;
       next_[key(b)] = a;
-      std::erase_if(here, [&](Step s) { return key(s) == key(a) || key(s) == key(b); });
+      std::erase_if(here, [&](LineStep s) { return key(s) == key(a) || key(s) == key(b); });
     }
   }
 
-  std::vector<MapPoint> follow(Step step, std::vector<bool>& used) const {
+  std::vector<MapPoint> follow(LineStep step, std::vector<bool>& used) const {
     std::vector<MapPoint> out;
     for (;;) {
       used[step.line] = true;
@@ -96,8 +103,8 @@ class StraightStreets {
   const CentreLines& graph_;
   double end_px_;
   double least_;
-  std::vector<std::vector<Step>> at_;
-  std::vector<std::optional<Step>> next_;
+  std::vector<std::vector<LineStep>> at_;
+  std::vector<std::optional<LineStep>> next_;
 };
 
 /// The same line with points one pixel apart.
@@ -203,6 +210,51 @@ bool are_same(const TextLine& a, const TextLine& b) {
   return covered_part(a_is_shorter ? a : b, a_is_shorter ? b : a) > kMost;
 }
 
+/// Lines that hold two other ones, apart from each other and each read more surely: two names beside each
+/// other.
+std::vector<bool> joined_names(std::span<const TextLine> lines, std::span<const ReadLine> read) {
+  std::vector<bool> out(lines.size(), false);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    std::vector<std::size_t> inside;
+    for (std::size_t k = 0; k < lines.size() && !out[i]; ++k) {
+      if (k == i || read[k].confidence <= read[i].confidence || !is_whole_name(read[k].text) ||
+          !are_same(lines[i], lines[k]))
+        continue;
+      if (lines[k].centre.size() > lines[i].centre.size()) continue;
+      out[i] = std::any_of(inside.begin(), inside.end(),
+                           [&](std::size_t other) { return !are_same(lines[other], lines[k]); });
+      inside.push_back(k);
+    }
+  }
+  return out;
+}
+
+/// Whether `longer` says `shorter` with words before or after it that belong to a street's name ("Rue").
+bool completes(std::string_view longer, std::string_view shorter) {
+  for (std::size_t at = longer.find(' '); at != longer.npos; at = longer.find(' ', at + 1)) {
+    const std::string_view before = longer.substr(0, at), after = longer.substr(at + 1);
+    const std::string form = compared_form(shorter);
+    if ((is_piece_of_name(before) && compared_form(after) == form) ||
+        (is_piece_of_name(after) && compared_form(before) == form))
+      return true;
+  }
+  return false;
+}
+
+/// A name that another reading of it begins with a capital begins so, too.
+void take_capital(ReadLine& read, const ReadLine& other) {
+  if (!is_whole_name(read.text) && is_whole_name(other.text) &&
+      compared_form(read.text) == compared_form(other.text))
+    read.text = other.text;
+}
+
+/// Whether a line lies in another one, which is about as long or longer.
+bool is_whole_in(const TextLine& name, const TextLine& line) {
+  constexpr double kShorter = 0.7;
+  return are_same(name, line) && static_cast<double>(line.centre.size()) + kShorter * name.height_px >=
+                                     static_cast<double>(name.centre.size());
+}
+
 }  // namespace
 
 std::vector<Parameter> parameters_of(LetteringAlongOptions& o) {
@@ -247,13 +299,16 @@ std::vector<TextLine> lettering_along(const Raster<Rgb8>& picture, const CentreL
 }
 
 void keep_best_readings(std::vector<TextLine>& lines, std::vector<ReadLine>& read) {
-  const auto score = [&](std::size_t i) {
-    return read[i].confidence * static_cast<double>(read[i].text.size());
-  };
-  std::vector<bool> gone(lines.size(), false);
+  const auto score = [&](std::size_t i) { return read[i].weight * static_cast<double>(read[i].text.size()); };
+  std::vector<bool> gone = joined_names(lines, read);
   for (std::size_t a = 0; a < lines.size(); ++a)
     for (std::size_t b = a + 1; b < lines.size() && !gone[a]; ++b)
-      if (!gone[b] && are_same(lines[a], lines[b])) gone[score(a) >= score(b) ? b : a] = true;
+      if (!gone[b] && are_same(lines[a], lines[b])) {
+        const bool first = completes(read[a].text, read[b].text) ||
+                           (score(a) >= score(b) && !completes(read[b].text, read[a].text));
+        gone[first ? b : a] = true;
+        take_capital(read[first ? a : b], read[first ? b : a]);
+      }
   std::size_t kept = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (gone[i]) continue;
@@ -267,14 +322,20 @@ void keep_best_readings(std::vector<TextLine>& lines, std::vector<ReadLine>& rea
   read.resize(kept);
 }
 
+std::vector<TextLine> different_lines(std::vector<TextLine> followed, std::vector<TextLine> along) {
+  std::erase_if(along, [&](const TextLine& name) {
+    return std::any_of(followed.begin(), followed.end(),
+                       [&](const TextLine& line) { return is_whole_in(name, line); });
+  });
+  std::move(along.begin(), along.end(), std::back_inserter(followed));
+  return followed;
+}
+
 std::vector<TextLine> unread_lettering(std::vector<TextLine> along, std::span<const TextLine> lines,
                                        std::span<const ReadLine> read, double sure) {
   std::erase_if(along, [&](const TextLine& name) {
     for (std::size_t i = 0; i < lines.size(); ++i)
-      if (read[i].confidence >= sure && are_same(name, lines[i]) &&
-          static_cast<double>(lines[i].centre.size()) + 0.7 * name.height_px >=
-              static_cast<double>(name.centre.size()))
-        return true;
+      if (read[i].confidence >= sure && is_whole_in(name, lines[i])) return true;
     return false;
   });
   return along;

@@ -40,8 +40,13 @@ std::vector<TextLine> lettering_along(const Raster<Rgb8>& picture, const CentreL
                                       const StreetLettering& lettering, const TextLineOptions& ink,
                                       const LetteringAlongOptions& options = {});
 
-/// Of lines of lettering that cover each other, the one that more was read of stays: the letters times their
-/// confidence decide. Any thread.
+/// Both, without those of `along` that a line of `followed` covers in their whole length. Any thread.
+std::vector<TextLine> different_lines(std::vector<TextLine> followed, std::vector<TextLine> along);
+
+/// Of lines of lettering that cover each other, the one that more was read of stays: the letters times the
+/// weight of the readings decide. Two names beside each other stay instead of a line that
+/// holds both, and a name with its word of streets ("Rue") instead of one without. Any
+/// thread.
 void keep_best_readings(std::vector<TextLine>& lines, std::vector<ReadLine>& read);
 
 /// Those of `along` that are not covered by a line that was read with at least `sure`. Any thread.

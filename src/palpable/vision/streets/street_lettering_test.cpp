@@ -44,14 +44,44 @@ TEST(StreetLettering, LowInkAndShortInkAreNoNames) {
   EXPECT_TRUE(lettering_along(lettered(0.4, 0.5, 9.0), bent_street(), kLettering, {}).empty());
 }
 
+/// A level line between two columns.
+TextLine level_line(int first, int last) {
+  TextLine line;
+  line.height_px = 10.0;
+  for (int x = first; x < last; ++x) line.centre.push_back({static_cast<double>(x), 50.0});
+  return line;
+}
+
+TEST(StreetLettering, TwoNamesBesideEachOtherStayInsteadOfALineWithBoth) {
+  std::vector<TextLine> lines{level_line(0, 170), level_line(0, 80), level_line(90, 170)};
+  std::vector<ReadLine> read{{"ForellenweS Bammiliweg", 0.8, false, {}, 3.0},
+                             {"Forellenweg", 0.9, false, {}, 1.6},
+                             {"Bammiliweg", 0.9, false, {}, 1.6}};
+  keep_best_readings(lines, read);
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[0].text, "Forellenweg");
+}
+
+TEST(StreetLettering, TheCapitalOfAnotherReadingStays) {
+  std::vector<TextLine> lines{level_line(0, 80), level_line(2, 80)};
+  std::vector<ReadLine> read{{"Pradafant", 0.8, false, {}, 1.2}, {"pradafant", 0.9, false, {}, 1.6}};
+  keep_best_readings(lines, read);
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_EQ(read[0].text, "Pradafant");
+}
+
+TEST(StreetLettering, OfLinesAtTheSamePlaceTheFollowedOneIsRead) {
+  const auto lines = different_lines({level_line(0, 80)}, {level_line(10, 80), level_line(0, 160)});
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[1].centre.size(), 160U);
+}
+
 TEST(StreetLettering, MoreThatIsReadStays) {
-  TextLine whole;
-  whole.height_px = 10.0;
-  for (int x = 0; x < 80; ++x) whole.centre.push_back({static_cast<double>(x), 50.0});
+  const TextLine whole = level_line(0, 80);
   TextLine piece = whole;
   piece.centre.erase(piece.centre.begin(), piece.centre.begin() + 30);
   std::vector<TextLine> lines{piece, whole};
-  std::vector<ReadLine> read{{"Victor Hugo", 0.97, false}, {"Rue Victor Hugo", 0.9, false}};
+  std::vector<ReadLine> read{{"Victor Hugo", 0.97, false, {}, 2.0}, {"Rue Victor Hugo", 0.9, false, {}, 1.8}};
   EXPECT_TRUE(unread_lettering({piece}, lines, read, 0.85).empty());
   keep_best_readings(lines, read);
   ASSERT_EQ(read.size(), 1U);

@@ -241,27 +241,31 @@ Result<void> read_extended(const Lettering& lettering, std::vector<TextLine>& te
     text.push_back(longer[i]);
     read.push_back(std::move(more->lines[i]));
   }
+  if (options.names.gazetteer.empty()) correct_by_map_words(read, options.words);
   keep_best_readings(text, read);
   return {};
 }
 
-/// Reads the names that lie along streets and were not found, or not whole, by their letters alone.
-Result<void> read_along_streets(const Lettering& lettering, const CentreLines& graph,
-                                std::vector<TextLine>& text, std::vector<ReadLine>& read,
-                                const StreetMapOptions& options, const Work& work) {
+/// Reads lettering like that of the streets' names that was not found, or not whole, by its letters alone.
+Result<void> read_street_lettering(const Lettering& lettering, const CentreLines& graph,
+                                   std::vector<TextLine>& text, std::vector<ReadLine>& read,
+                                   const StreetMapOptions& options, const Work& work) {
   const auto names = street_lettering(graph, text, read, options.under_names);
   if (!names) return {};
-  const std::vector<TextLine> along =
-      unread_lettering(lettering_along(lettering.picture, graph, *names, options.text, options.along_streets),
-                       text, read, options.along_streets.sure);
-  auto more = read_text_lines(lettering.picture, along, options.reading, work, lettering.grounds);
+  const std::vector<TextLine> more_text = unread_lettering(
+      different_lines(
+          followed_lines(lettering.picture, names->height_px, names->colour, options.text, options.followed),
+          lettering_along(lettering.picture, graph, *names, options.text, options.along_streets)),
+      text, read, options.along_streets.sure);
+  auto more = read_text_lines(lettering.picture, more_text, options.reading, work, lettering.grounds);
   if (!more) return more.error();
   spell_by_gazetteer(more->lines, options.names.gazetteer, options.names.least_similarity);
-  for (std::size_t i = 0; i < along.size(); ++i) {
+  for (std::size_t i = 0; i < more_text.size(); ++i) {
     if (more->lines[i].text.empty()) continue;
-    text.push_back(along[i]);
+    text.push_back(more_text[i]);
     read.push_back(more->lines[i]);
   }
+  if (options.names.gazetteer.empty()) correct_by_map_words(read, options.words);
   keep_best_readings(text, read);
   return {};
 }
@@ -298,13 +302,14 @@ Result<FoundStreetMap> street_map_from_picture(const Image& picture, const Stree
   auto reading = read_text_lines(lettering.picture, text, options.reading, work, lettering.grounds);
   if (!reading) return reading.error();
   spell_by_gazetteer(reading->lines, options.names.gazetteer, options.names.least_similarity);
-  if (auto more = read_along_streets(lettering, graph, text, reading->lines, options, work); !more)
+  if (auto more = read_street_lettering(lettering, graph, text, reading->lines, options, work); !more)
     return more.error();
   if (auto more = read_extended(lettering, text, reading->lines, options, work); !more) return more.error();
   join_name_pieces(text, reading->lines, options.pieces);
+  const auto names = street_lettering(graph, text, reading->lines, options.under_names);
   add_streets_under(graph, text, reading->lines, options.under_names);
   add_network(map, graph, options.outlines);
-  add_names(map, text, reading->lines, options.names);
+  add_names(map, text, reading->lines, options.names, names);
   out.notes = std::move(reading->notes);
   return out;
 }

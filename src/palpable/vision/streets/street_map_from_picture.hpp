@@ -10,12 +10,14 @@
 #include "palpable/core/work.hpp"
 #include "palpable/vision/streets/dashed_lines.hpp"
 #include "palpable/vision/streets/map_colours.hpp"
+#include "palpable/vision/streets/map_words.hpp"
 #include "palpable/vision/streets/name_pieces.hpp"
 #include "palpable/vision/streets/street_colours.hpp"
 #include "palpable/vision/streets/street_graph.hpp"
 #include "palpable/vision/streets/street_lettering.hpp"
 #include "palpable/vision/streets/street_names.hpp"
 #include "palpable/vision/streets/streets_under_names.hpp"
+#include "palpable/vision/text/followed_lines.hpp"
 #include "palpable/vision/text/line_extension.hpp"
 #include "palpable/vision/text/read_text.hpp"
 #include "palpable/vision/text/text_lines.hpp"
@@ -84,10 +86,12 @@ struct StreetMapOptions {
   MapRecognitionOptions recognition;
   MapOutlineOptions outlines;
   ReadTextOptions reading;
+  MapWordsOptions words;
   NamePiecesOptions pieces;
   StreetsUnderNamesOptions under_names;
   LetteringAlongOptions along_streets;
   LineExtensionOptions extension;
+  FollowedLinesOptions followed;
   StreetNameOptions names;
 };
 /// Every parameter with its range, except languages and gazetteer.

@@ -213,9 +213,11 @@ std::vector<Parameter> parameters_of(StreetMapOptions& o) {
   append_parameters(all, "recognition", parameters_of(o.recognition));
   append_parameters(all, "outlines", parameters_of(o.outlines));
   append_parameters(all, "reading", parameters_of(o.reading));
+  append_parameters(all, "words", parameters_of(o.words));
   append_parameters(all, "pieces", parameters_of(o.pieces));
   append_parameters(all, "along_streets", parameters_of(o.along_streets));
   append_parameters(all, "extension", parameters_of(o.extension));
+  append_parameters(all, "followed", parameters_of(o.followed));
   append_parameters(all, "under_names", parameters_of(o.under_names));
   append_parameters(all, "names", parameters_of(o.names));
   return all;

@@ -184,12 +184,16 @@ std::optional<std::string> name_of(const StreetMap& map, const TextLine& line, c
 /// For each line of lettering, the name of a street that it can be, if it lies on one.
 using Names = std::vector<std::optional<std::string>>;
 Names names_of(const StreetMap& map, std::span<const TextLine> lines, std::span<const ReadLine> read,
-               const StreetNameOptions& options) {
+               const StreetNameOptions& options, const std::optional<StreetLettering>& lettering) {
+  const auto is_other = [&](std::size_t i) {
+    return options.gazetteer.empty() && lettering && !is_street_name(read[i].text) &&
+           !is_lettered_like(lines[i], *lettering);
+  };
   std::vector<char> stacked(lines.size(), 0);
   if (options.gazetteer.empty()) stacked = stacked_lettering(lines, read, options.stacked);
   Names names(lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i)
-    if (stacked[i] == 0) names[i] = name_of(map, lines[i], read[i], options);
+    if (stacked[i] == 0 && !is_other(i)) names[i] = name_of(map, lines[i], read[i], options);
   return names;
 }
 
@@ -294,13 +298,14 @@ void spell_by_gazetteer(std::span<ReadLine> read, std::span<const std::string> g
         best = sum;
         line.text = *name;
         line.confidence = std::max(line.confidence, similarity);
+        line.weight = std::max(line.weight, best);
       }
   }
 }
 
 void add_names(StreetMap& map, std::span<const TextLine> lines, std::span<const ReadLine> read,
-               const StreetNameOptions& options) {
-  const Names names = names_of(map, lines, read, options);
+               const StreetNameOptions& options, const std::optional<StreetLettering>& lettering) {
+  const Names names = names_of(map, lines, read, options, lettering);
   divide_between_names(map, lines, names, options);
   // The surest name of each street wins.
   std::vector<double> confidence(map.streets.size(), 0.0);

@@ -5,9 +5,11 @@
 #include "palpable/core/geometry/street_map.hpp"
 #include "palpable/core/parameters.hpp"
 #include "palpable/vision/streets/stacked_lettering.hpp"
+#include "palpable/vision/streets/streets_under_names.hpp"
 #include "palpable/vision/text/read_text.hpp"
 #include "palpable/vision/text/text_lines.hpp"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -63,8 +65,11 @@ bool is_whole_name(std::string_view words);
 void spell_by_gazetteer(std::span<ReadLine> read, std::span<const std::string> gazetteer, double least);
 
 /// Adds the map's lettering (`read` belongs to `lines`, one for one): a name that lies along a street becomes
-/// the name of that street and of its straight continuation; other words become labels of places.
+/// the name of that street and of its straight continuation; other words become labels of places. Without a
+/// gazetteer, words without one of streets ("Library") that are not lettered like the streets' names, where
+/// `lettering` is given, are labels, too.
 void add_names(StreetMap& map, std::span<const TextLine> lines, std::span<const ReadLine> read,
-               const StreetNameOptions& options = {});
+               const StreetNameOptions& options = {},
+               const std::optional<StreetLettering>& lettering = std::nullopt);
 
 }  // namespace palpable::vision

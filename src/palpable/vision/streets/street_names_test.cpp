@@ -146,6 +146,22 @@ TEST(StreetNames, ABeginningAloneIsNoName) {
   EXPECT_EQ(map.streets[0].name, "");
 }
 
+TEST(StreetNames, WordsThatAreLetteredOtherwiseNameAPlaceIfNoneIsOfStreets) {
+  TextLine line = level_line(30, 110, 100);
+  const StreetLettering alike{line.height_px, line.colour};
+  const StreetLettering other{line.height_px, {0, 120, 250}};
+  const auto named = [&](const char* text, const StreetLettering& lettering) {
+    StreetMap map = junction_map();
+    const std::array<TextLine, 1> lines{line};
+    const std::array<ReadLine, 1> read{ReadLine{text, 0.95, false}};
+    add_names(map, lines, read, {}, lettering);
+    return map.streets[0].name;
+  };
+  EXPECT_EQ(named("Library", other), "");
+  EXPECT_EQ(named("Library", alike), "Library");
+  EXPECT_EQ(named("Mill Lane", other), "Mill Lane");
+}
+
 TEST(StreetNames, StackedWordsNameAPlace) {
   StreetMap map = junction_map();
   const std::array<TextLine, 2> lines{level_line(30, 90, 100), level_line(36, 84, 114)};

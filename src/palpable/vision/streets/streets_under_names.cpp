@@ -42,15 +42,6 @@ T median_of(std::vector<T> values) {
   return *middle;
 }
 
-bool is_like(const TextLine& line, const StreetLettering& names, const StreetsUnderNamesOptions& options) {
-  const double ratio = line.height_px / names.height_px;
-  const double r = line.colour.r - names.colour.r;
-  const double g = line.colour.g - names.colour.g;
-  const double b = line.colour.b - names.colour.b;
-  return std::sqrt(r * r + g * g + b * b) <= options.most_colour_difference &&
-         std::max(ratio, 1.0 / ratio) <= options.most_height_ratio;
-}
-
 /// A node on the street that a name's end points to; one at the end itself if there is none.
 int node_before(CentreLines& graph, const TextLine& name, bool last,
                 const StreetsUnderNamesOptions& options) {
@@ -91,14 +82,16 @@ void add_street(CentreLines& graph, const TextLine& name, double radius_px,
 }  // namespace
 
 std::vector<Parameter> parameters_of(StreetsUnderNamesOptions& o) {
-  return {{"least_part_on_street", &o.least_part_on_street, {0, 1}, "", "part of a name on its street"},
-          {"aside", &o.aside, {0, 5}, "heights", "how far it is beside the street's middle"},
-          {"least_confidence", &o.least_confidence, {0, 1}, "", "of names that show a street"},
-          {"fewest_names", &o.fewest_names, {1, 100}, "", "names that show how streets are lettered"},
-          {"most_colour_difference", &o.most_colour_difference, {0, 442}, "levels", "from these names"},
-          {"most_height_ratio", &o.most_height_ratio, {1, 10}, "", "height of these names"},
-          {"reach_heights", &o.reach_heights, {0, 20}, "heights", "how far the next street is"},
-          {"reach_angle_deg", &o.reach_angle_deg, {0, 90}, "degrees", "its direction"}};
+  return {
+      {"least_part_on_street", &o.least_part_on_street, {0, 1}, "", "part of a name on its street"},
+      {"aside", &o.aside, {0, 5}, "heights", "how far it is beside the street's middle"},
+      {"least_confidence", &o.least_confidence, {0, 1}, "", "of names that show a street"},
+      {"least_name_confidence", &o.least_name_confidence, {0, 1}, "", "of a name on a street that it hides"},
+      {"fewest_names", &o.fewest_names, {1, 100}, "", "names that show how streets are lettered"},
+      {"most_colour_difference", &o.most_colour_difference, {0, 442}, "levels", "from these names"},
+      {"most_height_ratio", &o.most_height_ratio, {1, 10}, "", "height of these names"},
+      {"reach_heights", &o.reach_heights, {0, 20}, "heights", "how far the next street is"},
+      {"reach_angle_deg", &o.reach_angle_deg, {0, 90}, "degrees", "its direction"}};
 }
 
 std::optional<StreetLettering> street_lettering(const CentreLines& graph, std::span<const TextLine> lines,
@@ -117,6 +110,16 @@ std::optional<StreetLettering> street_lettering(const CentreLines& graph, std::s
   return StreetLettering{median_of(heights), {median_of(red), median_of(green), median_of(blue)}};
 }
 
+bool is_lettered_like(const TextLine& line, const StreetLettering& names,
+                      const StreetsUnderNamesOptions& options) {
+  const double ratio = line.height_px / names.height_px;
+  const double r = line.colour.r - names.colour.r;
+  const double g = line.colour.g - names.colour.g;
+  const double b = line.colour.b - names.colour.b;
+  return std::sqrt(r * r + g * g + b * b) <= options.most_colour_difference &&
+         std::max(ratio, 1.0 / ratio) <= options.most_height_ratio;
+}
+
 int add_streets_under(CentreLines& graph, std::span<const TextLine> lines, std::span<const ReadLine> read,
                       const StreetsUnderNamesOptions& options) {
   const auto names = street_lettering(graph, lines, read, options);
@@ -126,8 +129,8 @@ int add_streets_under(CentreLines& graph, std::span<const TextLine> lines, std::
   const double radius = median_of(radii);
   int added = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (read[i].confidence < options.least_confidence || !is_street_name(read[i].text) ||
-        !is_like(lines[i], *names, options) || is_on_street(graph, lines[i], options))
+    if (read[i].confidence < options.least_name_confidence || !is_street_name(read[i].text) ||
+        !is_lettered_like(lines[i], *names, options) || is_on_street(graph, lines[i], options))
       continue;
     add_street(graph, lines[i], std::min(radius, 0.5 * lines[i].height_px), options);
     ++added;

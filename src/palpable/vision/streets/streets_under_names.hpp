@@ -22,6 +22,8 @@ struct StreetsUnderNamesOptions {
   /// streets alike if at least this many such names lie on streets. 1 ... 100.
   double least_confidence = 0.8;
   int fewest_names = 3;
+  /// A street is added under a name that is read with at least this confidence. 0 ... 1.
+  double least_name_confidence = 0.7;
   /// Lettering is like theirs if its mean colour differs by at most this, RGB levels, 0 ... 442, and its
   /// height by at most this factor, 1 ... 10.
   double most_colour_difference = 60.0;
@@ -44,6 +46,10 @@ struct StreetLettering {
 std::optional<StreetLettering> street_lettering(const CentreLines& graph, std::span<const TextLine> lines,
                                                 std::span<const ReadLine> read,
                                                 const StreetsUnderNamesOptions& options = {});
+
+/// Whether a line has about the colour and the height of the streets' names. Any thread.
+bool is_lettered_like(const TextLine& line, const StreetLettering& names,
+                      const StreetsUnderNamesOptions& options = {});
 
 /// Where lettering like that of streets says the name of a street ("Mill Lane") and lies on none, the street
 /// is hidden by its name, or not drawn as streets are: a line is added along the name and to the streets at

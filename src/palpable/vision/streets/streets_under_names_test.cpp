@@ -33,9 +33,9 @@ struct MapOfOneStreet {
     }
     lines.push_back(upright_line(100.0, 60.0, 140.0));
   }
-  int added(const char* name) {
+  int added(const char* name, double confidence = 0.95) {
     read.resize(3);
-    read.push_back({name, 0.95, false});
+    read.push_back({name, confidence, false});
     return add_streets_under(graph, lines, read);
   }
 };
@@ -47,6 +47,12 @@ TEST(StreetsUnderNames, ANameOfAStreetThatLiesOnNoneIsAStreet) {
   EXPECT_EQ(map.graph.lines.size(), 3U);
   const std::vector<int> degrees = degrees_of(map.graph);
   EXPECT_EQ(std::count(degrees.begin(), degrees.end(), 3), 1);
+}
+
+TEST(StreetsUnderNames, ANameThatIsReadAsSurelyAsThoseOfStreetsIsEnough) {
+  MapOfOneStreet map;
+  EXPECT_EQ(map.added("Rue Plati", 0.6), 0);
+  EXPECT_EQ(map.added("Rue Plati", 0.75), 1);
 }
 
 TEST(StreetsUnderNames, NamesOfPlacesAndOtherLetteringAreNone) {

@@ -20,9 +20,10 @@ struct ReadingVote {
   double weight = 0.0;
 };
 
-/// The votes of all readings that have a text. A reading with a single letter or digit as its first or last
-/// word ("Mill Lane 4"), which a mark or an arrow beside the name may be, votes for the name alone, where at
-/// least as many readings say that. Forms that differ by the thin letters i, j, l and the digit 1 only
+/// The votes of all readings that have a text. A reading with single letters, digits or marks as its first or
+/// last words ("Mill Lane 4"), which an arrow beside the name may be, votes for the name alone, where at
+/// least as many readings say the name with other ones or none. Forms that differ by the thin letters i, j, l
+/// and the digit 1 only
 /// ("Kohiplatz", "Kohlplatz") are alike: they are one vote. Any thread.
 std::vector<ReadingVote> votes_of_readings(const std::vector<Reading>& readings);
 

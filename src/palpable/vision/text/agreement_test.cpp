@@ -20,8 +20,15 @@ TEST(ReadingAgreement, DropsSingleLettersThatAreMarksBesideAName) {
   const auto votes =
       votes_of_readings({{"Rue des Açores À", 0.95}, {"Rue des Acores", 0.9}, {"4 Rue des Acores", 0.8}});
   ASSERT_EQ(votes.size(), 1U);
-  EXPECT_EQ(votes[0].best.text, "Rue des Acores");
+  EXPECT_EQ(votes[0].best.text, "Rue des Açores");
   EXPECT_EQ(votes[0].count, 3);
+}
+
+TEST(ReadingAgreement, DropsMarksThatAreReadDifferently) {
+  const auto votes = votes_of_readings(
+      {{"Rue Bellevue, a", 0.8}, {"Æ Rue Bellevue", 0.8}, {"7 Rue Bellevue", 0.7}, {"Rue Bellevue «a", 0.9}});
+  ASSERT_EQ(votes.size(), 1U);
+  EXPECT_EQ(votes[0].best.text, "Rue Bellevue");
 }
 
 TEST(ReadingAgreement, KeepsSingleLettersThatMostReadingsSay) {

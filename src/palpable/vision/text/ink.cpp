@@ -36,6 +36,15 @@ cv::Mat darkness_of(const Raster<Rgb8>& picture, int stroke_px) {
   return around - luma;
 }
 
+cv::Vec3d mean_colour(const Raster<Rgb8>& picture, const std::vector<cv::Point>& pixels) {
+  cv::Vec3d sum(0.0, 0.0, 0.0);
+  for (const cv::Point p : pixels) {
+    const Rgb8 c = picture(p.x, p.y);
+    sum += cv::Vec3d(c.r, c.g, c.b);
+  }
+  return sum * (1.0 / static_cast<double>(pixels.size()));
+}
+
 std::vector<Ink> pieces_of_ink(const Raster<Rgb8>& picture, const TextLineOptions& options) {
   const cv::Mat contrast = darkness_of(picture, options.thickest_stroke_px);
   // Letters that nearly touch are separated by the grey between them.
@@ -59,13 +68,7 @@ std::vector<Ink> pieces_of_ink(const Raster<Rgb8>& picture, const TextLineOption
     for (int x = 0; x < labels.cols; ++x)
       if (const int at = index[static_cast<std::size_t>(labels.at<int>(y, x))]; at >= 0)
         out[static_cast<std::size_t>(at)].pixels.emplace_back(x, y);
-  for (Ink& ink : out) {
-    for (const cv::Point p : ink.pixels) {
-      const Rgb8 c = picture(p.x, p.y);
-      ink.colour += cv::Vec3d(c.r, c.g, c.b);
-    }
-    ink.colour *= 1.0 / static_cast<double>(ink.pixels.size());
-  }
+  for (Ink& ink : out) ink.colour = mean_colour(picture, ink.pixels);
   return out;
 }
 

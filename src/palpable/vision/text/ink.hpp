@@ -29,6 +29,9 @@ cv::Mat luma_of(const Raster<Rgb8>& picture);
 /// `stroke_px`.
 cv::Mat darkness_of(const Raster<Rgb8>& picture, int stroke_px);
 
+/// RGB, 0 ... 255 each; `pixels` is not empty.
+cv::Vec3d mean_colour(const Raster<Rgb8>& picture, const std::vector<cv::Point>& pixels);
+
 /// Pieces of dark ink of the size of letters. Long thin lines (the borders of streets and buildings) are left
 /// out.
 std::vector<Ink> pieces_of_ink(const Raster<Rgb8>& picture, const TextLineOptions& options);

@@ -8,7 +8,9 @@
 #include "palpable/vision/text/tesseract.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <utility>
 
 namespace palpable::vision {
@@ -17,12 +19,12 @@ namespace {
 using Kind = StraightText::Kind;
 
 /// What most of the readings say; nothing if fewer than `least_count` agree.
-Reading agreed(const std::vector<Reading>& readings, int least_count) {
+ReadingVote agreed(const std::vector<Reading>& readings, int least_count) {
   const std::vector<ReadingVote> votes = votes_of_readings(readings);
   const auto best =
       std::max_element(votes.begin(), votes.end(),
                        [](const ReadingVote& a, const ReadingVote& b) { return a.weight < b.weight; });
-  return best == votes.end() || best->count < least_count ? Reading{} : best->best;
+  return best == votes.end() || best->count < least_count ? ReadingVote{} : *best;
 }
 
 double weight_of(const std::vector<Reading>& readings) {
@@ -37,6 +39,12 @@ struct Readings {
   bool reversed = false;
 };
 
+/// Whether a line is so steep that its lettering may be read to the left: lettering is placed upright.
+bool may_be_upside_down(const TextLine& line, const ReadTextOptions& options) {
+  const MapPoint a = line.centre.front(), b = line.centre.back();
+  return std::abs(b.y - a.y) > std::tan(options.level_deg * std::numbers::pi / 180.0) * std::abs(b.x - a.x);
+}
+
 bool leftwards(const TextLine& line) { return line.centre.back().x < line.centre.front().x; }
 
 /// Reads each line to the right, and to the left where that is unsure.
@@ -50,7 +58,9 @@ Result<std::vector<Readings>> read_both_ways(const StraightText& straight, std::
     numbers.clear();
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const int least = reader.languages.size() > 1 ? 2 : 1;
-      if (again && agreed(out[i].all, least).confidence >= options.sure) continue;
+      if (again && (!may_be_upside_down(lines[i], options) ||
+                    agreed(out[i].all, least).best.confidence >= options.sure))
+        continue;
       numbers.push_back(i);
       pictures.push_back(straight.of(lines[i], leftwards(lines[i]) != again, Kind::strokes));
     }
@@ -65,14 +75,20 @@ Result<std::vector<Readings>> read_both_ways(const StraightText& straight, std::
   return out;
 }
 
-/// Reads other pictures of the lines that said something.
+/// Whether too few of the readings of a line agree.
+bool is_unsure(const std::vector<Reading>& readings, const ReadTextOptions& options) {
+  return agreed(readings, 1).count < options.agreeing_part * static_cast<double>(readings.size());
+}
+
+/// Reads other pictures of the lines that said something, one of them only where readings differ.
 Result<void> read_more(std::vector<Readings>& readings, const StraightText& straight,
                        std::span<const TextLine> lines, Kind kind, const Reader& reader,
                        const ReadTextOptions& options, const Work& work) {
   std::vector<std::size_t> numbers;
   std::vector<cv::Mat> pictures;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (weight_of(readings[i].all) <= 0.0) continue;
+    if (weight_of(readings[i].all) <= 0.0 || (kind == Kind::covered && !is_unsure(readings[i].all, options)))
+      continue;
     numbers.push_back(i);
     pictures.push_back(straight.of(lines[i], readings[i].reversed, kind));
   }
@@ -92,6 +108,7 @@ Result<std::vector<Readings>> all_readings(const Raster<Rgb8>& picture, std::spa
   // With one language, a third picture makes up for the readings of others.
   std::vector<Kind> kinds{Kind::sharpened};
   if (reader.languages.size() == 1) kinds.push_back(Kind::stretched);
+  kinds.push_back(Kind::covered);
   for (const Kind kind : kinds)
     if (auto more = read_more(*readings, straight, lines, kind, reader, options, work); !more)
       return more.error();
@@ -135,9 +152,12 @@ Result<TextReading> read_text_lines(const Raster<Rgb8>& picture, std::span<const
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const Readings& line = (*readings)[i];
-    constexpr int kLeast = 2;
-    Reading reading = agreed(line.all, kLeast);
-    out.lines[i] = {std::move(reading.text), reading.confidence, line.reversed, different_texts(line.all)};
+    // One in four, at least two.
+    constexpr int kLeast = 2, kPart = 4;
+    const int readings_count = static_cast<int>(line.all.size());
+    ReadingVote vote = agreed(line.all, std::max(kLeast, (readings_count + kPart - 1) / kPart));
+    out.lines[i] = {std::move(vote.best.text), vote.best.confidence, line.reversed, different_texts(line.all),
+                    vote.weight};
   }
   return out;
 }

@@ -48,13 +48,19 @@ struct ReadTextOptions {
   double sharpening = 1.0;
   double sharpening_radius = 0.08;
   double stretch = 1.2;
+  /// Lines of which fewer than this part of the readings agree are read once more, 0 ... 1, from how much of
+  /// each pixel has their colour, but for other colours that differ by this, RGB levels. 1 ... 442.
+  double agreeing_part = 0.67;
+  double most_colour_difference = 45.0;
   /// Fewest letters in what is read, and the least part of it that is letters. 1 ... 20 and 0 ... 1.
   int fewest_letters = 3;
   double letter_part = 0.5;
   /// Lines that are read with less confidence are dropped. 0 ... 1.
   double least_confidence = 0.4;
-  /// Lines that are read with less confidence are also read upside down. 0 ... 1.
+  /// Lines that are read with less confidence, 0 ... 1, and are steeper than this, degrees, 0 ... 90, are
+  /// also read upside down.
   double sure = 0.8;
+  double level_deg = 30.0;
   /// Most processor time for reading all lines in each process, s; ten times as long by the clock. 1 ...
   /// 3600.
   double most_seconds = 60.0;
@@ -72,6 +78,8 @@ struct ReadLine {
   bool reversed = false;
   /// All that was read, among it what no second reading agrees with. For a gazetteer.
   std::vector<std::string> others = {};
+  /// Sum of the squares of the confidences of the readings that say it.
+  double weight = 0.0;
 };
 
 /// One ReadLine for each line of lettering.

@@ -3,6 +3,7 @@
 #include "palpable/vision/text/straight_text.hpp"
 
 #include "palpable/vision/text/ink.hpp"
+#include "palpable/vision/text/ink_coverage.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -131,6 +132,13 @@ cv::Mat with_sharp_edges(const cv::Mat& grey, const ReadTextOptions& options) {
   return out;
 }
 
+cv::Mat picture_of(const Raster<Rgb8>& part, Rgb8 ink, StraightText::Kind kind,
+                   const ReadTextOptions& options) {
+  if (kind == StraightText::Kind::strokes) return lettering_of(part, options);
+  if (kind != StraightText::Kind::covered) return luma_of(part);
+  return 255 - coverage_of(part, ink, options.thickest_stroke_px, options.most_colour_difference);
+}
+
 }  // namespace
 
 StraightText::StraightText(const Raster<Rgb8>& picture, std::span<const Rgb8> grounds,
@@ -142,9 +150,9 @@ cv::Mat StraightText::of(const TextLine& line, bool reversed, Kind kind) const {
   TextLine inside = line;
   const Raster<Rgb8> part =
       with_white_ground(part_around(picture_, inside, options_), line.colour, grounds_, options_);
-  const cv::Mat seen = kind == Kind::strokes ? lettering_of(part, options_) : luma_of(part);
+  const cv::Mat seen = picture_of(part, line.colour, kind, options_);
   cv::Mat out = straightened(seen, inside, reversed, stretch, options_);
-  if (kind != Kind::strokes) out = with_full_contrast(out, options_);
+  if (kind == Kind::sharpened || kind == Kind::stretched) out = with_full_contrast(out, options_);
   if (kind == Kind::sharpened) out = with_sharp_edges(out, options_);
   if (options_.smoothing > 0.0) cv::GaussianBlur(out, out, {}, options_.smoothing * options_.letter_px);
   const int border = options_.border_px;

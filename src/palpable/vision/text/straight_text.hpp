@@ -28,6 +28,8 @@ class StraightText {
     sharpened,
     /// The picture's own grey levels, with more room between letters.
     stretched,
+    /// How much of each pixel has the line's colour: borders and marks in other colours are white.
+    covered,
   };
   /// Reading goes to the right in the result, from the line's last point to its first if `reversed`.
   cv::Mat of(const TextLine& line, bool reversed, Kind kind) const;

@@ -43,5 +43,25 @@ TEST(StraightText, TheStreetBetweenHalosIsGround) {
   }
 }
 
+TEST(StraightText, CoverageShowsNoBordersInAnotherColour) {
+  constexpr Rgb8 kInk{30, 30, 30}, kBorder{160, 107, 0};
+  TextLine line;
+  line.height_px = 10.0;
+  line.colour = kInk;
+  for (int x = 18; x < 60; ++x) line.centre.push_back({static_cast<double>(x), 19.5});
+  const auto dark = [&](bool bordered, StraightText::Kind kind) {
+    Raster<Rgb8> picture(80, 40, {250, 240, 220});
+    for (int x = 18; x < 60; ++x) {
+      if (bordered) picture(x, 15) = kBorder;
+      if (x % 10 < 2)
+        for (int y = 16; y < 25; ++y) picture(x, y) = kInk;
+    }
+    return cv::countNonZero(StraightText(picture, {}, {}).of(line, false, kind) < 160);
+  };
+  using Kind = StraightText::Kind;
+  EXPECT_GT(dark(true, Kind::strokes), 1.2 * dark(false, Kind::strokes));
+  EXPECT_NEAR(dark(true, Kind::covered), dark(false, Kind::covered), 0.05 * dark(false, Kind::covered));
+}
+
 }  // namespace
 }  // namespace palpable::vision

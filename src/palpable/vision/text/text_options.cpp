@@ -72,10 +72,13 @@ std::vector<Parameter> parameters_of(ReadTextOptions& o) {
       {"sharpening", &o.sharpening, {0, 5}, "", "of the edges in the second picture"},
       {"sharpening_radius", &o.sharpening_radius, {0.01, 1}, "heights", "its reach"},
       {"stretch", &o.stretch, {1, 3}, "", "of the third picture, along the line"},
+      {"agreeing_part", &o.agreeing_part, {0, 1}, "", "of the readings; lines with less are read again"},
+      {"most_colour_difference", &o.most_colour_difference, {1, 442}, "levels", "of a line's ink, then"},
       {"fewest_letters", &o.fewest_letters, {1, 20}, "", "fewest letters in what is read"},
       {"letter_part", &o.letter_part, {0, 1}, "", "least part of it that is letters"},
       {"least_confidence", &o.least_confidence, {0, 1}, "", "lines read with less are dropped"},
       {"sure", &o.sure, {0, 1}, "", "lines read with less are also read upside down"},
+      {"level_deg", &o.level_deg, {0, 90}, "degrees", "slope of lines that are not"},
       {"most_seconds", &o.most_seconds, {1, 3600}, "s", "most processor time of a reader"}};
 }
 
