@@ -52,7 +52,8 @@ class FieldProxyLaw : public ContactLaw<Surface> {
       return output;
     }
     const Vec3 stretched = proxy.place_m - hand.position.v;
-    output.force_N.v = proxy_force(hand, contact, proxy.place_m, before, outward(proxy, stretched));
+    output.force_N.v =
+        proxy_force(hand, contact, proxy.place_m, before, proxy_spring(stretched, outward(proxy, stretched)));
     output.stored_J = 0.5 * contact.stiffness_N_per_m * squared_norm(stretched);
     output.spring_N.v = contact.stiffness_N_per_m * stretched;
     if (textures_.any())

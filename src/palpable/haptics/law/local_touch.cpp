@@ -92,7 +92,8 @@ LawOutput LocalTouch::on_plane(const Hand& hand, State& state) const noexcept {
   const Vec3 stretched = state.proxy_m - hand.position.v;
   output.spring_N.v = contact.stiffness_N_per_m * stretched;
   output.stored_J = 0.5 * contact.stiffness_N_per_m * squared_norm(stretched);
-  output.force_N.v = proxy_force(hand, contact, state.proxy_m, before, {normal, 1.0});
+  output.force_N.v =
+      proxy_force(hand, contact, state.proxy_m, before, proxy_spring(stretched, {normal, 1.0}));
   const double damped_W = -dot(output.force_N.v - output.spring_N.v, hand.velocity_m_per_s.v);
   state.tank_J += std::max(0.0, damped_W) * hand.dt_s +
                   contact.stiffness_N_per_m * kept_m * std::max(0.0, far_m - kept_m);

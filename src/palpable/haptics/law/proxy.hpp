@@ -37,22 +37,28 @@ class ProxyLaw : public ContactLaw<Surface> {
   [[gnu::flatten]] LawOutput evaluate(const Hand& hand, State& state) const noexcept {
     SurfaceProxy& proxy = state.proxy;
     const ProxyBefore before{proxy.place_m, proxy.phase == SurfaceProxy::Phase::touching, proxy.hand_m};
-    const Contact contact =
+    const Contact& contact =
         eased_contact(this->materials(), proxy.place_m, before.touching, hand.dt_s, state.memory);
-    const bool rests =
-        ProxyFollower<Surface>(this->surface(), {contact.static_friction, contact.dynamic_friction})
-            .follow(hand.position, proxy);
+    const ProxyFollower<Surface> follower(this->surface(),
+                                          {contact.static_friction, contact.dynamic_friction});
+    if (!follower.is_held_slowly(hand.position.v, proxy))
+      return output_otherwise(hand, contact, before, follower, state);
     // Apart from the other cases, so that the place and the surface are still in registers.
-    if (rests) [[likely]]
-      return pushed(hand, contact, before, upward(state.proxy), state);
+    SlideEnd end;
+    if (follower.follow_slowly(hand.position.v, before, proxy, end)) [[likely]]
+      return pushed(hand, contact, before, end.place_m,
+                    {{-end.way.level[0], -end.way.level[1], -end.way.rise},
+                     end.way.whole2,
+                     {{-end.slope[0], -end.slope[1], 1.0}, end.steep2},
+                     -end.lifted_m},
+                    state);
     return output_after(hand, contact, before, state);
   }
 
   EnergyModel energy_model() const noexcept { return EnergyModel::spring; }
 
   HandOver hand_over(const State& state) const noexcept {
-    const models::CurvedSample& s = state.proxy.surface;
-    return hand_over_of(state.proxy, unit(Vec3{-s.dzdx, -s.dzdy, 1.0}), state.memory);
+    return hand_over_of(state.proxy, unit(upward(state.proxy).v), state.memory);
   }
 
   TangentPlane tangent_plane(const Hand& hand, const State& state) const noexcept {
@@ -76,10 +82,21 @@ class ProxyLaw : public ContactLaw<Surface> {
   }
 
  private:
+  /// The output of a tick with a free proxy or a fast hand. A function of its own: with it, g++ has too few
+  /// registers for the other ticks.
+  [[gnu::noinline]] LawOutput output_otherwise(const Hand& hand, const Contact& contact,
+                                               const ProxyBefore& before,
+                                               const ProxyFollower<Surface>& follower,
+                                               State& state) const noexcept {
+    follower.follow(hand.position.v, state.proxy);
+    return output_after(hand, contact, before, state);
+  }
+
   /// The output after any tick.
   [[gnu::noinline]] LawOutput output_after(const Hand& hand, const Contact& contact,
                                            const ProxyBefore& before, State& state) const noexcept {
-    if (state.proxy.holds_the_hand()) return pushed(hand, contact, before, outward(state.proxy), state);
+    if (state.proxy.holds_the_hand())
+      return pushed(hand, contact, before, state.proxy.place_m, spring_of(state.proxy), state);
     LawOutput output = output_of(state);
     state.memory.texture.share = 0.0;
     if (state.proxy.crossed_m > 0.0) add_crossing(hand, contact, state.proxy, output);
@@ -88,32 +105,31 @@ class ProxyLaw : public ContactLaw<Surface> {
 
   /// Along the normal.
   static Outward upward(const SurfaceProxy& proxy) noexcept {
-    const models::CurvedSample& s = proxy.surface;
-    return {{-s.dzdx, -s.dzdy, 1.0}, 1.0 / (1.0 + (s.dzdx * s.dzdx + s.dzdy * s.dzdy))};
+    const models::Pair slope = proxy.surface.slope;
+    return {{-slope[0], -slope[1], 1.0}, 1.0 + models::sum_of(slope * slope)};
   }
-  /// The direction in which the surface pushes. A proxy that waits in front of a wall, from which the hand is
-  /// on the outer side of its tangent plane, is held by the wall: the direction is that of the spring.
-  static Outward outward(const SurfaceProxy& proxy) noexcept {
-    const Outward up = upward(proxy);
-    const Vec3 stretched = proxy.place_m - proxy.hand_m;
-    const double square = squared_norm(stretched);
-    return dot(stretched, up.v) < 0.0 && square > 0.0 ? Outward{stretched, 1.0 / square} : up;
+  /// The spring of a proxy in contact, and the direction in which its surface pushes. A proxy that waits in
+  /// front of a wall, from which the hand is on the outer side of its tangent plane, is held by the wall: the
+  /// direction is that of the spring.
+  static ProxySpring spring_of(const SurfaceProxy& proxy) noexcept {
+    const ProxySpring spring = proxy_spring(proxy.place_m - proxy.hand_m, upward(proxy));
+    if (spring.out_m >= 0.0 || spring.square_m2 <= 0.0) return spring;
+    return {spring.length_m, spring.square_m2, {spring.length_m, spring.square_m2}, spring.square_m2};
   }
 
-  /// The output with a proxy in contact whose surface pushes along `out`.
+  /// The output with a proxy in contact at `place_m`.
   [[gnu::always_inline]] LawOutput pushed(const Hand& hand, const Contact& contact, const ProxyBefore& before,
-                                          const Outward& out, State& state) const noexcept {
-    const SurfaceProxy& proxy = state.proxy;
-    LawOutput output = output_of(state);
-    const Vec3 stretched = proxy.place_m - hand.position.v;
-    output.force_N.v = proxy_force(hand, contact, proxy.place_m, before, out);
-    output.spring_N.v = contact.stiffness_N_per_m * stretched;
-    output.stored_J = 0.5 * contact.stiffness_N_per_m * squared_norm(stretched);
+                                          Vec3 place_m, const ProxySpring& spring,
+                                          State& state) const noexcept {
+    LawOutput output = output_with(place_m, true, state.memory.label);
+    output.force_N.v = proxy_force(hand, contact, place_m, before, spring);
+    output.spring_N.v = contact.stiffness_N_per_m * spring.length_m;
+    output.stored_J = 0.5 * contact.stiffness_N_per_m * spring.square_m2;
     if (textures_.any()) {
-      const Outward up = upward(proxy);
-      const Vec3 normal = std::sqrt(up.per_length2) * up.v;
+      const Outward up = upward(state.proxy);
+      const Vec3 normal = (1.0 / std::sqrt(up.length2)) * up.v;
       add_texture(hand, textures_.of(state.memory.label),
-                  {proxy.place_m, normal, dot(stretched, normal), contact.stiffness_N_per_m}, on_plan,
+                  {place_m, normal, dot(spring.length_m, normal), contact.stiffness_N_per_m}, on_plan,
                   state.memory.texture, output);
     }
     return output;

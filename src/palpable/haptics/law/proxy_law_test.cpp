@@ -85,6 +85,35 @@ TEST(ProxyLaw, KeepsTheForceInTheFrictionConeOnHills) {
   }
 }
 
+// By approximated steps: mostly in the tick, and always when the hand stops.
+TEST(ProxyLaw, ComesToTheEdgeOfTheFrictionConeWithinATenthOfAMicrometre) {
+  const models::Scene scene = scene_of(random_hills(200, 160, 5));
+  const auto& relief = *std::get<std::shared_ptr<const models::Relief>>(scene.model);
+  LawParameters p = frictionless();
+  p.static_friction = p.dynamic_friction = 0.3;
+  const auto law = made(scene, p);
+  TouchState state;
+  const auto beyond_cone_m = [&](const LawOutput& output) {
+    const auto s = relief.sample(output.proxy.v.x, output.proxy.v.y);
+    const Vec3 n = unit(Vec3{-s.dzdx, -s.dzdy, 1.0});
+    const double normal_N = dot(output.spring_N.v, n);
+    return (norm(output.spring_N.v - normal_N * n) - 0.3 * normal_N) / *p.stiffness_N_per_m;
+  };
+  int far = 0;
+  for (int k = 0; k < 4000; ++k) {
+    const double t = 0.001 * k;
+    const double x = 0.017 * std::sin(2.0 * t);
+    const double y = 0.013 * std::sin(3.1 * t);
+    const Vec3 hand{x, y, relief.sample(x, y).z_m - 0.0007};
+    // In a few ticks three steps do not suffice.
+    far += beyond_cone_m(output_at(*law, state, hand)) > 1.1e-7 ? 1 : 0;
+    if (k % 20 != 0) continue;
+    for (int rest = 0; rest < 4; ++rest) output_at(*law, state, hand);
+    ASSERT_LE(beyond_cone_m(output_at(*law, state, hand)), 1.1e-7) << k;
+  }
+  EXPECT_LT(far, 200);
+}
+
 TEST(ProxyLaw, FeelsTheSameWhenSceneAndProbeAreTurnedTogether) {
   const Raster<float> hills = random_hills(120, 120, 7);
   Raster<float> turned(120, 120);

@@ -31,13 +31,13 @@ enum class EnergyModel : std::uint8_t {
 /// The complete state of one touch. The servo loop owns it; it is trivially copyable and passed to the law as
 /// bytes. A law's own State is at its start (state_as). All zero = a new touch at rest.
 struct TouchState {
-  alignas(16) std::array<std::byte, 240> bytes{};
+  alignas(16) std::array<std::byte, 256> bytes{};
   /// That of a pull along a way, which any law can have beside it.
   PullTouch pull{};
   FoundInField found{};
 };
 
-/// A law's State inside a TouchState. State must be trivially copyable and at most 240 bytes; all zero is its
+/// A law's State inside a TouchState. State must be trivially copyable and at most 256 bytes; all zero is its
 /// initial value.
 template <class State>
 State& state_as(TouchState& state) noexcept {

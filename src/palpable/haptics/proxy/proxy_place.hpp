@@ -25,7 +25,7 @@ struct SurfaceProxy {
   /// The hand's position in the previous tick.
   Vec3 hand_m;
   /// The surface at place_m; valid only while touching.
-  models::CurvedSample surface;
+  models::PairedSample surface;
   /// A lower bound of the height of place_m above the surface; valid only while free.
   double clearance_m = 0.0;
   Phase phase = Phase::fresh;
@@ -55,7 +55,7 @@ struct SurfaceProxy {
   }
 
   /// Puts the proxy in contact on the surface, of which `s` is the sample at x_m, y_m.
-  void rest(double x_m, double y_m, const models::CurvedSample& s) noexcept {
+  void rest(double x_m, double y_m, const models::PairedSample& s) noexcept {
     place_m = {x_m, y_m, s.z_m};
     surface = s;
     phase = Phase::touching;

@@ -84,7 +84,7 @@ class SurfaceFlight {
 
   Flown stop(double share) noexcept {
     proxy_.place_m = path_.at(share);
-    proxy_.surface = surface_.curved_sample(proxy_.place_m.x, proxy_.place_m.y);
+    proxy_.surface = surface_.paired_sample(models::level_of(proxy_.place_m));
     proxy_.clearance_m = std::max(0.0, proxy_.place_m.z - proxy_.surface.z_m);
     return Flown::stopped;
   }
@@ -92,7 +92,7 @@ class SurfaceFlight {
   /// The path is clear, and its end is on the surface but for rounding.
   Flown end_at_the_surface(int& evaluations) noexcept {
     const Vec3 to = path_.to();
-    const models::CurvedSample s = surface_.curved_sample(to.x, to.y);
+    const models::PairedSample s = surface_.paired_sample(models::level_of(to));
     --evaluations;
     if (to.z >= s.z_m) return arrive(to.z - s.z_m);
     proxy_.rest(to.x, to.y, s);
@@ -115,7 +115,7 @@ class SurfaceFlight {
     // Newton's method, in the interval.
     for (int k = 0; k < kMeetings; ++k) {
       const Vec3 m = path_.at(share);
-      const models::CurvedSample s = surface_.curved_sample(m.x, m.y);
+      const models::PairedSample s = surface_.paired_sample(models::level_of(m));
       proxy_.rest(m.x, m.y, s);
       const double above_m = m.z - s.z_m;
       if (std::abs(above_m) <= kMet_m) break;
@@ -127,9 +127,9 @@ class SurfaceFlight {
     return Flown::met;
   }
 
-  double rate_over(const models::CurvedSample& s) const noexcept {
+  double rate_over(const models::PairedSample& s) const noexcept {
     const Vec3 way = path_.way();
-    return way.z - s.dzdx * way.x - s.dzdy * way.y;
+    return way.z - s.slope[0] * way.x - s.slope[1] * way.y;
   }
 
   const Surface& surface_;

@@ -101,9 +101,9 @@ class CountedRelief {
     ++evaluations;
     return relief_.sample(x_m, y_m);
   }
-  models::CurvedSample curved_sample(double x_m, double y_m) const noexcept {
+  models::PairedSample paired_sample(models::Pair place_m) const noexcept {
     ++evaluations;
-    return relief_.curved_sample(x_m, y_m);
+    return relief_.paired_sample(place_m);
   }
   models::CellPath path_in_cell(Vec3 a, Vec3 b) const noexcept { return relief_.path_in_cell(a, b); }
   models::CellWalk cell_walk(Vec3 a, Vec3 b) const noexcept { return relief_.cell_walk(a, b); }
@@ -132,7 +132,7 @@ TEST(SurfaceFlight, IsNotEvaluatedAgainWhereItStops) {
     const double x_m = walls.wall_x_m + 1e-5;
     const Vec3 hand{walls.wall_x_m + beyond_m, 0.0, -0.004};
     SurfaceProxy proxy;
-    proxy.rest(x_m, 0.0, walls.relief->curved_sample(x_m, 0.0));
+    proxy.rest(x_m, 0.0, walls.relief->paired_sample(models::Pair{x_m, 0.0}));
     proxy.hand_m = hand;
     surface.evaluations = 0;
     follower.follow({hand}, proxy);
@@ -150,7 +150,7 @@ TEST(SurfaceProxy, RemembersThatTheHandIsBelow) {
   const Vec3 hand{walls.wall_x_m + 0.5 * walls.apart_m, 0.0, -0.003};
   SurfaceProxy proxy;
   const double x_m = hand.x - 0.003;
-  proxy.rest(x_m, 0.0, walls.relief->curved_sample(x_m, 0.0));
+  proxy.rest(x_m, 0.0, walls.relief->paired_sample(models::Pair{x_m, 0.0}));
   proxy.hand_m = hand;
   for (int tick = 0; tick < 5; ++tick) {
     const double before_m = proxy.place_m.x;
@@ -159,6 +159,42 @@ TEST(SurfaceProxy, RemembersThatTheHandIsBelow) {
     EXPECT_GT(proxy.place_m.x, before_m) << tick;
     EXPECT_LE(surface.evaluations, tick == 0 ? 4 : 3) << tick;
   }
+}
+
+TEST(SurfaceProxy, FollowsASlowHandAsAnyOther) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const PixelWalls walls(0.0003, 3.0);
+  const ProxyFollower<models::BoundedRelief> follower(*walls.bounded, {0.4, 0.3});
+  int rested = 0, went_on = 0;
+  for (int stroke = 0; stroke < 100; ++stroke) {
+    SurfaceProxy any, slow;
+    Vec3 hand{walls.wall_x_m + 0.006 * uniform(random), 0.004 * uniform(random), 0.0};
+    const Vec3 way{1.5e-4 * uniform(random), 1e-4 * uniform(random), 0.0};
+    const double deep_m = 0.001 * (0.8 + uniform(random));
+    for (int tick = 0; tick < 50; ++tick) {
+      hand += way;
+      hand.z = walls.relief->sample(hand.x, hand.y).z_m - deep_m;
+      follower.follow(hand, any);
+      if (follower.is_held_slowly(hand, slow)) {
+        SlideEnd end;
+        const ProxyBefore before{slow.place_m, true, slow.hand_m};
+        const bool rests = follower.follow_slowly(hand, before, slow, end);
+        ++(rests ? rested : went_on);
+        if (rests) {
+          EXPECT_EQ(end.place_m, slow.place_m);
+          EXPECT_NEAR(end.way.whole2, squared_norm(hand - slow.place_m), 1e-18);
+        }
+      } else {
+        follower.follow(hand, slow);
+      }
+      ASSERT_EQ(any.place_m, slow.place_m);
+      ASSERT_EQ(any.phase, slow.phase);
+      ASSERT_EQ(any.slipping, slow.slipping);
+    }
+  }
+  EXPECT_GT(rested, 1000);
+  EXPECT_GT(went_on, 20);
 }
 
 TEST(SurfaceProxy, KnowsOnlyHandsBelowToBeBelow) {

@@ -26,28 +26,44 @@ class ProxyFollower {
   ProxyFollower(const Surface& surface, Friction friction) noexcept
       : surface_(surface), slide_(surface, friction) {}
 
-  /// Moves the proxy by one tick; `hand` is the hand's position, finite. True if a proxy in contact came to
-  /// rest by its first slide, as it mostly does: then it is in contact. Inlined, so that what follows finds
-  /// its place and surface in registers.
-  [[gnu::always_inline]] bool follow(Point<SceneFrame> hand, SurfaceProxy& proxy) const noexcept {
-    if (proxy.phase == SurfaceProxy::Phase::fresh) [[unlikely]]
-      begin(hand.v, proxy);
-    const Before before{proxy.place_m, proxy.hand_m, proxy.holds_the_hand()};
-    auto [longest_m, evaluations] = allowance(squared_norm(hand.v - before.hand_m));
-    proxy.hand_m = hand.v;
+  /// Whether the proxy is in contact, and the hand moved by less than a pixel in this tick: mostly.
+  bool is_held_slowly(Vec3 hand_m, const SurfaceProxy& proxy) const noexcept {
+    return proxy.holds_the_hand() &&
+           squared_norm(hand_m - proxy.hand_m) < surface_.pixel_m() * surface_.pixel_m();
+  }
+
+  /// Moves a proxy that is_held_slowly() by one tick. True if it came to rest by its first slide, as it
+  /// mostly does: then it is in contact, as `end` tells. Inlined, so that what follows finds its place and
+  /// surface in registers. `before`: the proxy before the tick.
+  [[gnu::always_inline]] bool follow_slowly(Vec3 hand_m, const ProxyBefore& before, SurfaceProxy& proxy,
+                                            SlideEnd& end) const noexcept {
+    Left left{surface_.pixel_m(), kEvaluations};
+    proxy.hand_m = hand_m;
+    proxy.crossed_m = 0.0;
+    const Slid slid = slide_.slide_by_pixels(hand_m, proxy, left.evaluations, end);
+    if (slid == Slid::rests) [[likely]]
+      return true;
+    follow_on(slid, before, left, proxy);
+    return false;
+  }
+
+  /// Moves the proxy by one tick; `hand_m` is the hand's position, finite.
+  [[gnu::noinline, gnu::flatten]] void follow(Vec3 hand_m, SurfaceProxy& proxy) const noexcept {
+    if (proxy.phase == SurfaceProxy::Phase::fresh) begin(hand_m, proxy);
+    const ProxyBefore before{proxy.place_m, proxy.holds_the_hand(), proxy.hand_m};
+    Left left = allowance(norm(hand_m - before.hand_m));
+    proxy.hand_m = hand_m;
     proxy.crossed_m = 0.0;
     Slid slid = Slid::leaves;
-    if (before.was_held) {
-      // A proxy that does not come to rest in this tick asks about the hand, which may be far from it.
-      if (!is_known_below(hand.v, proxy)) surface_.prefetch(hand.v.x, hand.v.y);
-      slid = slide_.slide(hand.v, longest_m, proxy, evaluations);
-      if (slid == Slid::rests) return true;
-    } else if (proxy.clearance_m <= longest_m) {
+    if (before.touching) {
+      SlideEnd end;
+      slid = slide_.slide(hand_m, left.longest_m, proxy, left.evaluations, end);
+      if (slid == Slid::rests) return;
+    } else if (proxy.clearance_m <= left.longest_m) {
       // The hand may meet the surface in the next tick: where it will probably be.
-      surface_.prefetch(hand.v, hand.v + (hand.v - before.hand_m));
+      surface_.prefetch(hand_m, hand_m + (hand_m - before.hand_m));
     }
-    follow_on(slid, before, {longest_m, evaluations}, proxy);
-    return false;
+    follow_on(slid, before, left, proxy);
   }
 
   /// Takes over the proxy of another surface: it moves straight down, or, if it is below this surface, to the
@@ -58,7 +74,7 @@ class ProxyFollower {
     proxy.hand_m = from.hand.v;
     proxy.slipping = from.slipping;
     if (from.touching && !proxy.holds_the_hand())
-      proxy.rest(place.x, place.y, surface_.curved_sample(place.x, place.y));
+      proxy.rest(place.x, place.y, surface_.paired_sample(models::level_of(place)));
   }
 
  private:
@@ -67,17 +83,13 @@ class ProxyFollower {
   /// (after a jump of many pixels).
   static constexpr int kEvaluations = 3;
   static constexpr double kPerPixel = 0.75;
-  /// What a slide may use at least after the first contact of a flight.
+  /// What a slide may use at least after the first contact of a flight: of a hand that moves by less than a
+  /// pixel, which one step follows, and of others, whose steps are half their movement.
+  static constexpr int kAfterMeetingSlowly = 1;
   static constexpr int kAfterMeeting = 2;
   static constexpr int kMaxEvaluations = SurfaceFlight<Surface>::kMaxEvaluations;
   /// A contact within this distance of a place is at this place.
   static constexpr double kReturned_m = 1e-5;
-  /// The proxy and the hand before the tick.
-  struct Before {
-    Vec3 place_m;
-    Vec3 hand_m;
-    bool was_held;
-  };
   /// What is left of a tick after its first slide: the longest step, and evaluations.
   struct Left {
     double longest_m;
@@ -102,22 +114,18 @@ class ProxyFollower {
     models::PathEntry entry{};
   };
 
-  /// What a tick may use after a hand's movement, given as its square.
-  [[gnu::always_inline]] Left allowance(double moved2_m2) const noexcept {
+  /// What a tick may use after a hand's movement.
+  Left allowance(double moved_m) const noexcept {
     const double pixel_m = surface_.pixel_m();
-    // Mostly; the same as below, without a root and a division.
-    if (moved2_m2 < pixel_m * pixel_m) [[likely]]
-      return {pixel_m, kEvaluations};
-    const double moved_m = std::sqrt(moved2_m2);
     return {std::max(pixel_m, 0.5 * moved_m),
             kEvaluations + static_cast<int>(std::min(kPerPixel * moved_m / pixel_m, 1.0 * kMaxEvaluations))};
   }
 
   /// The rest of a tick whose proxy was free, or whose first slide ended with `slid` before it came to rest.
-  [[gnu::noinline]] void follow_on(Slid slid, const Before& before, Left left,
+  [[gnu::noinline]] void follow_on(Slid slid, const ProxyBefore& before, Left left,
                                    SurfaceProxy& proxy) const noexcept {
     Tick tick{proxy.hand_m,   before.hand_m,    before.place_m, before.place_m,
-              left.longest_m, left.evaluations, before.was_held};
+              left.longest_m, left.evaluations, before.touching};
     if (!reaches_hand_after(slid, tick.place_before_m, proxy, tick)) {
       if (tick.waits && !is_known_below(tick.hand_m, proxy) && sees_hand(proxy, tick)) {
         proxy.lift_off();
@@ -134,7 +142,8 @@ class ProxyFollower {
   /// then.
   [[gnu::noinline, gnu::flatten]] bool reaches_hand(SurfaceProxy& proxy, Tick& tick) const noexcept {
     const Vec3 from = proxy.place_m;
-    const Slid slid = slide_.slide(tick.hand_m, tick.longest_m, proxy, tick.evaluations);
+    SlideEnd end;
+    const Slid slid = slide_.slide(tick.hand_m, tick.longest_m, proxy, tick.evaluations, end);
     return slid != Slid::rests && reaches_hand_after(slid, from, proxy, tick);
   }
 
@@ -157,11 +166,13 @@ class ProxyFollower {
           tick.entry = flight.entry();
           // In a pit the flight may be far shorter than a pixel. If it left nothing for the slide, the proxy
           // would stay there, however far the hand went.
-          tick.evaluations = std::max(tick.evaluations, kAfterMeeting);
+          const bool is_slow = tick.longest_m <= surface_.pixel_m();
+          tick.evaluations = std::max(tick.evaluations, is_slow ? kAfterMeetingSlowly : kAfterMeeting);
         }
         tick.met = true;
         from = proxy.place_m;
-        slid = slide_.slide(hand_m, tick.longest_m, proxy, tick.evaluations);
+        SlideEnd end;
+        slid = slide_.slide(hand_m, tick.longest_m, proxy, tick.evaluations, end);
         if (slid == Slid::rests) return false;
       }
       // If every attempt to continue is blocked, the proxy stays in contact.
@@ -248,7 +259,7 @@ class ProxyFollower {
     if (fly(entry_m, Reach::whole_way, proxy, tick.evaluations) == Flown::met)
       return norm(proxy.place_m - entry_m) < kReturned_m;
     const Vec3 at = proxy.place_m;
-    proxy.rest(at.x, at.y, surface_.curved_sample(at.x, at.y));
+    proxy.rest(at.x, at.y, surface_.paired_sample(models::level_of(at)));
     return true;
   }
 
@@ -256,24 +267,25 @@ class ProxyFollower {
   /// sliding towards it from straight above, or along `normal` (0: unknown). The point straight above alone
   /// may be on top of a wall, from which the proxy would come down on the other side.
   Vec3 uncovered(Vec3 place, Vec3 normal) const noexcept {
-    const models::CurvedSample above = surface_.curved_sample(place.x, place.y);
+    const models::PairedSample above = surface_.paired_sample(models::level_of(place));
     if (above.z_m - place.z <= surface_.pixel_m()) return place;
     SurfaceProxy slid;
     slid.rest(place.x, place.y, above);
     int evaluations = kMaxEvaluations;
-    slide_.slide(place, surface_.pixel_m(), slid, evaluations);
+    SlideEnd end;
+    slide_.slide(place, surface_.pixel_m(), slid, evaluations, end);
     const double nearest_m = norm(slid.place_m - place);
     const double step_m = std::max(0.5 * surface_.pixel_m(), nearest_m / kMaxEvaluations);
     for (double way_m = step_m; normal != Vec3{} && way_m < nearest_m; way_m += step_m) {
       const Vec3 p = place + way_m * normal;
-      if (p.z >= surface_.curved_sample(p.x, p.y).z_m) return p;
+      if (p.z >= surface_.paired_sample(models::level_of(p)).z_m) return p;
     }
     return slid.place_m;
   }
 
   /// Starts a new touch at rest; a hand below the surface gets the proxy straight above it.
   [[gnu::noinline]] void begin(Vec3 hand_m, SurfaceProxy& proxy) const noexcept {
-    const models::CurvedSample s = surface_.curved_sample(hand_m.x, hand_m.y);
+    const models::PairedSample s = surface_.paired_sample(models::level_of(hand_m));
     proxy.slipping = false;
     proxy.hand_m = hand_m;
     if (hand_m.z < s.z_m) {
@@ -326,7 +338,7 @@ class ProxyFollower {
   void hold(SurfaceProxy& proxy, Vec3 flown_from, const Tick& tick) const noexcept {
     if (!tick.was_held && !is_below(tick.hand_m)) return;
     const Vec3 at = proxy.place_m;
-    const models::CurvedSample end = proxy.surface;
+    const models::PairedSample end = proxy.surface;
     proxy.rest(at.x, at.y, end);
     // No wall rises above a flight that descends from where the proxy was.
     const Vec3 from = tick.place_before_m;
@@ -335,10 +347,10 @@ class ProxyFollower {
     const double pixels = std::hypot(way.x, way.y) / surface_.pixel_m();
     const int places = 1 + static_cast<int>(std::min(pixels, 1.0 * kMaxEvaluations));
     Vec3 top = from;
-    models::CurvedSample at_top = surface_.curved_sample(from.x, from.y);
+    models::PairedSample at_top = surface_.paired_sample(models::level_of(from));
     for (int k = 1; k <= places; ++k) {
       const Vec3 p = from + (1.0 * k / places) * way;
-      const models::CurvedSample s = k < places ? surface_.curved_sample(p.x, p.y) : end;
+      const models::PairedSample s = k < places ? surface_.paired_sample(models::level_of(p)) : end;
       if (slide_.passes_over({from.z, top.z, s.z_m}, tick.longest_m)) return proxy.rest(top.x, top.y, at_top);
       if (s.z_m <= top.z) continue;
       top = {p.x, p.y, s.z_m};

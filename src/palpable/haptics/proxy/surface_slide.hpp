@@ -23,6 +23,17 @@ struct Friction {
 /// evaluations left.
 enum class Slid : std::uint8_t { rests, leaves, unfinished };
 
+/// What the end of a slide knows of its place and the hand, for the force there.
+struct SlideEnd {
+  Vec3 place_m;
+  /// From the proxy to the hand.
+  models::WayFromSurface way;
+  models::Pair slope;
+  /// 1 + slope^2; and the way times the upward direction {-slope, 1}.
+  double steep2;
+  double lifted_m;
+};
+
 /// Slides a SurfaceProxy in contact along a height field towards the hand, held back by friction. Each step
 /// is at most a pixel long (on slopes below 45 degrees, where it passes over no top: half of the hand's
 /// movement in the tick). It must bring the proxy nearer to the hand, so the proxy climbs over a wall or goes
@@ -32,11 +43,18 @@ class SurfaceSlide {
  public:
   SurfaceSlide(const Surface& surface, Friction friction) noexcept : surface_(surface), friction_(friction) {}
 
-  /// Steps are at most `longest_m` long, at least a pixel. Subtracts from `evaluations`.
-  [[gnu::always_inline]] Slid slide(Vec3 hand_m, double longest_m, SurfaceProxy& proxy,
-                                    int& evaluations) const noexcept {
-    return longest_m > surface_.pixel_m() ? slide<Steps::longer>(hand_m, longest_m, proxy, evaluations)
-                                          : slide<Steps::pixels>(hand_m, longest_m, proxy, evaluations);
+  /// Steps are at most `longest_m` long, at least a pixel. Subtracts from `evaluations`. `end` is set if the
+  /// slide rests.
+  [[gnu::always_inline]] Slid slide(Vec3 hand_m, double longest_m, SurfaceProxy& proxy, int& evaluations,
+                                    SlideEnd& end) const noexcept {
+    return longest_m > surface_.pixel_m() ? slide<Steps::longer>(hand_m, longest_m, proxy, evaluations, end)
+                                          : slide<Steps::pixels>(hand_m, longest_m, proxy, evaluations, end);
+  }
+
+  /// The same, of a hand that moves by less than a pixel.
+  [[gnu::always_inline]] Slid slide_by_pixels(Vec3 hand_m, SurfaceProxy& proxy, int& evaluations,
+                                              SlideEnd& end) const noexcept {
+    return slide<Steps::pixels>(hand_m, surface_.pixel_m(), proxy, evaluations, end);
   }
 
   /// Heights along a path: at its start, its maximum, and at its end.
@@ -70,41 +88,38 @@ class SurfaceSlide {
   /// At this distance from its final position the proxy rests: 0.05 mN at 500 N/m.
   static constexpr double kTolerance_m = 1e-7;
 
+  using Pair = models::Pair;
+
   /// Shortens a step to a pixel if the surface between its ends rises by more than the step's length.
-  void shorten_at_walls(Vec3 place, double& dx, double& dy) const noexcept {
-    const double length2 = dx * dx + dy * dy;
-    if (length2 <= surface_.pixel_m() * surface_.pixel_m()) return;
-    const models::SurfaceBounds bounds = surface_.bounds_over(place.x, place.y, place.x + dx, place.y + dy);
+  Pair shortened_at_walls(Pair place, double z_m, Pair step) const noexcept {
+    const double length2 = models::sum_of(step * step);
+    if (length2 <= surface_.pixel_m() * surface_.pixel_m()) return step;
+    const Pair end = place + step;
+    const models::SurfaceBounds bounds = surface_.bounds_over(place[0], place[1], end[0], end[1]);
     const double length_m = std::sqrt(length2);
-    if (static_cast<double>(bounds.highest) <= place.z + length_m) return;
-    dx *= surface_.pixel_m() / length_m;
-    dy *= surface_.pixel_m() / length_m;
+    if (static_cast<double>(bounds.highest) <= z_m + length_m) return step;
+    return (surface_.pixel_m() / length_m) * step;
   }
 
   /// Whether a step of more than a pixel rises at its start and falls at its end. No jumps: the processor
   /// foresees none of them, but mostly that not all are true.
-  bool rises_and_falls(const models::CurvedSample& from, const models::CurvedSample& to, double dx,
-                       double dy) const noexcept {
-    const bool is_long = dx * dx + dy * dy > surface_.pixel_m() * surface_.pixel_m();
-    const bool rises = from.dzdx * dx + from.dzdy * dy > 0.0;
-    const bool falls = to.dzdx * dx + to.dzdy * dy < 0.0;
+  bool rises_and_falls(Pair slope, Pair slope_after, Pair step) const noexcept {
+    const bool is_long = models::sum_of(step * step) > surface_.pixel_m() * surface_.pixel_m();
+    const bool rises = models::sum_of(slope * step) > 0.0;
+    const bool falls = models::sum_of(slope_after * step) < 0.0;
     return (is_long & rises & falls) != 0;
   }
 
   /// Whether a step passes over a crest that would hold a proxy back: then the squared distance to the hand
   /// falls, grows and falls again. It is examined only where the distances and their changes at the two ends
   /// are not nearly those of a parabola, whose changes sum to twice the difference.
-  bool passes_crest(Vec3 place, const models::WayFromSurface& before, const models::WayFromSurface& after,
-                    double dx, double dy, Vec3 hand_m) const noexcept {
+  bool passes_crest(Pair place, double z_m, const models::WayFromSurface& before,
+                    const models::WayFromSurface& after, Pair step, Vec3 hand_m) const noexcept {
     const double falls = before.whole2 - after.whole2;
-    const models::Pair step{dx, dy};
-    const models::Pair starts = step * models::Pair{before.down_x, before.down_y};
-    const models::Pair ends = step * models::Pair{after.down_x, after.down_y};
-    const double at_start = starts[0] + starts[1];
-    const double at_end = ends[0] + ends[1];
+    const double changes = models::sum_of(step * (before.down + after.down));
     const double least2 = kSure_px * kSure_px * surface_.pixel_m() * surface_.pixel_m();
-    return std::abs(at_start + at_end - falls) > kUneven * falls && dx * dx + dy * dy > least2 &&
-           !keeps_approaching(surface_, place, dx, dy, hand_m);
+    return std::abs(changes - falls) > kUneven * falls && models::sum_of(step * step) > least2 &&
+           !keeps_approaching(surface_, {place[0], place[1], z_m}, step[0], step[1], hand_m);
   }
 
   /// Whether the distance along the surface is within the tolerance of what friction holds, both times the
@@ -120,50 +135,61 @@ class SurfaceSlide {
     return along2 <= near * near;
   }
 
-  /// Whether the hand is in free air beside the crest on which the proxy is (offset `d`, sample `s`):
-  /// friction must not hold it there. Evaluates the surface only where its curvature at the proxy suggests
-  /// that.
-  bool is_beside_crest(Vec3 d, const models::CurvedSample& s, double steep2, Vec3 hand_m) const noexcept {
+  /// Which part of a step to the nearest point leads to where friction holds: 1 - sqrt(held2 / along2). Near
+  /// 1, the root is approximated (Pade, order [2/2]), and the division is left to the caller, since both are
+  /// on the tick's critical path. The part is at most 2 % too small.
+  [[gnu::always_inline]] static models::StepPart part_outside(double along2, double held2) noexcept {
+    if (held2 < 0.25 * along2) return {1.0 - std::sqrt(held2 / along2), 1.0};
+    const double product = along2 * held2;
+    const double square = along2 * along2;
+    const double held4 = held2 * held2;
+    return {4.0 * (square - held4), 5.0 * (square + (product + product)) + held4};
+  }
+
+  /// Whether the hand is in free air beside the crest on which the proxy is (with the way to the hand, the
+  /// part `lifted` of its rise above the tangent plane, and the sample `s`): friction must not hold it there.
+  /// Evaluates the surface only where its curvature at the proxy suggests that.
+  bool is_beside_crest(const models::WayFromSurface& way, double lifted, const models::PairedSample& s,
+                       double steep2, Vec3 hand_m) const noexcept {
     if (steep2 > kSteep2) return false;
-    const double bent = s.dzdx * d.x + s.dzdy * d.y +
-                        0.5 * (s.dzdxx_per_m * d.x * d.x + s.dzdyy_per_m * d.y * d.y) +
-                        s.dzdxy_per_m * d.x * d.y;
-    return bent < d.z && hand_m.z >= surface_.sample(hand_m.x, hand_m.y).z_m;
+    const Pair l = way.level;
+    const double bent = 0.5 * models::sum_of(s.bend_per_m * l * l) + s.twist_per_m * (l[0] * l[1]);
+    return bent < lifted && hand_m.z >= surface_.sample(hand_m.x, hand_m.y).z_m;
   }
 
   /// Slides the proxy along the surface towards the hand. Inlined with all it calls (its callers are
   /// flattened), since a call of a surface evaluation with its result in memory would cost a third of it.
   template <Steps kSteps>
-  [[gnu::always_inline]] Slid slide(Vec3 hand_m, double longest_m, SurfaceProxy& proxy,
-                                    int& evaluations) const noexcept {
+  [[gnu::always_inline]] Slid slide(Vec3 hand_m, double longest_m, SurfaceProxy& proxy, int& evaluations,
+                                    SlideEnd& end) const noexcept {
     // The dependency chain between steps is kept short, since it determines the time of the tick.
-    models::CurvedSample s = proxy.surface;
-    Vec3 place = proxy.place_m;
+    const Pair hand{hand_m.x, hand_m.y};
+    models::PairedSample s = proxy.surface;
+    s.z_m = proxy.place_m.z;
+    Pair place{proxy.place_m.x, proxy.place_m.y};
     double sliding = friction_.sliding;
     double mu = proxy.slipping ? sliding : friction_.at_rest;
     bool moved = false;
     Slid slid = Slid::rests;
     double shorter = proxy.step_share > 0.0 ? proxy.step_share : 1.0;
     double left_m = kSlides * longest_m;
-    double top_m = place.z;
-    models::WayFromSurface way = models::way_from_surface(hand_m - place, s);
+    const double from_m = s.z_m;
+    double top_m = s.z_m;
+    models::WayFromSurface way = models::way_from_surface(hand - place, hand_m.z - s.z_m, s.slope);
     for (;;) {
-      const Vec3 d = way.d;
-      const models::Pair slope{s.dzdx, s.dzdy};
-      const models::Pair along_d = slope * models::Pair{d.x, d.y};
-      const double lifted = d.z - (along_d[0] + along_d[1]);
+      const double lifted = way.rise - models::sum_of(s.slope * way.level);
       if (lifted > 0.0) {
         slid = Slid::leaves;
         break;
       }
       // Squared components of the distance along the normal and along the surface, both times `steep2`.
-      const models::Pair slope2 = slope * slope;
-      const double steep2 = 1.0 + (slope2[0] + slope2[1]);
+      const double steep2 = 1.0 + models::sum_of(s.slope * s.slope);
       const double normal2 = lifted * lifted;
       const double along2 = std::max(0.0, way.whole2 * steep2 - normal2);
       const double held2 = mu * mu * normal2;
       if (is_near(along2, mu * lifted, steep2)) {
-        if (mu <= 0.0 || !is_beside_crest(d, s, steep2, hand_m)) break;
+        end = {{place[0], place[1], s.z_m}, way, s.slope, steep2, lifted};
+        if (mu <= 0.0 || !is_beside_crest(way, lifted, s, steep2, hand_m)) break;
         mu = sliding = 0.0;
         continue;
       }
@@ -172,22 +198,29 @@ class SurfaceSlide {
         break;
       }
       const double reach_m = kSteps == Steps::longer && steep2 > kSteep2 ? surface_.pixel_m() : longest_m;
-      auto [dx, dy] = models::step_towards_nearest(way, s, shorter * (1.0 - std::sqrt(held2 / along2)),
-                                                   shorter * reach_m);
-      if constexpr (kSteps == Steps::longer) shorten_at_walls(place, dx, dy);
-      const double x = place.x + dx;
-      const double y = place.y + dy;
+      models::StepPart part = part_outside(along2, held2);
+      part.of *= shorter;
+      Pair step = models::step_towards_nearest(way, s, steep2, part, shorter * reach_m);
+      if constexpr (kSteps == Steps::longer) step = shortened_at_walls(place, s.z_m, step);
+      const Pair stepped = place + step;
       --evaluations;
+      // A proxy that does not come to rest in this tick asks about the hand, which may be far from it.
+      if (evaluations <= 0) surface_.prefetch(hand_m.x, hand_m.y);
       // The first step shows where the proxy goes, in this tick and the next.
-      if (!moved) surface_.prefetch(x + kAhead * dx, y + kAhead * dy);
-      const models::CurvedSample next = surface_.curved_sample(x, y);
+      if (!moved) {
+        const Pair ahead = stepped + kAhead * step;
+        surface_.prefetch(ahead[0], ahead[1]);
+      }
+      const models::PairedSample next = surface_.paired_sample(stepped);
       // A step of more than a pixel must not pass over a top, which may be a wall.
-      const bool over_a_top = kSteps == Steps::longer && rises_and_falls(s, next, dx, dy);
-      const models::WayFromSurface after = models::way_from_surface(hand_m - Vec3{x, y, next.z_m}, next);
-      if (over_a_top || after.whole2 >= way.whole2 || passes_crest(place, way, after, dx, dy, hand_m)) {
+      const bool over_a_top = kSteps == Steps::longer && rises_and_falls(s.slope, next.slope, step);
+      const models::WayFromSurface after =
+          models::way_from_surface(hand - stepped, hand_m.z - next.z_m, next.slope);
+      if (over_a_top || after.whole2 >= way.whole2 || passes_crest(place, s.z_m, way, after, step, hand_m)) {
         // Too far: the surface is curved. Steps shorter than the tolerance are not tried.
         shorter *= 0.25;
-        if (dx * dx + dy * dy < kTolerance_m * kTolerance_m) {
+        if (models::sum_of(step * step) < kTolerance_m * kTolerance_m) {
+          end = {{place[0], place[1], s.z_m}, way, s.slope, steep2, lifted};
           shorter = 1.0;
           break;
         }
@@ -195,19 +228,21 @@ class SurfaceSlide {
       }
       shorter = std::min(1.0, 4.0 * shorter);
       top_m = std::max(top_m, next.z_m);
-      if (passes_over({proxy.place_m.z, top_m, next.z_m}, longest_m)) {
+      if (passes_over({from_m, top_m, next.z_m}, longest_m)) {
         slid = Slid::unfinished;
         break;
       }
       moved = true;
       mu = sliding;
-      if constexpr (kSteps == Steps::longer)
-        left_m -= std::sqrt(dx * dx + dy * dy + (next.z_m - place.z) * (next.z_m - place.z));
-      place = {x, y, next.z_m};
+      if constexpr (kSteps == Steps::longer) {
+        const double climbed_m = next.z_m - s.z_m;
+        left_m -= std::sqrt(models::sum_of(step * step) + climbed_m * climbed_m);
+      }
+      place = stepped;
       s = next;
       way = after;
     }
-    proxy.rest(place.x, place.y, s);
+    proxy.rest(place[0], place[1], s);
     proxy.slipping = moved;
     if (slid != Slid::leaves) proxy.step_share = shorter;
     return slid;

@@ -139,7 +139,8 @@ HeightSample TexturePattern::sample(double x_m, double y_m) const noexcept {
   const Wrapped u((cos_ * x_m + sin_ * y_m) * samples_per_m_);
   const Wrapped v((cos_ * y_m - sin_ * x_m) * samples_per_m_);
   const SplineValue value =
-      SplineBlock({values_.data() + v.index * kStride + u.index, kStride, u.beyond, v.beyond}).evaluate();
+      SplineBlock({values_.data() + v.index * kStride + u.index, kStride, Pair{u.beyond, v.beyond}})
+          .evaluate();
   const double du = value.right * samples_per_m_;
   const double dv = value.down * samples_per_m_;
   return {value.z, cos_ * du - sin_ * dv, sin_ * du + cos_ * dv};

@@ -71,9 +71,7 @@ class BoundedRelief {
         pixels_per_m_(1.0 / relief_->pixel_m()) {}
 
   HeightSample sample(double x_m, double y_m) const noexcept { return relief_->sample(x_m, y_m); }
-  CurvedSample curved_sample(double x_m, double y_m) const noexcept {
-    return relief_->curved_sample(x_m, y_m);
-  }
+  PairedSample paired_sample(Pair place_m) const noexcept { return relief_->paired_sample(place_m); }
   CellPath path_in_cell(Vec3 a, Vec3 b) const noexcept { return relief_->path_in_cell(a, b); }
   CellWalk cell_walk(Vec3 a, Vec3 b) const noexcept { return relief_->cell_walk(a, b); }
   [[gnu::always_inline]] void prefetch(Vec3 a, Vec3 b) const noexcept { relief_->prefetch(a, b); }

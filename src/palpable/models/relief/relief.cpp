@@ -72,7 +72,7 @@ SplinePlace Relief::border_place(double x_px, double y_px, std::array<float, 16>
       copy[static_cast<std::size_t>(4 * y + x)] =
           height_m_(std::clamp(cx.index - 1 + x, 0, height_m_.width() - 1), row);
   }
-  return {copy.data(), 4, cx.fraction, cy.fraction};
+  return {copy.data(), 4, Pair{cx.fraction, cy.fraction}};
 }
 
 std::size_t Relief::memory_bytes() const { return sizeof(Relief) + height_m_.count() * sizeof(float); }

@@ -57,6 +57,22 @@ struct CurvedSample {
   double dzdyy_per_m = 0.0;
 };
 
+/// The horizontal part of a vector.
+inline Pair level_of(Vec3 v) noexcept { return Pair{v.x, v.y}; }
+
+/// The same in pairs, for a law's arithmetic: the slope along x and y, the second derivatives twice along x
+/// and twice along y, and that along both.
+struct PairedSample {
+  Pair slope{};
+  Pair bend_per_m{};
+  double z_m = 0.0;
+  double twist_per_m = 0.0;
+
+  CurvedSample curved() const noexcept {
+    return {z_m, slope[0], slope[1], bend_per_m[0], twist_per_m, bend_per_m[1]};
+  }
+};
+
 /// The interface that laws need of a surface z(x, y): height and slope, both continuous. Never allocates,
 /// locks or throws.
 template <class M>
@@ -69,12 +85,12 @@ concept HeightField = requires(const M& m, double x_m, double y_m) {
 /// (its pixel), and a prefetch for a later query. Never allocates, locks or throws.
 template <class M>
 concept CurvedHeightField = HeightField<M> && requires(const M& m, double x_m, double y_m) {
-  { m.curved_sample(x_m, y_m) } -> std::same_as<CurvedSample>;
+  { m.paired_sample(Pair{}) } -> std::same_as<PairedSample>;
   { m.steepest_slope() } -> std::same_as<double>;
   { m.pixel_m() } -> std::same_as<double>;
   m.prefetch(Vec3{}, Vec3{});
   m.prefetch(x_m, y_m);
-  requires noexcept(m.curved_sample(x_m, y_m))&& noexcept(m.prefetch(Vec3{}, Vec3{}))&& noexcept(
+  requires noexcept(m.paired_sample(Pair{}))&& noexcept(m.prefetch(Vec3{}, Vec3{}))&& noexcept(
       m.prefetch(x_m, y_m));
 };
 
@@ -94,6 +110,8 @@ class Relief {
 
   /// The same with the exact second derivatives, at little more cost. Tick path.
   CurvedSample curved_sample(double x_m, double y_m) const noexcept;
+  /// The same at {x, y}, in pairs. Tick path.
+  PairedSample paired_sample(Pair place_m) const noexcept;
 
   /// The straight path from a to b, both in one cell or on its border (of cell_walk()). Tick path.
   CellPath path_in_cell(Vec3 a, Vec3 b) const noexcept;
@@ -123,12 +141,12 @@ class Relief {
 
  private:
   Relief() = default;
-  SplinePlace place_at(double x_m, double y_m, std::array<float, 16>& copy) const noexcept;
+  SplinePlace place_at(Pair place_m, std::array<float, 16>& copy) const noexcept;
   /// Whether the cell's 4 x 4 samples all exist; false for NaN, which border_place() clamps.
   bool is_inside(double x_px, double y_px) const noexcept {
     return x_px >= 1.0 && x_px < inside_x_px_ && y_px >= 1.0 && y_px < inside_y_px_;
   }
-  SplinePlace inside_place(double x_px, double y_px) const noexcept;
+  SplinePlace inside_place(Pair place_px) const noexcept;
   SplinePlace border_place(double x_px, double y_px, std::array<float, 16>& copy) const noexcept;
 
   Raster<float> height_m_;
@@ -145,23 +163,20 @@ class Relief {
 };
 
 // Inline, since a call with its result in memory would cost a third of a query.
-inline SplinePlace Relief::place_at(double x_m, double y_m, std::array<float, 16>& copy) const noexcept {
-  const double x_px = middle_x_px_ + x_m * pixels_per_m_;
-  const double y_px = middle_y_px_ - y_m * pixels_per_m_;
-  return is_inside(x_px, y_px) ? inside_place(x_px, y_px) : border_place(x_px, y_px, copy);
+inline SplinePlace Relief::place_at(Pair place_m, std::array<float, 16>& copy) const noexcept {
+  const Pair place_px = Pair{middle_x_px_, middle_y_px_} + place_m * Pair{pixels_per_m_, -pixels_per_m_};
+  return is_inside(place_px[0], place_px[1]) ? inside_place(place_px)
+                                             : border_place(place_px[0], place_px[1], copy);
 }
 
-inline SplinePlace Relief::inside_place(double x_px, double y_px) const noexcept {
+inline SplinePlace Relief::inside_place(Pair place_px) const noexcept {
   // As the compiler's vectors, a conversion to an integer and back takes half as long.
-  using Pair = double __attribute__((vector_size(16)));
   using IntPair = std::int32_t __attribute__((vector_size(8)));
-  const Pair place{x_px, y_px};
-  const auto cell = __builtin_convertvector(place, IntPair);
-  const Pair fraction = place - __builtin_convertvector(cell, Pair);
+  const auto cell = __builtin_convertvector(place_px, IntPair);
   const auto stride = static_cast<std::size_t>(height_m_.width());
   return {height_m_.data() + static_cast<std::size_t>(cell[1] - 1) * stride +
               static_cast<std::size_t>(cell[0] - 1),
-          stride, fraction[0], fraction[1]};
+          stride, place_px - __builtin_convertvector(cell, Pair)};
 }
 
 // Forced inline: g++ removes calls of a function that only prefetches, since it has no visible effect.
@@ -191,7 +206,7 @@ inline SplinePlace Relief::inside_place(double x_px, double y_px) const noexcept
   const double x_px = middle_x_px_ + x_m * pixels_per_m_;
   const double y_px = middle_y_px_ - y_m * pixels_per_m_;
   if (!is_inside(x_px, y_px)) return;
-  const SplinePlace place = inside_place(x_px, y_px);
+  const SplinePlace place = inside_place(Pair{x_px, y_px});
   for (std::size_t row = 0; row < 4; ++row) {
     __builtin_prefetch(place.first + row * place.stride);
     __builtin_prefetch(place.first + row * place.stride + 3);
@@ -200,33 +215,30 @@ inline SplinePlace Relief::inside_place(double x_px, double y_px) const noexcept
 
 inline HeightSample Relief::sample(double x_m, double y_m) const noexcept {
   std::array<float, 16> copy;
-  const SplineValue value = SplineBlock(place_at(x_m, y_m, copy)).evaluate();
+  const SplineValue value = SplineBlock(place_at(Pair{x_m, y_m}, copy)).evaluate();
   return {value.z, value.right * pixels_per_m_, -value.down * pixels_per_m_};
 }
 
-inline CurvedSample Relief::curved_sample(double x_m, double y_m) const noexcept {
+inline PairedSample Relief::paired_sample(Pair place_m) const noexcept {
   std::array<float, 16> copy;
-  const SplineValue value = SplineBlock(place_at(x_m, y_m, copy)).evaluate_with_curvature();
+  const CurvedSplineValue value = SplineBlock(place_at(place_m, copy)).evaluate_with_curvature();
   const double s = pixels_per_m_;
-  return {value.z,
-          value.right * s,
-          -value.down * s,
-          value.right_right * (s * s),
-          -value.right_down * (s * s),
-          value.down_down * (s * s)};
+  const double s2 = s * s;
+  return {value.slope * Pair{s, -s}, value.bend * s2, value.z, value.twist * -s2};
+}
+
+inline CurvedSample Relief::curved_sample(double x_m, double y_m) const noexcept {
+  return paired_sample(Pair{x_m, y_m}).curved();
 }
 
 inline CellPath Relief::path_in_cell(Vec3 a, Vec3 b) const noexcept {
   std::array<float, 16> copy;
   const Vec3 half = 0.5 * (b - a);
-  SplinePlace place = place_at(a.x + half.x, a.y + half.y, copy);
-  const double right = half.x * pixels_per_m_;
-  const double down = -half.y * pixels_per_m_;
-  const double end_right = place.right + right;
-  const double end_down = place.down + down;
-  place.right -= right;
-  place.down -= down;
-  return {place, end_right, end_down, a.z, b.z - a.z};
+  SplinePlace place = place_at(Pair{a.x + half.x, a.y + half.y}, copy);
+  const Pair half_px{half.x * pixels_per_m_, -half.y * pixels_per_m_};
+  const Pair end = place.fraction + half_px;
+  place.fraction -= half_px;
+  return {place, end[0], end[1], a.z, b.z - a.z};
 }
 
 }  // namespace palpable::models

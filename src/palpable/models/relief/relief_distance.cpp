@@ -15,30 +15,31 @@
 namespace palpable::models {
 namespace {
 
-Vec3 surface_at(const CurvedSample& s, double x_m, double y_m) { return {x_m, y_m, s.z_m}; }
-
 /// Newton's method from one starting point, until a step is below 0.1 nm.
 Vec3 descend(const Relief& relief, Vec3 p, double x_m, double y_m) {
   constexpr int kMostSteps = 80;
   constexpr double kEnough_m = 1e-10;
-  CurvedSample s = relief.curved_sample(x_m, y_m);
+  const Pair to{p.x, p.y};
+  Pair at{x_m, y_m};
+  PairedSample s = relief.paired_sample(at);
+  WayFromSurface way = way_from_surface(to - at, p.z - s.z_m, s.slope);
   double shorter = 1.0;
   for (int k = 0; k < kMostSteps; ++k) {
-    const Vec3 here = surface_at(s, x_m, y_m);
-    const auto [dx, dy] =
-        step_towards_nearest(way_from_surface(p - here, s), s, shorter, shorter * relief.pixel_m());
-    if (std::hypot(dx, dy) < kEnough_m) break;
-    const CurvedSample next = relief.curved_sample(x_m + dx, y_m + dy);
-    if (squared_norm(p - surface_at(next, x_m + dx, y_m + dy)) > squared_norm(p - here)) {
+    const Pair step = step_towards_nearest(way, s, 1.0 + sum_of(s.slope * s.slope), {.of = shorter},
+                                           shorter * relief.pixel_m());
+    if (std::hypot(step[0], step[1]) < kEnough_m) break;
+    const PairedSample next = relief.paired_sample(at + step);
+    const WayFromSurface after = way_from_surface(to - (at + step), p.z - next.z_m, next.slope);
+    if (after.whole2 > way.whole2) {
       shorter *= 0.5;
       continue;
     }
     shorter = std::min(1.0, 2.0 * shorter);
-    x_m += dx;
-    y_m += dy;
+    at += step;
     s = next;
+    way = after;
   }
-  return surface_at(s, x_m, y_m);
+  return {at[0], at[1], s.z_m};
 }
 
 /// The search for the nearest point of one relief: by bounds over its cells and their parts, so that no part

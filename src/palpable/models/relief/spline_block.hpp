@@ -9,24 +9,31 @@
 
 namespace palpable::models {
 
+/// Two components at once, as the compiler's vector type.
+using Pair = double __attribute__((vector_size(16)));
+
 /// A position in the grid of control values of a uniform cubic B-spline: the 4 x 4 values around its cell
-/// (`first` is the first of the first row), and the fraction within the cell to the right and down, 0 <=
+/// (`first` is the first of the first row), and the fractions within the cell to the right and down, 0 <=
 /// fraction < 1.
 struct SplinePlace {
   const float* first = nullptr;
   std::size_t stride = 0;
-  double right = 0.0;
-  double down = 0.0;
+  Pair fraction{};
 };
 
-/// Height, slopes and second derivatives in the grid's own axes and units of its pixel.
+/// Height and slopes in the grid's own axes (to the right, down) and units of its pixel.
 struct SplineValue {
   double z = 0.0;
   double right = 0.0;
   double down = 0.0;
-  double right_right = 0.0;
-  double right_down = 0.0;
-  double down_down = 0.0;
+};
+
+/// The same with the second derivatives: twice to the right, twice down; and once each.
+struct CurvedSplineValue {
+  double z = 0.0;
+  Pair slope{};
+  Pair bend{};
+  double twist = 0.0;
 };
 
 /// Bounds of a straight path's height above a surface within one cell, metres, and a lower bound of it at the
@@ -43,23 +50,20 @@ struct PathBounds {
 /// error is 1e-7 of these differences, not of the heights.
 class SplineBlock {
  public:
-  explicit SplineBlock(const SplinePlace& place) noexcept
-      : base_(place.first[place.stride + 1]),
-        right_(splat(static_cast<float>(place.right))),
-        down_(splat(static_cast<float>(place.down))) {
-    for (std::size_t k = 0; k < rows_.size(); ++k) {
+  explicit SplineBlock(const SplinePlace& place) noexcept : base_(place.first[place.stride + 1]) {
+    const auto fraction = __builtin_convertvector(place.fraction, Float2);
+    right_ = splat(fraction[0]);
+    down_ = splat(fraction[1]);
+    for (std::size_t k = 0; k < rows_.size(); ++k)
       std::memcpy(&rows_[k], place.first + k * place.stride, sizeof(Float4));
-      rows_[k] -= splat(base_);
-    }
   }
 
-  /// Height and slopes; the second derivatives are 0.
   SplineValue evaluate() const noexcept {
-    const Float4 values = combined(weights(down_));
+    const Columns columns = columns_at_fraction();
     const Float4 across = weights(right_);
-    const Float4 s = sums(values * across, values * slope_weights(right_),
-                          combined(slope_weights(down_)) * across, Float4{});
-    return {double{base_} + s[0], s[1], s[2], 0.0, 0.0, 0.0};
+    const Float4 s =
+        sums(columns.slope * across, columns.value * slope_weights(right_), columns.value * across, Float4{});
+    return {double{base_} + double{s[2]}, s[1], s[0]};
   }
 
   /// The height of a straight path above the surface, from the position to another one of the same cell (its
@@ -71,10 +75,11 @@ class SplineBlock {
     constexpr Float4 kThrees{1.0F, 3.0F, 3.0F, 1.0F};
     const std::array<Float4, 4> across = bezier_weights(right_, splat(static_cast<float>(right)));
     const std::array<Float4, 4> downwards = bezier_weights(down_, splat(static_cast<float>(down)));
-    const Float4 row0 = kThrees * bezier_row<0>(downwards, across);
-    const Float4 row1 = 3.0F * kThrees * bezier_row<1>(downwards, across);
-    const Float4 row2 = 3.0F * kThrees * bezier_row<2>(downwards, across);
-    const Float4 row3 = kThrees * bezier_row<3>(downwards, across);
+    const std::array<Float4, 4> rows = rows_above_base();
+    const Float4 row0 = kThrees * bezier_row<0>(rows, downwards, across);
+    const Float4 row1 = 3.0F * kThrees * bezier_row<1>(rows, downwards, across);
+    const Float4 row2 = 3.0F * kThrees * bezier_row<2>(rows, downwards, across);
+    const Float4 row3 = kThrees * bezier_row<3>(rows, downwards, across);
     // The product of the Bernstein polynomials i and j of degree 3 is a multiple of number i + j of degree 6.
     const Float4 zero{};
     const Float4 low =
@@ -98,14 +103,15 @@ class SplineBlock {
   /// control values less the plane, and lies between their Bezier points' extremes; those across are bounded
   /// by the extremes of each column.
   PathBounds path_bounds(double right, double down, double from_z, double rise) const noexcept {
+    const std::array<Float4, 4> rows = rows_above_base();
     const float tilt_right = 0.5F * ((rows_[1][2] - rows_[1][1]) + (rows_[2][2] - rows_[2][1]));
     const float tilt_down = 0.5F * ((rows_[2][1] - rows_[1][1]) + (rows_[2][2] - rows_[1][2]));
     const Float4 plane = splat(tilt_right) * Float4{-1.0F, 0.0F, 1.0F, 2.0F};
     const Float4 tilt = splat(tilt_down);
-    const Float4 rest0 = rows_[0] - (plane - tilt);
-    const Float4 rest1 = rows_[1] - plane;
-    const Float4 rest2 = rows_[2] - (plane + tilt);
-    const Float4 rest3 = rows_[3] - (plane + (tilt + tilt));
+    const Float4 rest0 = rows[0] - (plane - tilt);
+    const Float4 rest1 = rows[1] - plane;
+    const Float4 rest2 = rows[2] - (plane + tilt);
+    const Float4 rest3 = rows[3] - (plane + (tilt + tilt));
     constexpr float kThird = 1.0F / 3.0F;
     const Float4 near = kThird * (rest1 + rest1 + rest2);
     const Float4 far = kThird * (rest1 + rest2 + rest2);
@@ -121,20 +127,50 @@ class SplineBlock {
     return {std::min(from, to) - most, std::max(from, to) - least, to - most};
   }
 
-  SplineValue evaluate_with_curvature() const noexcept {
-    const Float4 values = combined(weights(down_));
-    const Float4 slopes = combined(slope_weights(down_));
-    const Float4 curvatures = combined(curvature_weights(down_));
+  CurvedSplineValue evaluate_with_curvature() const noexcept {
+    const Columns columns = columns_at_fraction();
     const Float4 across = weights(right_);
     const Float4 slope = slope_weights(right_);
-    const Float4 s = sums(values * across, values * slope, slopes * across, slopes * slope);
-    const Float4 c = sums(values * curvature_weights(right_), curvatures * across, Float4{}, Float4{});
-    return {double{base_} + s[0], s[1], s[2], c[0], s[3], c[1]};
+    const Float4 s =
+        sums(columns.value * slope, columns.slope * across, columns.value * across, columns.slope * slope);
+    const Float4 c = sums(columns.value * curvature_weights(right_), columns.curvature * across);
+    const Pair rest = pair_of(__builtin_shufflevector(s, s, 2, 3, 2, 3));
+    return {double{base_} + rest[0], pair_of(s), pair_of(c), rest[1]};
   }
 
  private:
   using Float4 = float __attribute__((vector_size(16)));
+  using Float2 = float __attribute__((vector_size(8)));
   using Int4 = int __attribute__((vector_size(16)));
+
+  /// The first two lanes.
+  static Pair pair_of(Float4 v) noexcept {
+    return __builtin_convertvector(__builtin_shufflevector(v, v, 0, 1), Pair);
+  }
+
+  /// The cubic through each column of control values at the fraction down, above the base: its value and its
+  /// derivatives.
+  struct Columns {
+    Float4 value;
+    Float4 slope;
+    Float4 curvature;
+  };
+  /// By differences of the rows, in Estrin's order. Fewer operations than sums of weighted rows, and only
+  /// differences are rounded.
+  Columns columns_at_fraction() const noexcept {
+    constexpr float k = 1.0F / 6.0F;
+    const Float4 t = down_;
+    const Float4 before = rows_[0] - rows_[1];
+    const Float4 after = rows_[2] - rows_[1];
+    const Float4 second = before + after;
+    const Float4 third = ((rows_[3] - rows_[2]) - after) - second;
+    const Float4 half_t = 0.5F * t;
+    const Float4 t2 = t * t;
+    const Float4 first = after - before;
+    return {
+        ((rows_[1] - splat(base_)) + k * second + half_t * first) + t2 * (0.5F * second + (k * t) * third),
+        (0.5F * first + t * second) + (0.5F * t2) * third, second + t * third};
+  }
 
   struct Greater {
     Float4 operator()(Float4 a, Float4 b) const noexcept { return a > b ? a : b; }
@@ -190,21 +226,26 @@ class SplineBlock {
             splat(k) * (one + sum + pairs - 3.0F * all), splat(k) * all};
   }
 
+  std::array<Float4, 4> rows_above_base() const noexcept {
+    const Float4 base = splat(base_);
+    return {rows_[0] - base, rows_[1] - base, rows_[2] - base, rows_[3] - base};
+  }
+
   /// Row `j` of the patch's Bezier points.
   template <int j>
-  Float4 bezier_row(const std::array<Float4, 4>& downwards,
-                    const std::array<Float4, 4>& across) const noexcept {
-    const Float4 row = (spread<j>(downwards[0]) * rows_[0] + spread<j>(downwards[1]) * rows_[1]) +
-                       (spread<j>(downwards[2]) * rows_[2] + spread<j>(downwards[3]) * rows_[3]);
+  static Float4 bezier_row(const std::array<Float4, 4>& rows, const std::array<Float4, 4>& downwards,
+                           const std::array<Float4, 4>& across) noexcept {
+    const Float4 row = (spread<j>(downwards[0]) * rows[0] + spread<j>(downwards[1]) * rows[1]) +
+                       (spread<j>(downwards[2]) * rows[2] + spread<j>(downwards[3]) * rows[3]);
     return (spread<0>(row) * across[0] + spread<1>(row) * across[1]) +
            (spread<2>(row) * across[2] + spread<3>(row) * across[3]);
   }
 
-  Float4 combined(Float4 w) const noexcept {
-    return (rows_[0] * spread<0>(w) + rows_[1] * spread<1>(w)) +
-           (rows_[2] * spread<2>(w) + rows_[3] * spread<3>(w));
+  /// The sums of the lanes of two vectors, as the first two lanes.
+  static Float4 sums(Float4 a, Float4 b) noexcept {
+    const Float4 ab = __builtin_shufflevector(a, b, 0, 4, 1, 5) + __builtin_shufflevector(a, b, 2, 6, 3, 7);
+    return ab + __builtin_shufflevector(ab, ab, 2, 3, 2, 3);
   }
-
   /// The sums of four vectors' lanes, as one vector.
   static Float4 sums(Float4 a, Float4 b, Float4 c, Float4 d) noexcept {
     const Float4 ab = __builtin_shufflevector(a, b, 0, 4, 1, 5) + __builtin_shufflevector(a, b, 2, 6, 3, 7);
