@@ -166,8 +166,8 @@ int run(int count, const char* const* words) {
     fmt::print(stderr, "palpable_sound_set [FIRST LAST [ARRAY]]\n");
     return 2;
   }
-  const std::array<Array, 3> arrays{{{"square 0.1", study::square_array(0.1)},
-                                     {"square 0.032", study::square_array(0.032)},
+  const std::array<Array, 3> arrays{{{"square 0.1", square_array(0.1)},
+                                     {"square 0.032", square_array(0.032)},
                                      {"tetra 0.1", study::tetrahedral_array(0.1)}}};
   for (std::size_t n = 0; n < arrays.size(); ++n)
     for (Condition condition : conditions()) {

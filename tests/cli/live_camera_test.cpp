@@ -23,6 +23,7 @@ using session::MjpegServer;
 using session::moving_pairs;
 using std::chrono::seconds;
 using testing::HasSubstr;
+using testing::Not;
 
 std::size_t count_of(const std::string& text, const std::string& part) {
   std::size_t count = 0;
@@ -85,10 +86,12 @@ TEST_F(LiveCamera, ThatCannotBeReachedIsNamedInASentence) {
   const Outcome none = palpable({"touch", rubbish.url(), "--headless", "--seconds", "1"});
   EXPECT_EQ(none.exit_code, 3);
   EXPECT_THAT(none.err, HasSubstr("not JPEG"));
-  for (const char* wrong : {"http://me:secret@127.0.0.1/", "https://127.0.0.1/", "http://127.0.0.1:1/#x=1"}) {
+  for (const char* wrong :
+       {"http://me:secret@127.0.0.1/", "rtsps://me:secret@127.0.0.1/", "http://127.0.0.1:1/#x=1"}) {
     const Outcome refused = palpable({"touch", wrong, "--headless", "--seconds", "1"});
     EXPECT_EQ(refused.exit_code, 2) << wrong;
     EXPECT_TRUE(is_one_sentence(refused.err)) << refused.err;
+    EXPECT_THAT(refused.err, Not(HasSubstr("secret")));
   }
 }
 

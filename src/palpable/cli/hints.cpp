@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/hints.hpp"
 
+#include "palpable/core/text/passwords.hpp"
+
 namespace palpable::cli {
 
 std::string_view hint_for(Reason reason) {
@@ -50,7 +52,9 @@ std::string_view hint_for(Reason reason) {
 
 std::string sentence_of(const Error& error) {
   const std::string_view hint = hint_for(error.reason);
-  return hint.empty() ? error.sentence() : error.sentence() + " (" + std::string(hint) + ")";
+  // An address that is not understood is still shown as the place.
+  const std::string sentence = without_passwords(error.sentence());
+  return hint.empty() ? sentence : sentence + " (" + std::string(hint) + ")";
 }
 
 std::string sentence_of(const Note& note) {

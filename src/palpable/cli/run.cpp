@@ -8,6 +8,7 @@
 #include "palpable/cli/program.hpp"
 #include "palpable/cli/reader_watch.hpp"
 #include "palpable/cli/suggest.hpp"
+#include "palpable/core/text/passwords.hpp"
 #include "palpable/core/text/plain_text.hpp"
 
 #include <algorithm>
@@ -150,7 +151,7 @@ std::vector<std::filesystem::path> samples_of(const CLI::App& command) {
 int parse_and_run(int argc, char** argv) {
   Program program;
   add_commands(program);
-  program.common.command.assign(argv + std::min(argc, 1), argv + argc);
+  for (int k = 1; k < argc; ++k) program.common.command.push_back(without_passwords(argv[k]));
   try {
     program.app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -187,7 +188,7 @@ Result<Answer> run_command(const std::vector<std::string>& words,
                            std::span<const std::filesystem::path> inputs, const CommonOptions& from) {
   Program program;
   add_commands(program);
-  program.common.command = words;
+  std::transform(words.begin(), words.end(), std::back_inserter(program.common.command), without_passwords);
   try {
     // The library takes them from the last one on.
     program.app.parse(std::vector<std::string>(words.rbegin(), words.rend()));

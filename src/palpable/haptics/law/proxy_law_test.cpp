@@ -85,6 +85,29 @@ TEST(ProxyLaw, KeepsTheForceInTheFrictionConeOnHills) {
   }
 }
 
+// Also of a hand that moves by one to two pixels in a tick, of which one or more remain after the first
+// contact.
+TEST(ProxyLaw, IsNotDraggedOnAFrictionlessPlaneInTheTickOfTheFirstContact) {
+  constexpr double kFine_m = 0.0005;
+  const auto law = made(scene_of(Raster<float>(200, 200, 0.001F), kFine_m), frictionless());
+  int contacts = 0;
+  for (int k = 0; k < 600; ++k) {
+    const double angle = 0.7 * k, moves_m = kFine_m * (0.2 + 0.006 * k);
+    const double falls_m = 0.0001 + 0.0002 * std::fmod(0.37 * k, 1.0),
+                 above_m = falls_m * std::fmod(0.61 * k, 1.0);
+    TouchState state;
+    for (int n = -2; n < 4; ++n) {
+      const Vec3 hand{n * moves_m * std::cos(angle), n * moves_m * std::sin(angle),
+                      0.001 + above_m - n * falls_m};
+      const LawOutput output = output_at(*law, state, hand);
+      if (!output.contact) continue;
+      ++contacts;
+      ASSERT_LT(std::hypot(output.force_N.v.x, output.force_N.v.y), 1e-6) << k << ' ' << n;
+    }
+  }
+  EXPECT_GT(contacts, 1200);
+}
+
 // By approximated steps: mostly in the tick, and always when the hand stops.
 TEST(ProxyLaw, ComesToTheEdgeOfTheFrictionConeWithinATenthOfAMicrometre) {
   const models::Scene scene = scene_of(random_hills(200, 160, 5));

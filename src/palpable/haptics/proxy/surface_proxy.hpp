@@ -83,9 +83,9 @@ class ProxyFollower {
   /// (after a jump of many pixels).
   static constexpr int kEvaluations = 3;
   static constexpr double kPerPixel = 0.75;
-  /// What a slide may use at least after the first contact of a flight: of a hand that moves by less than a
-  /// pixel, which one step follows, and of others, whose steps are half their movement.
-  static constexpr int kAfterMeetingSlowly = 1;
+  /// What a slide may use at least after the first contact of a flight: for the way to a hand within a pixel of
+  /// it, which is one step, and for others, whose steps are half the hand's movement.
+  static constexpr int kAfterMeetingNear = 1;
   static constexpr int kAfterMeeting = 2;
   static constexpr int kMaxEvaluations = SurfaceFlight<Surface>::kMaxEvaluations;
   /// A contact within this distance of a place is at this place.
@@ -166,8 +166,9 @@ class ProxyFollower {
           tick.entry = flight.entry();
           // In a pit the flight may be far shorter than a pixel. If it left nothing for the slide, the proxy
           // would stay there, however far the hand went.
-          const bool is_slow = tick.longest_m <= surface_.pixel_m();
-          tick.evaluations = std::max(tick.evaluations, is_slow ? kAfterMeetingSlowly : kAfterMeeting);
+          const bool is_near =
+              squared_norm(hand_m - proxy.place_m) <= surface_.pixel_m() * surface_.pixel_m();
+          tick.evaluations = std::max(tick.evaluations, is_near ? kAfterMeetingNear : kAfterMeeting);
         }
         tick.met = true;
         from = proxy.place_m;

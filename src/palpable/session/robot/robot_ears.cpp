@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/robot/robot_ears.hpp"
 
-#include "palpable/core/sound/sound.hpp"
 #include "palpable/describe/sound_words.hpp"
+#include "palpable/hearing/channel_faults.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -65,38 +67,90 @@ Result<void> RobotEars::take_format(const SoundFormat& format) {
     if (!listener) return std::move(listener).error();
     listener_ = *std::move(listener);
     tracks_ = hearing::SoundTracks(listener_.geometry().shape);
+    taken_s_ = 0.0;
   }
   format_ = format;
   return {};
 }
 
-void RobotEars::take(std::span<const std::byte> part, double now_s, double heading_rad) {
-  const std::size_t bytes = bytes_of(format_.samples), channels = microphones_.positions_m.size();
-  const std::size_t length = part.size() / (bytes * channels);
-  Sound sound{format_.rate_hz, std::vector(channels, std::vector<float>(length))};
-  for (std::size_t k = 0; k < length; ++k)
-    for (std::size_t c = 0; c < channels; ++c)
-      sound.channels[c][k] = sample_at(part, bytes * (channels * k + c), format_.samples);
-  for (const auto& window : listener_.take(sound)) hear(window, now_s, heading_rad);
+void RobotEars::turn(double now_s, double heading_rad) {
+  constexpr double kKept_s = 3.0;
+  headings_.push_back({now_s, heading_rad});
+  while (headings_.front().time_s < now_s - kKept_s) headings_.pop_front();
 }
 
-void RobotEars::hear(const hearing::HeardWindow& window, double now_s, double heading_rad) {
+double RobotEars::heading_at(double time_s) const {
+  if (headings_.empty()) return 0.0;
+  const auto after = std::find_if(headings_.begin(), headings_.end(),
+                                  [&](const Heading& heading) { return heading.time_s >= time_s; });
+  if (after == headings_.end()) return headings_.back().heading_rad;
+  if (after == headings_.begin()) return after->heading_rad;
+  const Heading& before = *std::prev(after);
+  const double share = (time_s - before.time_s) / std::max(1e-9, after->time_s - before.time_s);
+  return before.heading_rad + share * turned(after->heading_rad - before.heading_rad);
+}
+
+void RobotEars::take(std::span<const std::byte> part, double now_s) {
+  const std::size_t bytes = bytes_of(format_.samples), channels = microphones_.positions_m.size();
+  rest_.insert(rest_.end(), part.begin(), part.end());
+  const std::size_t length = rest_.size() / (bytes * channels);
+  Sound sound{format_.rate_hz, std::vector(channels, std::vector<float>(length))};
+  bool are_numbers = true;
+  for (std::size_t k = 0; k < length; ++k)
+    for (std::size_t c = 0; c < channels; ++c) {
+      const float value = sample_at(rest_, bytes * (channels * k + c), format_.samples);
+      are_numbers = are_numbers && std::isfinite(value);
+      sound.channels[c][k] = value;
+    }
+  rest_.erase(rest_.begin(), rest_.begin() + static_cast<std::ptrdiff_t>(bytes * channels * length));
+  if (!are_numbers && !std::exchange(said_numbers_, true))
+    unsaid_ = "The robot sends sound with values that are no numbers; such parts are left out.";
+  if (!are_numbers) return;
+  if (!are_checked_) check_channels(sound);
+  if (are_faulty_) return;
+  taken_s_ += sound.duration_s();
+  for (const auto& window : listener_.take(sound)) hear(window, now_s);
+}
+
+/// Of the first second that is not silent.
+void RobotEars::check_channels(const Sound& sound) {
+  first_.rate_hz = sound.rate_hz;
+  first_.channels.resize(sound.channels.size());
+  bool is_silent = true;
+  for (std::size_t c = 0; c < sound.channels.size(); ++c) {
+    for (const float value : sound.channels[c]) is_silent = is_silent && value == 0.0F;
+    first_.channels[c].insert(first_.channels[c].end(), sound.channels[c].begin(), sound.channels[c].end());
+  }
+  if (is_silent) return first_.channels.clear();
+  if (first_.duration_s() < 1.0) return;
+  are_checked_ = true;
+  const auto checked = hearing::check_channels(first_);
+  first_ = {};
+  are_faulty_ = !checked;
+  if (are_faulty_)
+    unsaid_ = fmt::format("The robot's sound {}: it is not listened to.", checked.error().message);
+}
+
+void RobotEars::hear(const hearing::HeardWindow& window, double now_s) {
   const bool is_new = tracks_.take(window).has_value();
   // Their ends are of no use here.
   static_cast<void>(tracks_.take_ended(false));
   if (!window.direction) return;
   const auto bearing = hearing::bearing_of(*window.direction, listener_.geometry().shape);
-  direction_rad_ = turned(heading_rad - bearing.azimuth_deg / kRadian_deg);
+  const double middle_s = now_s - (taken_s_ - 0.5 * (window.begin_s + window.end_s));
+  direction_rad_ = turned(heading_at(middle_s) - bearing.azimuth_deg / kRadian_deg);
   heard_s_ = now_s;
-  if (!is_new) return;
+  if (!is_new || !are_checked_) return;
   ++sounds_;
   // Syllables of one voice are one sound to a person.
   constexpr double kSame_rad = 20.0 / kRadian_deg, kAgain_s = 10.0;
-  if (said_rad_ && std::abs(turned(*direction_rad_ - *said_rad_)) < kSame_rad && now_s - said_s_ < kAgain_s)
+  const double from_robot_rad = turned(heading_at(now_s) - *direction_rad_);
+  if (said_rad_ && std::abs(turned(from_robot_rad - *said_rad_)) < kSame_rad && now_s - said_s_ < kAgain_s)
     return;
-  said_rad_ = direction_rad_;
+  said_rad_ = from_robot_rad;
   said_s_ = now_s;
-  unsaid_ = fmt::format("A sound {}.", describe::sound_words(bearing.azimuth_deg, bearing.elevation_deg));
+  unsaid_ =
+      fmt::format("A sound {}.", describe::sound_words(from_robot_rad * kRadian_deg, bearing.elevation_deg));
 }
 
 std::optional<std::string> RobotEars::words() { return std::exchange(unsaid_, std::nullopt); }

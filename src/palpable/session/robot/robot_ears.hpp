@@ -6,16 +6,19 @@
 #include "palpable/core/picture/image.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/sound/microphones.hpp"
+#include "palpable/core/sound/sound.hpp"
 #include "palpable/hearing/listener.hpp"
 #include "palpable/hearing/sound_tracks.hpp"
 #include "palpable/models/material/material.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace palpable::session {
 
@@ -37,9 +40,14 @@ class RobotEars {
   /// What the robot states of its sound, if it does. Errors (invalid_input, without a place): another number
   /// of channels than there are microphones, a format that is not read.
   Result<void> take_format(const SoundFormat& format);
-  /// The next part of the sound, whole instants; `heading_rad`: the robot's, counter-clockwise from above.
-  void take(std::span<const std::byte> part, double now_s, double heading_rad);
-  /// Once for each sound that is new, or came from elsewhere before: "A sound ahead, to the left."
+  /// How the robot stands now: `heading_rad` counter-clockwise from above. Called before take(), and whenever
+  /// it may have turned: a direction belongs to when its sound came, half a window and more ago.
+  void turn(double now_s, double heading_rad);
+  /// The next part of the sound, whose last instant is now; it may end within an instant.
+  void take(std::span<const std::byte> part, double now_s);
+  /// Once for each sound that is new, or is in another direction from the robot than it was said to be: "A
+  /// sound ahead, to the left." And once each for channels that cannot be of microphones of their own, and
+  /// for values that are no numbers.
   std::optional<std::string> words();
   /// Where the newest sound comes from, if it was heard within the last kRemembered_s: radians, positive to
   /// the right of the robot as it stands now.
@@ -50,14 +58,29 @@ class RobotEars {
 
  private:
   RobotEars(Microphones microphones, SoundFormat format, hearing::Listener listener);
-  void hear(const hearing::HeardWindow& window, double now_s, double heading_rad);
+  void hear(const hearing::HeardWindow& window, double now_s);
+  double heading_at(double time_s) const;
+  void check_channels(const Sound& sound);
 
   Microphones microphones_;
   SoundFormat format_;
   hearing::Listener listener_;
   hearing::SoundTracks tracks_;
+  /// Bytes of an instant that has not come to its end.
+  std::vector<std::byte> rest_;
+  /// Seconds that the listener was given.
+  double taken_s_ = 0.0;
+  struct Heading {
+    double time_s, heading_rad;
+  };
+  std::deque<Heading> headings_;
+  /// What came until the channels were checked.
+  Sound first_;
+  bool are_checked_ = false, are_faulty_ = false, said_numbers_ = false;
   /// Counter-clockwise from above, of odometry's frame.
-  std::optional<double> direction_rad_, said_rad_;
+  std::optional<double> direction_rad_;
+  /// From the robot, when it was said.
+  std::optional<double> said_rad_;
   double heard_s_ = 0.0, said_s_ = 0.0;
   std::optional<std::string> unsaid_;
   std::uint64_t sounds_ = 0;

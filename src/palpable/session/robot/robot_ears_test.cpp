@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/robot/robot_ears.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <numbers>
 #include <random>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -18,7 +20,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 Microphones square() { return square_array(0.1); }
 
 /// Noise from a far place, positive to the right, as 16 bits of four channels: each channel hears it earlier
-/// the nearer it is. A second before it, and after, is silent.
+/// the nearer it is, with noise of its own. A second before it, and after, is silent.
 std::vector<std::byte> noise_from(double azimuth_deg, std::uint64_t seed, double length_s = 1.0) {
   constexpr double kRate_hz = 16'000.0;
   constexpr int kFine = 16;
@@ -40,7 +42,8 @@ std::vector<std::byte> noise_from(double azimuth_deg, std::uint64_t seed, double
     const auto shift =
         static_cast<std::size_t>(100 * kFine + std::lround(nearer_m / 343.2 * kRate_hz * kFine));
     for (std::size_t k = 0; k < length; ++k)
-      samples[4 * (lead + k) + c] = static_cast<std::int16_t>(20'000.0 * fine[kFine * k + shift]);
+      samples[4 * (lead + k) + c] = static_cast<std::int16_t>(20'000.0 * fine[kFine * k + shift] +
+                                                              static_cast<double>(random() % 3U) - 1.0);
   }
   std::vector<std::byte> bytes(samples.size() * sizeof(std::int16_t));
   std::memcpy(bytes.data(), samples.data(), bytes.size());
@@ -52,7 +55,8 @@ TEST(RobotEars, TellWhereASoundComesFromWhileTheRobotTurns) {
     auto ears = RobotEars::create(square(), {});
     ASSERT_TRUE(ears);
     constexpr double kHeading_rad = 0.4;
-    ears->take(noise_from(azimuth_deg, 7), 10.0, kHeading_rad);
+    ears->turn(10.0, kHeading_rad);
+    ears->take(noise_from(azimuth_deg, 7), 10.0);
     const auto found = ears->azimuth_rad(11.0, kHeading_rad);
     ASSERT_TRUE(found) << azimuth_deg;
     EXPECT_NEAR(std::remainder(*found / kDegree - azimuth_deg, 360.0), 0.0, 3.0);
@@ -67,15 +71,52 @@ TEST(RobotEars, TellWhereASoundComesFromWhileTheRobotTurns) {
 TEST(RobotEars, SayASoundOnceAndAnotherOneAtOnce) {
   auto ears = RobotEars::create(square(), {});
   ASSERT_TRUE(ears);
-  ears->take(noise_from(40.0, 1), 1.0, 0.0);
+  ears->take(noise_from(40.0, 1), 1.0);
   EXPECT_EQ(ears->words(), "A sound ahead, to the right.");
   EXPECT_EQ(ears->words(), std::nullopt);
   // The same voice after a pause.
-  ears->take(noise_from(42.0, 2), 3.0, 0.0);
+  ears->take(noise_from(42.0, 2), 3.0);
   EXPECT_EQ(ears->words(), std::nullopt);
-  ears->take(noise_from(-90.0, 3), 5.0, 0.0);
+  ears->take(noise_from(-90.0, 3), 5.0);
   EXPECT_EQ(ears->words(), "A sound to the left.");
   EXPECT_EQ(ears->sounds(), 3U);
+}
+
+// In parts that end within instants, as a robot turns: the direction is that of when the sound came.
+TEST(RobotEars, AccountForTheTurnSinceTheSoundCame) {
+  auto ears = RobotEars::create(square(), {});
+  ASSERT_TRUE(ears);
+  const auto heading_rad = [](double time_s) { return 0.3 + 0.7 * time_s; };
+  // Clockwise from straight ahead of the robot's first heading, while the robot turns to the left.
+  const auto bytes = noise_from(0.0, 5);
+  constexpr std::size_t kPart = 8 * 800 + 3;
+  double heard_rad = 0.0;
+  int heard = 0;
+  for (std::size_t at = 0; at < bytes.size(); at += kPart) {
+    const double now_s = static_cast<double>(std::min(at + kPart, bytes.size())) / (8.0 * 16'000.0);
+    ears->turn(now_s, heading_rad(now_s));
+    ears->take(std::span(bytes).subspan(at, std::min(kPart, bytes.size() - at)), now_s);
+    // A sound that stays ahead of the turning robot turns with it, by half a second less.
+    if (now_s < 1.6 || now_s > 1.9) continue;
+    const auto azimuth_rad = ears->azimuth_rad(now_s, heading_rad(now_s));
+    ASSERT_TRUE(azimuth_rad);
+    heard_rad += *azimuth_rad;
+    ++heard;
+  }
+  ASSERT_GT(heard, 2);
+  EXPECT_NEAR(heard_rad / heard, 0.7 * 0.35, 0.7 * 0.15);
+}
+
+TEST(RobotEars, NoticeChannelsThatAreCopies) {
+  auto ears = RobotEars::create(square(), {});
+  ASSERT_TRUE(ears);
+  auto bytes = noise_from(60.0, 3, 2.0);
+  for (std::size_t at = 0; at + 8 <= bytes.size(); at += 8) std::copy_n(&bytes[at], 2, &bytes[at + 2]);
+  ears->take(bytes, 5.0);
+  const auto words = ears->words();
+  ASSERT_TRUE(words);
+  EXPECT_NE(words->find("not listened to"), std::string::npos) << *words;
+  EXPECT_FALSE(ears->azimuth_rad(5.0, 0.0));
 }
 
 TEST(RobotEars, RefuseSoundOfOtherChannelsAndFormats) {
@@ -86,8 +127,8 @@ TEST(RobotEars, RefuseSoundOfOtherChannelsAndFormats) {
   EXPECT_FALSE(ears->take_format({4, 16'000.0, "S24_3LE"}));
   EXPECT_TRUE(ears->take_format({4, 48'000.0, "F32LE"}));
   // A part that ends within an instant, and numbers that are none.
-  ears->take(std::vector<std::byte>(4 * 4 * 48'000 + 3, std::byte{0xFF}), 1.0, 0.0);
-  EXPECT_EQ(ears->words(), std::nullopt);
+  ears->take(std::vector<std::byte>(4 * 4 * 48'000 + 3, std::byte{0xFF}), 1.0);
+  EXPECT_EQ(ears->words(), "The robot sends sound with values that are no numbers; such parts are left out.");
   EXPECT_FALSE(RobotEars::create({{{{0.1, 0.0, 0.0}}}}, {}));
 }
 

@@ -3,6 +3,7 @@
 #include "palpable/session/touch/live_address.hpp"
 
 #include "palpable/core/text/number_text.hpp"
+#include "palpable/core/text/passwords.hpp"
 #include "palpable/device/url.hpp"
 #include "palpable/sources/sound/microphones_file.hpp"
 
@@ -25,6 +26,13 @@ constexpr std::array<std::string_view, 11> kSchemes{
     "rtsps:",  "http:",   "https:",  "ros:",      "robot:"};
 
 constexpr std::string_view kHttp = "http://";
+
+std::string in_small_letters(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
+bool is_lower(const std::string& text) { return in_small_letters(text) == text; }
 
 /// "host:port", "[::1]:port" or either without a port. nullopt for no host, or a port that is none.
 std::optional<std::pair<std::string, std::string>> host_and_port(std::string_view authority,
@@ -63,7 +71,7 @@ struct CameraUrl {
 Result<CameraUrl> parse_camera_url(std::string_view address, std::string_view scheme,
                                    const char* usual_port) {
   const auto usage = [&](std::string message) {
-    // Without a name and a password.
+    // A name and a password that are not written as they must be cannot be told from the rest.
     const auto at = address.find('@');
     return Error{ErrorCode::usage, std::move(message),
                  std::string(at == std::string_view::npos ? address : scheme)};
@@ -151,6 +159,16 @@ std::string_view stream_scheme_of(std::string_view address) {
   return {};
 }
 
+/// FFmpeg checks no certificate of rtsps:, so that is not done in silence.
+Result<void> check_certificate(const sources::StreamAddress& address) {
+  if (!address.url.starts_with("rtsps://") || address.takes_any_certificate) return {};
+  return Error{
+      ErrorCode::usage,
+      "certificates of rtsps: cannot be checked, so anybody on the way could read and change what the camera "
+      "sends, and read its password; #certificate=any after the address takes that",
+      address.shown};
+}
+
 Result<LiveAddress> parse_stream_cameras(std::string_view address, std::string_view scheme) {
   const auto parse = [](std::string_view one, std::string_view its_scheme) -> Result<sources::StreamAddress> {
     auto url = parse_camera_url(one, its_scheme, "");
@@ -158,19 +176,27 @@ Result<LiveAddress> parse_stream_cameras(std::string_view address, std::string_v
     return sources::StreamAddress{std::string(one), false, std::move(url->shown)};
   };
   const auto hash = address.find('#');
+  if (hash != std::string_view::npos && address.substr(0, hash).find('@') == std::string_view::npos &&
+      address.substr(0, address.find("://", hash)).find('@', hash) != std::string_view::npos)
+    return Error{ErrorCode::usage, "in a name or password # is written %23, / %2F, ? %3F and @ %40",
+                 std::string(scheme)};
   auto left = parse(address.substr(0, hash), scheme);
   if (!left) return std::move(left).error();
   StreamCameras cameras{*std::move(left), std::nullopt};
-  if (hash == std::string_view::npos) return LiveAddress(std::move(cameras));
-  const auto options =
-      parse_camera_options(address.substr(hash + 1), scheme != "rtsp://", cameras.left.shown);
-  if (!options) return options.error();
-  cameras.left.takes_any_certificate = options->takes_any_certificate;
-  if (options->right.empty()) return LiveAddress(std::move(cameras));
-  const auto right_scheme = stream_scheme_of(options->right);
-  auto right = parse(options->right, right_scheme.empty() ? scheme : right_scheme);
+  CameraOptions options;
+  if (hash != std::string_view::npos) {
+    auto given = parse_camera_options(address.substr(hash + 1), scheme != "rtsp://", cameras.left.shown);
+    if (!given) return std::move(given).error();
+    options = *given;
+  }
+  cameras.left.takes_any_certificate = options.takes_any_certificate;
+  if (auto checked = check_certificate(cameras.left); !checked) return std::move(checked).error();
+  if (options.right.empty()) return LiveAddress(std::move(cameras));
+  const auto right_scheme = stream_scheme_of(options.right);
+  auto right = parse(options.right, right_scheme.empty() ? scheme : right_scheme);
   if (!right) return std::move(right).error();
-  right->takes_any_certificate = options->takes_any_certificate;
+  right->takes_any_certificate = options.takes_any_certificate;
+  if (auto checked = check_certificate(*right); !checked) return std::move(checked).error();
   cameras.right = *std::move(right);
   return LiveAddress(std::move(cameras));
 }
@@ -339,11 +365,14 @@ Result<LiveAddress> parse_depth_camera(device::DeviceUrl url, sources::DepthCame
 }  // namespace
 
 bool is_live_address(const std::string& input) {
-  return std::any_of(kSchemes.begin(), kSchemes.end(),
-                     [&](auto scheme) { return input.starts_with(scheme); });
+  const std::string begin = in_small_letters(input.substr(0, input.find(':') + 1));
+  return std::any_of(kSchemes.begin(), kSchemes.end(), [&](auto scheme) { return begin == scheme; });
 }
 
 Result<LiveAddress> parse_live_address(const std::string& address) {
+  if (const auto colon = address.find(':'); !is_lower(address.substr(0, colon)))
+    return Error{ErrorCode::usage, "the scheme of an address is written in small letters",
+                 without_passwords(address)};
   if (address.starts_with(kHttp)) return parse_http_cameras(address);
   if (const auto scheme = stream_scheme_of(address); !scheme.empty())
     return parse_stream_cameras(address, scheme);

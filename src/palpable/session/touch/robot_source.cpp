@@ -269,7 +269,7 @@ class RobotSource final : public LiveSource, public RobotControl {
 
   void listen() {
     const std::lock_guard lock(mutex_);
-    const double heading_rad = drive_.pose().heading_rad;
+    ears_->turn(seconds_of(RobotClock::now()), drive_.pose().heading_rad);
     if (const auto newest = client_->take(kRobotSoundFormat))
       if (const auto* stated = std::get_if<sources::RosSoundFormat>(&newest->message.body))
         if (auto taken =
@@ -278,7 +278,7 @@ class RobotSource final : public LiveSource, public RobotControl {
           return refuse_sound(taken.error());
     while (const auto part = client_->take(kRobotSound))
       if (const auto* sound = std::get_if<sources::RosSound>(&part->message.body))
-        ears_->take(sound->data, seconds_of(part->arrival), heading_rad);
+        ears_->take(sound->data, seconds_of(part->arrival));
     if (auto words = ears_->words()) notices_.push_back(*std::move(words));
     statistics_.sounds = ears_->sounds();
   }

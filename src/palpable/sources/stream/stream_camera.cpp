@@ -14,6 +14,7 @@
 #include <cstring>
 #include <optional>
 #include <span>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,19 @@ class Process {
   explicit Process(pid_t number) : number_(number) {}
   Process(Process&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
   Process& operator=(Process&&) = delete;
+  /// Whether it was killed by another program or the system. A process that closed its pipe ends at once, or
+  /// else within a second.
+  bool was_killed() {
+    for (int k = 0; k < 100; ++k, std::this_thread::sleep_for(milliseconds(10))) {
+      int status = 0;
+      const pid_t ended = ::waitpid(number_, &status, WNOHANG);
+      if (ended == 0 || (ended < 0 && errno == EINTR)) continue;
+      if (ended != number_) return false;
+      number_ = -1;
+      return WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
+    }
+    return false;
+  }
   ~Process() {
     if (number_ < 0) return;
     ::kill(-number_, SIGKILL);
@@ -67,8 +81,7 @@ class StreamCamera final : public CameraLink {
       // The pictures before the last part are of use.
       if (newest) return newest;
       if (ended_) return *ended_;
-      if (!is_open)
-        return came_ ? invalid_input("sent something on which its decoder crashed") : incomplete();
+      if (!is_open) return why_closed();
       if (Clock::now() - last_ > kPatience)
         return invalid_input(fmt::format("has sent nothing for {} s", kPatience.count()));
     } while (Clock::now() < deadline);
@@ -80,6 +93,15 @@ class StreamCamera final : public CameraLink {
   static constexpr std::chrono::seconds kPatience{20};
 
   using Part = Result<std::optional<CameraFrame>>;
+
+  /// The process closed its pipe without a reason.
+  Error why_closed() {
+    if (process_.was_killed())
+      return {ErrorCode::failed,
+              "lost its decoder, which was ended from outside, such as for want of memory",
+              {}};
+    return came_ ? invalid_input("sent something on which its decoder crashed") : incomplete();
+  }
 
   /// The process did not begin.
   static Error incomplete() {

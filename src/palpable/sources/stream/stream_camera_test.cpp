@@ -88,6 +88,13 @@ TEST(StreamCamera, IsLostWhenTheCameraEnds) {
   EXPECT_EQ(seen.loss, "has ended the stream");
 }
 
+TEST(StreamCamera, IsLostWhenTheCameraIsSilent) {
+  RtspBehaviour mute;
+  mute.silent_after = 25;
+  const RtspServer server(mute);
+  EXPECT_EQ(seen_of(server.url(), 100).loss, "has sent nothing for 5 s");
+}
+
 TEST(StreamCamera, SurvivesRubbishBetweenPictures) {
   RtspBehaviour noisy;
   noisy.rubbish_after = 25;

@@ -27,7 +27,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// Until the first data, and between data.
-constexpr std::chrono::seconds kOpening{10}, kSilence{5};
+constexpr std::chrono::seconds kOpening{8}, kSilence{5};
 
 /// FFmpeg's options, which it takes those from that it knows.
 class Options {
@@ -95,6 +95,10 @@ std::string refusal(int code, bool is_encrypted) {
     case AVERROR_PROTOCOL_NOT_FOUND:
     case AVERROR_DEMUXER_NOT_FOUND:
       return "sends a kind of stream that is not read here";
+    case AVERROR_HTTP_BAD_REQUEST:
+    case AVERROR_HTTP_OTHER_4XX:
+    case AVERROR_HTTP_SERVER_ERROR:
+      return "answers with an error of its own";
     default:
       break;
   }
@@ -129,9 +133,15 @@ class Stream {
     if (const char* authorities = std::getenv("SSL_CERT_FILE"); authorities != nullptr)
       options.set("ca_file", authorities);
     const auto begin = Clock::now();
+    url_ = url;
     begin_waiting(kOpening);
     const bool is_encrypted = !url.starts_with("rtsp:");
-    if (const int code = avformat_open_input(&format, url.c_str(), nullptr, options.entries()); code < 0)
+    // It is freed by avformat_open_input() if that fails.
+    opening_ = format;
+    const int code = avformat_open_input(&format, url.c_str(), nullptr, options.entries());
+    opening_ = nullptr;
+    if (is_redirected_) return "leads to another address, which is not followed";
+    if (code < 0)
       // FFmpeg has no code of its own for an answer that did not come within `timeout`.
       return Clock::now() - begin >= kSilence ? silent_for(kSilence) : refusal(code, is_encrypted);
     format_.reset(format);
@@ -161,7 +171,10 @@ class Stream {
  private:
   static int is_to_end(void* self) {
     auto& stream = *static_cast<Stream*>(self);
-    return stream.is_late() || !stream.taker_.is_there() ? 1 : 0;
+    // Asked while a connection is opened, so before a redirection's target gets the password.
+    if (stream.opening_ != nullptr && stream.opening_->url != nullptr && stream.url_ != stream.opening_->url)
+      stream.is_redirected_ = true;
+    return stream.is_redirected_ || stream.is_late() || !stream.taker_.is_there() ? 1 : 0;
   }
   bool is_late() const { return Clock::now() > latest_; }
   void begin_waiting(std::chrono::seconds time) { latest_ = Clock::now() + time; }
@@ -179,9 +192,11 @@ class Stream {
     const AVCodec* codec = nullptr;
     stream_ = av_find_best_stream(format_.get(), AVMEDIA_TYPE_VIDEO, -1, -1, &codec, 0);
     if (stream_ < 0 || codec == nullptr) return "sends no video that can be read";
+    const AVCodecParameters& stated = *format_->streams[stream_]->codecpar;
+    if (stated.width > 0 && stated.height > 0)
+      if (auto size = check_frame_size(stated.width, stated.height); !size) return size.error().message;
     codec_.reset(avcodec_alloc_context3(codec));
-    if (avcodec_parameters_to_context(codec_.get(), format_->streams[stream_]->codecpar) < 0)
-      return "sends no video that can be read";
+    if (avcodec_parameters_to_context(codec_.get(), &stated) < 0) return "sends no video that can be read";
     // Threads for the frames that follow each other would each hold one back.
     codec_->thread_type = FF_THREAD_SLICE;
     codec_->thread_count = 2;
@@ -217,6 +232,9 @@ class Stream {
   }
 
   StreamTaker& taker_;
+  std::string url_;
+  const AVFormatContext* opening_ = nullptr;
+  bool is_redirected_ = false;
   Clock::time_point latest_;
   ffmpeg::Format format_;
   ffmpeg::Codec codec_;

@@ -29,7 +29,8 @@ std::optional<double> error_deg(std::uint64_t seed) {
   const double truth_rad = pose.heading_rad - std::atan2(from.y - pose.y_m, from.x - pose.x_m);
   for (int k = 0; k < 40; ++k) {
     const auto part = microphones.hear(pose, 800);
-    ears->take(std::as_bytes(std::span(part)), 0.05 * k, pose.heading_rad);
+    ears->turn(0.05 * k, pose.heading_rad);
+    ears->take(std::as_bytes(std::span(part)), 0.05 * k);
   }
   const auto found = ears->azimuth_rad(2.0, pose.heading_rad);
   if (!found) return std::nullopt;

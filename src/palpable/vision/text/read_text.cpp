@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 namespace palpable::vision {
@@ -39,31 +40,53 @@ struct Readings {
   bool reversed = false;
 };
 
-/// Whether a line is so steep that its lettering may be read to the left: lettering is placed upright.
-bool may_be_upside_down(const TextLine& line, const ReadTextOptions& options) {
+/// Whether a line is so level that its lettering is read to the right unless the whole picture is upside
+/// down.
+bool is_level(const TextLine& line, const ReadTextOptions& options) {
   const MapPoint a = line.centre.front(), b = line.centre.back();
-  return std::abs(b.y - a.y) > std::tan(options.level_deg * std::numbers::pi / 180.0) * std::abs(b.x - a.x);
+  return std::abs(b.y - a.y) <= std::tan(options.level_deg * std::numbers::pi / 180.0) * std::abs(b.x - a.x);
 }
 
 bool leftwards(const TextLine& line) { return line.centre.back().x < line.centre.front().x; }
+
+/// Whether a line was read with enough confidence.
+bool is_sure(const Readings& line, const Reader& reader, const ReadTextOptions& options) {
+  const int least = reader.languages.size() > 1 ? 2 : 1;
+  return agreed(line.all, least).best.confidence >= options.sure;
+}
+
+/// The lines that are read to the left, too: the unsure ones, but for level ones of a picture whose level
+/// lines are mostly read to the right with confidence.
+std::vector<std::size_t> maybe_upside_down(const std::vector<Readings>& read, std::span<const TextLine> lines,
+                                           const Reader& reader, const ReadTextOptions& options) {
+  std::vector<std::size_t> unsure;
+  std::size_t level = 0, level_and_sure = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const bool sure = is_sure(read[i], reader, options);
+    if (!sure) unsure.push_back(i);
+    if (!is_level(lines[i], options) || read[i].all.empty()) continue;
+    ++level;
+    level_and_sure += sure ? 1 : 0;
+  }
+  constexpr double kUpright = 0.25;
+  if (static_cast<double>(level_and_sure) >= std::max(1.0, kUpright * static_cast<double>(level)))
+    std::erase_if(unsure, [&](std::size_t i) { return is_level(lines[i], options); });
+  return unsure;
+}
 
 /// Reads each line to the right, and to the left where that is unsure.
 Result<std::vector<Readings>> read_both_ways(const StraightText& straight, std::span<const TextLine> lines,
                                              const Reader& reader, const ReadTextOptions& options,
                                              const Work& work) {
   std::vector<Readings> out(lines.size());
-  std::vector<std::size_t> numbers;
+  std::vector<std::size_t> numbers(lines.size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
   for (const bool again : {false, true}) {
+    if (again) numbers = maybe_upside_down(out, lines, reader, options);
     std::vector<cv::Mat> pictures;
-    numbers.clear();
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      const int least = reader.languages.size() > 1 ? 2 : 1;
-      if (again && (!may_be_upside_down(lines[i], options) ||
-                    agreed(out[i].all, least).best.confidence >= options.sure))
-        continue;
-      numbers.push_back(i);
+    pictures.reserve(numbers.size());
+    for (const std::size_t i : numbers)
       pictures.push_back(straight.of(lines[i], leftwards(lines[i]) != again, Kind::strokes));
-    }
     auto read = read_pictures(pictures, reader, options, work);
     if (!read) return read.error();
     for (std::size_t k = 0; k < numbers.size(); ++k) {

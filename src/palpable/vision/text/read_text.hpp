@@ -57,8 +57,9 @@ struct ReadTextOptions {
   double letter_part = 0.5;
   /// Lines that are read with less confidence are dropped. 0 ... 1.
   double least_confidence = 0.4;
-  /// Lines that are read with less confidence, 0 ... 1, and are steeper than this, degrees, 0 ... 90, are
-  /// also read upside down.
+  /// Lines that are read with less confidence, 0 ... 1, are also read upside down; those that are no steeper
+  /// than `level_deg`, degrees, 0 ... 90, only if few level ones are read with that confidence: then the
+  /// picture may be upside down.
   double sure = 0.8;
   double level_deg = 30.0;
   /// Most processor time for reading all lines in each process, s; ten times as long by the clock. 1 ...
