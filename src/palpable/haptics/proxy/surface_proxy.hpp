@@ -83,8 +83,8 @@ class ProxyFollower {
   /// (after a jump of many pixels).
   static constexpr int kEvaluations = 3;
   static constexpr double kPerPixel = 0.75;
-  /// What a slide may use at least after the first contact of a flight: for the way to a hand within a pixel of
-  /// it, which is one step, and for others, whose steps are half the hand's movement.
+  /// What a slide may use at least after the first contact of a flight: for the way to a hand within a pixel
+  /// of it, which is one step, and for others, whose steps are half the hand's movement.
   static constexpr int kAfterMeetingNear = 1;
   static constexpr int kAfterMeeting = 2;
   static constexpr int kMaxEvaluations = SurfaceFlight<Surface>::kMaxEvaluations;
