@@ -75,7 +75,7 @@ TEST(StreamCamera, SaysWhyThereAreNoPictures) {
   closed.takes_everybody = false;
   const RtspServer guarded(closed);
   EXPECT_EQ(seen_of(guarded.url(), 1).loss,
-            "refuses the name and password, or asks for them: SCHEME://NAME:PASSWORD@HOST/PATH");
+            "refuses the name and password, or asks for them: NAME:PASSWORD@ before the host");
   EXPECT_EQ(seen_of("rtsp://127.0.0.1:1/stream", 1).loss, "cannot be reached: Connection refused");
 }
 

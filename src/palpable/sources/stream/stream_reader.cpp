@@ -87,7 +87,7 @@ std::string refusal(int code, bool is_encrypted) {
   switch (code) {
     case AVERROR_HTTP_UNAUTHORIZED:
     case AVERROR_HTTP_FORBIDDEN:
-      return "refuses the name and password, or asks for them: SCHEME://NAME:PASSWORD@HOST/PATH";
+      return "refuses the name and password, or asks for them: NAME:PASSWORD@ before the host";
     case AVERROR_HTTP_NOT_FOUND:
       return "has no such stream";
     case AVERROR_INVALIDDATA:
