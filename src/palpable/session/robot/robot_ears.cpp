@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/robot/robot_ears.hpp"
 
+#include "palpable/core/check.hpp"
 #include "palpable/describe/sound_words.hpp"
 #include "palpable/hearing/channel_faults.hpp"
 
@@ -51,6 +52,7 @@ RobotEars::RobotEars(Microphones microphones, SoundFormat format, hearing::Liste
 
 Result<RobotEars> RobotEars::create(Microphones microphones, SoundFormat format) {
   format.channels = static_cast<int>(microphones.positions_m.size());
+  PALPABLE_CHECK(bytes_of(format.samples) > 0);
   auto listener = hearing::Listener::create(microphones, format.rate_hz);
   if (!listener) return std::move(listener).error();
   return RobotEars(std::move(microphones), std::move(format), *std::move(listener));
@@ -68,6 +70,11 @@ Result<void> RobotEars::take_format(const SoundFormat& format) {
     listener_ = *std::move(listener);
     tracks_ = hearing::SoundTracks(listener_.geometry().shape);
     taken_s_ = 0.0;
+  }
+  // What is left of an instant, and what is not checked yet, is of the format before.
+  if (format.rate_hz != format_.rate_hz || format.samples != format_.samples) {
+    rest_.clear();
+    first_ = {};
   }
   format_ = format;
   return {};
@@ -92,6 +99,7 @@ double RobotEars::heading_at(double time_s) const {
 
 void RobotEars::take(std::span<const std::byte> part, double now_s) {
   const std::size_t bytes = bytes_of(format_.samples), channels = microphones_.positions_m.size();
+  PALPABLE_CHECK(bytes > 0 && channels > 0);
   rest_.insert(rest_.end(), part.begin(), part.end());
   const std::size_t length = rest_.size() / (bytes * channels);
   Sound sound{format_.rate_hz, std::vector(channels, std::vector<float>(length))};

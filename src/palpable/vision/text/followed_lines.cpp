@@ -201,6 +201,7 @@ std::vector<TextLine> followed_lines(const Raster<Rgb8>& picture, double height_
   for (const auto& chain : chains.all())
     for (const auto& run : unused_runs(chain, used)) {
       std::vector<const Ink*> pieces;
+      pieces.reserve(run.size());
       for (const std::size_t k : run) pieces.push_back(&chains.letters()[k]);
       InkLine word = line_of(pieces, ink);
       if (word.line.height_px > options.most_height * height_px) continue;

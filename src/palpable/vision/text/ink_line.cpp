@@ -78,6 +78,7 @@ void fit_line(InkLine& ink, const TextLineOptions& options) {
   const std::array<double, 4> c = curve_of(points, length > options.bending_length * thickness);
   const auto middle = [&c](double u) { return c[0] + u * (c[1] + u * (c[2] + u * c[3])); };
   std::vector<double> residuals;
+  residuals.reserve(points.size());
   for (const cv::Point2d& p : points) residuals.push_back(p.y - middle(p.x));
   const double low = quantile_of(residuals, least);
   const double high = quantile_of(residuals, most);
