@@ -51,7 +51,7 @@ set(PALPABLE_MAY_USE_sources/map isolated)
 set(PALPABLE_MAY_USE_sources/input picture stereo solid depth)
 set(PALPABLE_MAY_USE_sources/live picture depth)
 set(PALPABLE_MAY_USE_sources/depth_camera live)
-set(PALPABLE_MAY_USE_sources/stream live video)
+set(PALPABLE_MAY_USE_sources/stream isolated live video)
 set(PALPABLE_MAY_USE_sources/decoder isolated picture solid calibration video map stream)
 
 set(PALPABLE_ROOMS_vision image depth_camera mapping segmentation stereo/problem stereo/cost stereo/range stereo/occlusion stereo/planes stereo/methods rectification stereo/result contours motion/tracks motion/structure motion/depth text streets)

@@ -4,6 +4,7 @@
 
 #include "palpable/core/text/number_text.hpp"
 #include "palpable/core/text/passwords.hpp"
+#include "palpable/describe/name_search.hpp"
 #include "palpable/device/url.hpp"
 #include "palpable/sources/sound/microphones_file.hpp"
 
@@ -26,13 +27,6 @@ constexpr std::array<std::string_view, 11> kSchemes{
     "rtsps:",  "http:",   "https:",  "ros:",      "robot:"};
 
 constexpr std::string_view kHttp = "http://";
-
-std::string in_small_letters(std::string text) {
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return text;
-}
-
-bool is_lower(const std::string& text) { return in_small_letters(text) == text; }
 
 /// "host:port", "[::1]:port" or either without a port. nullopt for no host, or a port that is none.
 std::optional<std::pair<std::string, std::string>> host_and_port(std::string_view authority,
@@ -365,12 +359,12 @@ Result<LiveAddress> parse_depth_camera(device::DeviceUrl url, sources::DepthCame
 }  // namespace
 
 bool is_live_address(const std::string& input) {
-  const std::string begin = in_small_letters(input.substr(0, input.find(':') + 1));
+  const std::string begin = describe::small_letters(input.substr(0, input.find(':') + 1));
   return std::any_of(kSchemes.begin(), kSchemes.end(), [&](auto scheme) { return begin == scheme; });
 }
 
 Result<LiveAddress> parse_live_address(const std::string& address) {
-  if (const auto colon = address.find(':'); !is_lower(address.substr(0, colon)))
+  if (const auto scheme = address.substr(0, address.find(':')); describe::small_letters(scheme) != scheme)
     return Error{ErrorCode::usage, "the scheme of an address is written in small letters",
                  without_passwords(address)};
   if (address.starts_with(kHttp)) return parse_http_cameras(address);

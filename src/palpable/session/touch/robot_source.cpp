@@ -5,6 +5,7 @@
 #include "palpable/session/robot/drive_surface.hpp"
 #include "palpable/session/robot/motion_watch.hpp"
 #include "palpable/session/robot/robot_ears.hpp"
+#include "palpable/session/robot/robot_messages.hpp"
 #include "palpable/session/touch/touch_session.hpp"
 #include "palpable/sources/live/rosbridge_client.hpp"
 #include "palpable/sources/live/rosbridge_picture.hpp"
@@ -44,30 +45,6 @@ constexpr auto kTick = std::chrono::milliseconds(20);
 
 double seconds_of(RobotClock::time_point time) {
   return std::chrono::duration<double>(time.time_since_epoch()).count();
-}
-
-std::string twist_text(const RobotVelocity& velocity) {
-  return fmt::format(
-      R"({{"linear":{{"x":{:.4f},"y":0.0,"z":0.0}},"angular":{{"x":0.0,"y":0.0,"z":{:.4f}}}}})",
-      velocity.forward_m_per_s, velocity.turn_rad_per_s);
-}
-
-std::string sentence_of(DriveLimit limit) {
-  switch (limit) {
-    case DriveLimit::picture_lost:
-      return "The robot stands: no picture of its camera has come for half a second, or none with a camera's "
-             "data and depth, or the same again and again. Start it again when it sees.";
-    case DriveLimit::link_lost:
-      return "The robot stands: its odometry does not come. Start it again when it does.";
-    case DriveLimit::obstacle:
-      return "There is something ahead of the robot, or floor that it has not seen.";
-    case DriveLimit::none:
-    case DriveLimit::not_started:
-    case DriveLimit::released:
-    case DriveLimit::standing:
-      break;
-  }
-  return {};
 }
 
 class RobotSource final : public LiveSource, public RobotControl {
@@ -270,22 +247,11 @@ class RobotSource final : public LiveSource, public RobotControl {
   void listen() {
     const std::lock_guard lock(mutex_);
     ears_->turn(seconds_of(RobotClock::now()), drive_.pose().heading_rad);
-    if (const auto newest = client_->take(kRobotSoundFormat))
-      if (const auto* stated = std::get_if<sources::RosSoundFormat>(&newest->message.body))
-        if (auto taken =
-                ears_->take_format({stated->channels, static_cast<double>(stated->rate_hz), stated->samples});
-            !taken)
-          return refuse_sound(taken.error());
-    while (const auto part = client_->take(kRobotSound))
-      if (const auto* sound = std::get_if<sources::RosSound>(&part->message.body))
-        ears_->take(sound->data, seconds_of(part->arrival));
+    const auto heard = take_sound(*client_, kRobotSound, kRobotSoundFormat, *ears_);
     if (auto words = ears_->words()) notices_.push_back(*std::move(words));
     statistics_.sounds = ears_->sounds();
-  }
-
-  /// It is not listened to any more. With the lock.
-  void refuse_sound(const Error& error) {
-    notices_.push_back(fmt::format("The robot {}: it is not listened to.", error.message));
+    if (heard) return;
+    notices_.push_back(fmt::format("The robot {}: it is not listened to.", heard.error().message));
     ears_.reset();
   }
 

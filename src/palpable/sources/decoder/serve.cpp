@@ -4,6 +4,7 @@
 
 #include "palpable/core/text/number_text.hpp"
 #include "palpable/sources/decoder/confine.hpp"
+#include "palpable/sources/decoder/write_all.hpp"
 #include "palpable/sources/isolated/protocol.hpp"
 
 #include <cerrno>
@@ -42,7 +43,7 @@ class ReplyFile final : public ReplySink {
  public:
   bool put(std::span<const std::byte> part) override {
     if (held_.size() + part.size() > kTogether && !flush()) return false;
-    if (part.size() > kTogether) return write_all(part);
+    if (part.size() > kTogether) return write_all(protocol::kReplyDescriptor, part);
     held_.insert(held_.end(), part.begin(), part.end());
     return true;
   }
@@ -52,23 +53,13 @@ class ReplyFile final : public ReplySink {
            ftruncate(protocol::kReplyDescriptor, 0) == 0;
   }
   bool flush() {
-    const bool written = write_all(held_);
+    const bool written = write_all(protocol::kReplyDescriptor, held_);
     held_.clear();
     return written;
   }
 
  private:
   static constexpr std::size_t kTogether = std::size_t{1} << 18U;
-
-  static bool write_all(std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-      const ssize_t n = write(protocol::kReplyDescriptor, bytes.data(), bytes.size());
-      if (n < 0 && errno == EINTR) continue;
-      if (n <= 0) return false;
-      bytes = bytes.subspan(static_cast<std::size_t>(n));
-    }
-    return true;
-  }
 
   std::vector<std::byte> held_;
 };

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/decoder/confine_network.hpp"
+#include "palpable/sources/decoder/write_all.hpp"
 #include "palpable/sources/stream/stream_protocol.hpp"
 #include "palpable/sources/stream/stream_reader.hpp"
 
@@ -43,20 +44,13 @@ class PartsPipe final : public stream::StreamTaker {
   }
   void put(PartHeader header, std::span<const std::byte> content) {
     header.bytes = content.size();
-    is_there_ = is_there_ && write_all(std::as_bytes(std::span(&header, 1))) && write_all(content);
+    const auto write = [](std::span<const std::byte> bytes) {
+      return decoder::write_all(stream::kPartsDescriptor, bytes);
+    };
+    is_there_ = is_there_ && write(std::as_bytes(std::span(&header, 1))) && write(content);
   }
 
  private:
-  static bool write_all(std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-      const ssize_t count = ::write(stream::kPartsDescriptor, bytes.data(), bytes.size());
-      if (count < 0 && errno == EINTR) continue;
-      if (count <= 0) return false;
-      bytes = bytes.subspan(static_cast<std::size_t>(count));
-    }
-    return true;
-  }
-
   bool is_there_ = true;
 };
 

@@ -4,6 +4,7 @@
 
 #include "palpable/core/system/child_process.hpp"
 #include "palpable/core/text/plain_text.hpp"
+#include "palpable/sources/isolated/decoder_process.hpp"
 #include "palpable/sources/live/frame_size.hpp"
 #include "palpable/sources/stream/stream_protocol.hpp"
 
@@ -14,7 +15,6 @@
 #include <cstring>
 #include <optional>
 #include <span>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -32,39 +32,12 @@ using stream::PartKind;
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-/// The process, which is ended with this.
-class Process {
- public:
-  explicit Process(pid_t number) : number_(number) {}
-  Process(Process&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  Process& operator=(Process&&) = delete;
-  /// Whether it was killed by another program or the system. A process that closed its pipe ends at once, or
-  /// else within a second.
-  bool was_killed() {
-    for (int k = 0; k < 100; ++k, std::this_thread::sleep_for(milliseconds(10))) {
-      int status = 0;
-      const pid_t ended = ::waitpid(number_, &status, WNOHANG);
-      if (ended == 0 || (ended < 0 && errno == EINTR)) continue;
-      if (ended != number_) return false;
-      number_ = -1;
-      return WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
-    }
-    return false;
-  }
-  ~Process() {
-    if (number_ < 0) return;
-    ::kill(-number_, SIGKILL);
-    while (::waitpid(number_, nullptr, 0) < 0 && errno == EINTR) {
-    }
-  }
-
- private:
-  pid_t number_;
-};
-
 class StreamCamera final : public CameraLink {
  public:
-  StreamCamera(Process process, Descriptor parts) : process_(std::move(process)), parts_(std::move(parts)) {}
+  StreamCamera(pid_t process, Descriptor parts) : process_(process), parts_(std::move(parts)) {}
+  ~StreamCamera() override { end(std::chrono::seconds(0)); }
+  StreamCamera(const StreamCamera&) = delete;
+  StreamCamera& operator=(const StreamCamera&) = delete;
 
   Result<std::optional<CameraFrame>> next(milliseconds longest) override {
     const auto deadline = Clock::now() + longest;
@@ -94,9 +67,17 @@ class StreamCamera final : public CameraLink {
 
   using Part = Result<std::optional<CameraFrame>>;
 
+  /// Waits for the process's end, and ends it if that takes longer; what it was, if it ended by itself.
+  std::optional<int> end(std::chrono::seconds patience) {
+    if (process_ < 0) return std::nullopt;
+    const auto ended = isolated::wait_for_end(std::exchange(process_, -1), std::move(parts_), patience);
+    return ended.in_time ? ended.status : std::nullopt;
+  }
+
   /// The process closed its pipe without a reason.
   Error why_closed() {
-    if (process_.was_killed())
+    const auto status = end(std::chrono::seconds(1));
+    if (status && WIFSIGNALED(*status) && WTERMSIG(*status) == SIGKILL)
       return {ErrorCode::failed,
               "lost its decoder, which was ended from outside, such as for want of memory",
               {}};
@@ -170,7 +151,8 @@ class StreamCamera final : public CameraLink {
   static constexpr std::size_t kMostWaiting = std::size_t{64} << 20U;
   static constexpr std::uint64_t kMostSkipped = 10000;
 
-  Process process_;
+  /// -1: it was waited for.
+  pid_t process_;
   Descriptor parts_;
   std::vector<std::byte> received_;
   std::optional<Error> ended_;
@@ -211,8 +193,7 @@ Result<std::unique_ptr<CameraLink>> connect_stream_camera(const StreamAddress& a
   const auto process = start_child(*program, {std::string(stream::kProtocolVersion)},
                                    std::array{request->first.number(), parts->second.number()});
   if (!process) return cannot_start(process.error().message);
-  return std::unique_ptr<CameraLink>(
-      std::make_unique<StreamCamera>(Process(*process), std::move(parts->first)));
+  return std::unique_ptr<CameraLink>(std::make_unique<StreamCamera>(*process, std::move(parts->first)));
 }
 
 }  // namespace palpable::sources

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
 
 namespace palpable::sources {
 namespace {
@@ -104,10 +105,19 @@ TEST(StreamCamera, SurvivesRubbishBetweenPictures) {
   EXPECT_EQ(seen.loss.find("crashed"), std::string::npos);
 }
 
+// The file is a stream that could be read.
 TEST(StreamCamera, OpensNoFilesAndNoOtherProtocols) {
-  for (const char* url :
-       {"/etc/hostname", "file:///etc/hostname", "concat:/etc/hostname", "rtp://127.0.0.1:9"})
-    EXPECT_NE(seen_of(url, 1).loss, "") << url;
+  const std::string file = testing::TempDir() + "/pictures.mjpeg";
+  std::vector<unsigned char> picture;
+  cv::imencode(".jpg", cv::Mat(48, 64, CV_8UC3, cv::Scalar(200, 100, 50)), picture);
+  for (int k = 0; k < 20; ++k)
+    std::ofstream(file, std::ios::app | std::ios::binary)
+        .write(reinterpret_cast<const char*>(picture.data()), static_cast<std::streamsize>(picture.size()));
+  for (const std::string& url : {file, "file:" + file, "concat:" + file, std::string("rtp://127.0.0.1:9")}) {
+    const auto seen = seen_of(url, 1);
+    EXPECT_TRUE(seen.frames.empty()) << url;
+    EXPECT_NE(seen.loss, "") << url;
+  }
 }
 
 TEST(StreamCamera, SurvivesADecoderThatIsMissingOrOfAnotherVersion) {

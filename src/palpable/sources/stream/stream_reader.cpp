@@ -216,15 +216,11 @@ class Stream {
         scaler_.release(), frame.width, frame.height, static_cast<AVPixelFormat>(frame.format), frame.width,
         frame.height, AV_PIX_FMT_RGB24, SWS_POINT | SWS_ACCURATE_RND, nullptr, nullptr, nullptr));
     if (!scaler_) return "sends video of a kind that cannot be read";
-    // FFmpeg writes whole vectors, which may extend beyond the last row's end.
-    constexpr std::size_t kBeyond = 64;
     const std::size_t stride = 3 * static_cast<std::size_t>(frame.width);
     const std::size_t bytes = stride * static_cast<std::size_t>(frame.height);
-    rows_.resize(bytes + kBeyond);
-    std::uint8_t* const planes[4] = {reinterpret_cast<std::uint8_t*>(rows_.data()), nullptr, nullptr,
-                                     nullptr};
-    const int strides[4] = {static_cast<int>(stride), 0, 0, 0};
-    sws_scale(scaler_.get(), frame.data, frame.linesize, 0, frame.height, planes, strides);
+    rows_.resize(bytes + ffmpeg::kBeyondRow);
+    ffmpeg::scale_to_rows(scaler_.get(), frame, reinterpret_cast<std::uint8_t*>(rows_.data()),
+                          static_cast<int>(stride));
     const auto arrival_ns =
         std::chrono::duration_cast<std::chrono::nanoseconds>(arrival.time_since_epoch()).count();
     taker_.take({frame.width, frame.height, number, arrival_ns, std::span(rows_).first(bytes)});

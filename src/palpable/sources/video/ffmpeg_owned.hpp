@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 extern "C" {
@@ -41,5 +42,15 @@ using Io = std::unique_ptr<AVIOContext, FreeIo>;
 using Frame = std::unique_ptr<AVFrame, FreeFrame>;
 using Packet = std::unique_ptr<AVPacket, FreePacket>;
 using Scaler = std::unique_ptr<SwsContext, FreeScaler>;
+
+/// FFmpeg writes whole vectors, which may extend this many bytes beyond a row's end.
+inline constexpr int kBeyondRow = 64;
+
+/// Scales a frame to rows of one plane, `stride` bytes apart, with kBeyondRow bytes after the last.
+inline void scale_to_rows(SwsContext* scaler, const AVFrame& frame, std::uint8_t* rows, int stride) {
+  std::uint8_t* const planes[4] = {rows, nullptr, nullptr, nullptr};
+  const int strides[4] = {stride, 0, 0, 0};
+  sws_scale(scaler, frame.data, frame.linesize, 0, frame.height, planes, strides);
+}
 
 }  // namespace palpable::sources::ffmpeg

@@ -159,13 +159,10 @@ class VideoFile {
     if (frame.width != width_ || frame.height != height_ || frame.format != format_of_frames_ || !scaler_)
       return damaged("the size of its frames changes");
     Raster<Rgb8> picture(scaled_width_, scaled_height_);
-    // FFmpeg writes whole vectors, which may extend beyond a row's end.
-    constexpr int kAlign = 64;
+    constexpr int kAlign = ffmpeg::kBeyondRow;
     const int stride = (3 * scaled_width_ + kAlign - 1) / kAlign * kAlign;
     rows_.resize(static_cast<std::size_t>(stride) * static_cast<std::size_t>(scaled_height_) + kAlign);
-    std::uint8_t* const planes[4] = {rows_.data(), nullptr, nullptr, nullptr};
-    const int strides[4] = {stride, 0, 0, 0};
-    sws_scale(scaler_.get(), frame.data, frame.linesize, 0, frame.height, planes, strides);
+    ffmpeg::scale_to_rows(scaler_.get(), frame, rows_.data(), stride);
     for (int y = 0; y < scaled_height_; ++y)
       std::memcpy(picture.row(y).data(),
                   rows_.data() + static_cast<std::size_t>(stride) * static_cast<std::size_t>(y),

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/streets/arrows.hpp"
 
+#include "palpable/vision/streets/border_distance.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,13 +15,6 @@
 
 namespace palpable::vision {
 namespace {
-
-cv::Mat distance_of(const Raster<std::uint8_t>& mask) {
-  const cv::Mat view(mask.height(), mask.width(), CV_8U, const_cast<std::uint8_t*>(mask.data()));
-  cv::Mat distance;
-  cv::distanceTransform(view, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-  return distance;
-}
 
 /// Sums over the pixels of a dark piece.
 struct DarkPiece {
@@ -110,7 +105,7 @@ std::vector<Arrow> find_arrows(const Raster<Rgb8>& picture, const Raster<std::ui
                                const ArrowOptions& options) {
   const auto luma = [](Rgb8 c) { return 0.299 * c.r + 0.587 * c.g + 0.114 * c.b; };
   const double most = luma(street) - options.least_contrast;
-  const cv::Mat distance = distance_of(mask);
+  const cv::Mat distance = border_distance(mask);
   cv::Mat dark = cv::Mat::zeros(mask.height(), mask.width(), CV_8U);
   for (int y = 0; y < mask.height(); ++y)
     for (int x = 0; x < mask.width(); ++x)
@@ -143,7 +138,7 @@ std::vector<Arrow> find_arrows(const Raster<Rgb8>& picture, const Raster<std::ui
 std::vector<double> radii_by_arrows(const Raster<std::uint8_t>& mask, const CentreLines& lines,
                                     std::span<const Arrow> arrows, double otherwise,
                                     const ArrowOptions& options) {
-  const cv::Mat distance = distance_of(mask);
+  const cv::Mat distance = border_distance(mask);
   std::vector<std::vector<double>> of_line(lines.lines.size());
   // Whether an arrow's distances from the middle and from the border together are the area's radius.
   std::vector<bool> agrees(lines.lines.size(), false);

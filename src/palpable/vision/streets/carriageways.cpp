@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/streets/carriageways.hpp"
 
+#include "palpable/vision/streets/border_distance.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -123,9 +125,7 @@ ThinningGuide carriageways_in(const Raster<std::uint8_t>& mask, double radius_px
   ThinningGuide guide{Raster<std::uint8_t>(mask.width(), mask.height()),
                       Raster<std::uint8_t>(mask.width(), mask.height())};
   if (radius_px <= 0.0) return guide;
-  const cv::Mat view(mask.height(), mask.width(), CV_8U, const_cast<std::uint8_t*>(mask.data()));
-  cv::Mat distance;
-  cv::distanceTransform(view, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  const cv::Mat distance = border_distance(mask);
   // All places where a carriageway's middle can be; where that is a strip, its sides are two middles.
   cv::Mat places = distance >= radius_px;
   cv::Mat square = distance > options.most_widths * radius_px;
