@@ -114,29 +114,33 @@ void RobotEars::take(std::span<const std::byte> part, double now_s) {
   if (!are_numbers && !std::exchange(said_numbers_, true))
     unsaid_ = "The robot sends sound with values that are no numbers; such parts are left out.";
   if (!are_numbers) return;
-  if (!are_checked_) check_channels(sound);
-  if (are_faulty_) return;
+  if (!are_checked_ && !is_checked(sound)) return;
   taken_s_ += sound.duration_s();
   for (const auto& window : listener_.take(sound)) hear(window, now_s);
 }
 
-/// Of the first second that is not silent.
-void RobotEars::check_channels(const Sound& sound) {
+/// Whether the channels can be of microphones of their own, by the first quarter of a second that is not
+/// silent: until that is known, what came is kept, and `sound` is all of it then.
+bool RobotEars::is_checked(Sound& sound) {
+  if (are_faulty_) return false;
+  const auto is_silent = [](const std::vector<float>& channel) {
+    return std::all_of(channel.begin(), channel.end(), [](float value) { return value == 0.0F; });
+  };
+  if (first_.length() == 0 && std::all_of(sound.channels.begin(), sound.channels.end(), is_silent))
+    return true;
   first_.rate_hz = sound.rate_hz;
   first_.channels.resize(sound.channels.size());
-  bool is_silent = true;
-  for (std::size_t c = 0; c < sound.channels.size(); ++c) {
-    for (const float value : sound.channels[c]) is_silent = is_silent && value == 0.0F;
+  for (std::size_t c = 0; c < sound.channels.size(); ++c)
     first_.channels[c].insert(first_.channels[c].end(), sound.channels[c].begin(), sound.channels[c].end());
-  }
-  if (is_silent) return first_.channels.clear();
-  if (first_.duration_s() < 1.0) return;
-  are_checked_ = true;
-  const auto checked = hearing::check_channels(first_);
-  first_ = {};
-  are_faulty_ = !checked;
+  constexpr double kEnough_s = 0.25;
+  if (first_.duration_s() < kEnough_s) return false;
+  sound = std::exchange(first_, {});
+  const auto checked = hearing::check_channels(sound);
+  are_checked_ = checked.has_value();
+  are_faulty_ = !are_checked_;
   if (are_faulty_)
     unsaid_ = fmt::format("The robot's sound {}: it is not listened to.", checked.error().message);
+  return are_checked_;
 }
 
 void RobotEars::hear(const hearing::HeardWindow& window, double now_s) {
@@ -148,7 +152,7 @@ void RobotEars::hear(const hearing::HeardWindow& window, double now_s) {
   const double middle_s = now_s - (taken_s_ - 0.5 * (window.begin_s + window.end_s));
   direction_rad_ = turned(heading_at(middle_s) - bearing.azimuth_deg / kRadian_deg);
   heard_s_ = now_s;
-  if (!is_new || !are_checked_) return;
+  if (!is_new) return;
   ++sounds_;
   // Syllables of one voice are one sound to a person.
   constexpr double kSame_rad = 20.0 / kRadian_deg, kAgain_s = 10.0;

@@ -60,7 +60,7 @@ class RobotEars {
   RobotEars(Microphones microphones, SoundFormat format, hearing::Listener listener);
   void hear(const hearing::HeardWindow& window, double now_s);
   double heading_at(double time_s) const;
-  void check_channels(const Sound& sound);
+  bool is_checked(Sound& sound);
 
   Microphones microphones_;
   SoundFormat format_;

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -105,6 +106,19 @@ TEST(RobotEars, AccountForTheTurnSinceTheSoundCame) {
   }
   ASSERT_GT(heard, 2);
   EXPECT_NEAR(heard_rad / heard, 0.7 * 0.35, 0.7 * 0.15);
+}
+
+TEST(RobotEars, SayTheFirstSoundThatComesInParts) {
+  auto ears = RobotEars::create(square(), {});
+  ASSERT_TRUE(ears);
+  const auto bytes = noise_from(-45.0, 9, 0.6);
+  std::vector<std::string> said;
+  for (std::size_t at = 0; at < bytes.size(); at += 6400) {
+    ears->take(std::span(bytes).subspan(at, std::min<std::size_t>(6400, bytes.size() - at)),
+               1e-5 * static_cast<double>(at));
+    if (auto words = ears->words()) said.push_back(*words);
+  }
+  EXPECT_EQ(said, std::vector<std::string>{"A sound ahead, to the left."});
 }
 
 TEST(RobotEars, NoticeChannelsThatAreCopies) {
