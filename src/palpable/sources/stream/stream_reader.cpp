@@ -158,8 +158,9 @@ class Stream {
     for (;;) {
       begin_waiting(kSilence);
       const int code = av_read_frame(format_.get(), packet.get());
-      if (code < 0)
-        return is_late() || code == AVERROR(ETIMEDOUT) ? silent_for(kSilence) : "has ended the stream";
+      // At a time-out FFmpeg first gives what its parser held back, and would wait as long again.
+      if (is_late() || code == AVERROR(ETIMEDOUT)) return silent_for(kSilence);
+      if (code < 0) return "has ended the stream";
       const auto arrival = Clock::now();
       if (packet->stream_index == stream_ && avcodec_send_packet(codec_.get(), packet.get()) >= 0)
         while (avcodec_receive_frame(codec_.get(), frame.get()) == 0)
