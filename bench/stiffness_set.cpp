@@ -1,7 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // How the computed stiffness limit compares with the stiffness at which simulated hands on random devices
-// get more energy back than they gave: palpable_stiffness_set [--devices N] [--seed N] [--seconds N].
+// get more energy back than they gave: palpable_stiffness_set [--devices N] [--seed N] [--seconds N]
+// [--slowest-sensor-ms MS].
 #include "palpable/core/numbers/quantile.hpp"
 #include "palpable/core/text/number_text.hpp"
 #include "palpable/haptics/tick/test_tapping_hand.hpp"
@@ -19,6 +20,8 @@ struct Arguments {
   int devices = 200;
   double seconds = 30.0;
   std::uint64_t seed = 1;
+  /// Sensors of 1 ms to this; 0 = a new position in each tick.
+  double slowest_sensor_ms = 0.0;
 };
 
 constexpr double kAllowed_J = 1e-6;
@@ -40,7 +43,7 @@ void run(const Arguments& arguments) {
   double most_at_limit_J = 0.0;
   int above = 0;
   for (int n = 0; n < arguments.devices; ++n) {
-    const auto hand = haptics::random_device(random);
+    const auto hand = haptics::random_device(random, 1e-3 * arguments.slowest_sensor_ms);
     const std::uint64_t seed = random();
     const auto wall = haptics::stiffest_wall(hand);
     const double received_J = haptics::most_received_J(hand, wall.stiffness_N_per_m, wall.damping_Ns_per_m,
@@ -49,10 +52,11 @@ void run(const Arguments& arguments) {
     above += received_J > kAllowed_J ? 1 : 0;
     shares.push_back(true_share(hand, wall, arguments, seed));
     fmt::print(
-        "{:4} {:.3f} kg, {:.2f} N·s/m, {:3.0f} N/m, {:4.1f} µm, delay {}: limit {:5.0f} N/m, true {:.2f} of "
-        "it, {:.2f} µJ at it\n",
+        "{:4} {:.3f} kg, {:.2f} N·s/m, {:3.0f} N/m, {:4.1f} µm, {:4.1f} ms, delay {}: limit {:5.0f} N/m, "
+        "true {:.2f} of it, {:.2f} µJ at it\n",
         n, hand.device_mass_kg, hand.device_damping_Ns_per_m, hand.arm_stiffness_N_per_m,
-        1e6 * hand.resolution_m, hand.delay_samples, wall.stiffness_N_per_m, shares.back(), 1e6 * received_J);
+        1e6 * hand.resolution_m, 1e3 * hand.sensor_period_s, hand.delay_samples, wall.stiffness_N_per_m,
+        shares.back(), 1e6 * received_J);
   }
   fmt::print(
       "true limit over the computed one: least {:.2f}, 5 % {:.2f}, median {:.2f}, 95 % {:.2f}, most {:.2f}; "
@@ -71,9 +75,11 @@ int main(int count, char** values) {
     if (std::strcmp(values[i], "--devices") == 0) arguments.devices = static_cast<int>(value);
     if (std::strcmp(values[i], "--seed") == 0) arguments.seed = static_cast<std::uint64_t>(value);
     if (std::strcmp(values[i], "--seconds") == 0) arguments.seconds = value;
+    if (std::strcmp(values[i], "--slowest-sensor-ms") == 0) arguments.slowest_sensor_ms = value;
   }
   if (count % 2 == 0 || arguments.devices < 1 || !(arguments.seconds > 0.0)) {
-    fmt::print(stderr, "palpable_stiffness_set [--devices N] [--seed N] [--seconds N]\n");
+    fmt::print(stderr,
+               "palpable_stiffness_set [--devices N] [--seed N] [--seconds N] [--slowest-sensor-ms MS]\n");
     return 2;
   }
   palpable::bench::run(arguments);

@@ -30,7 +30,8 @@ constexpr Range kMeasured[]{
     {"resolution (m)", &Traits::position_resolution_m, 0.0, 0.1},
     {"inertia (kg·m²)", &Traits::inertia_kg_m2, 0.0, 10.0},
     {"rotational damping (N·m·s)", &Traits::rotational_damping_Nm_s, 0.0, 100.0},
-    {"rate (Hz)", &Traits::rate_hz, 1e-3, 1e6}};
+    {"rate (Hz)", &Traits::rate_hz, 1e-3, 1e6},
+    {"sensor's period (s)", &Traits::sensor_period_s, 0.0, 1.0}};
 constexpr double kLeastSize_m = 1e-6, kMostSize_m = 100.0;
 constexpr int kMostDelay = 10'000;
 

@@ -35,6 +35,9 @@ struct Traits {
   /// Delay in samples from reading a position until the resulting force acts at the motors.
   int delay_samples = 0;
   double rate_hz = 1000.0;
+  /// Time between two new positions, of a device that gives them more slowly than it is read; 0 = a new one
+  /// in each tick.
+  double sensor_period_s = 0.0;
   /// False for a device without motors (the page's pointer): its forces are only displayed and sonified.
   bool pushes_back = true;
   /// Positions arrive as messages. While they do not change, the device need not be read in every tick

@@ -51,6 +51,7 @@ EvdevDevice::EvdevDevice(std::unique_ptr<EventPort> port, const EvdevOptions& op
   // A period of USB, and the time between two effects.
   traits_.delay_samples = 8;
   traits_.rate_hz = options.rate_hz;
+  traits_.sensor_period_s = options.sensor_period_s;
   effect_.id = -1;
   effect_.replay.length = kEffectLasts_ms;
   effect_.type = can.has_constant_force ? FF_CONSTANT : FF_RUMBLE;
@@ -158,6 +159,7 @@ Result<std::unique_ptr<Device>> open_evdev(DeviceUrl& url, const OpenOptions& op
   EvdevOptions wanted;
   wanted.max_force_N = url.take_number("max-force", wanted.max_force_N, 0.1, 40.0);
   wanted.continuous_force_N = take_continuous_force(url);
+  wanted.sensor_period_s = 1e-3 * url.take_number("sensor-ms", 0.0, 0.0, 100.0);
   wanted.size_m = kMillimetre * url.take_number("size-mm", wanted.size_m / kMillimetre, 10.0, 1000.0);
   wanted.rate_hz = options.rate_hz;
   if (auto valid = url.finish(); !valid) return std::move(valid).error();

@@ -21,6 +21,8 @@ struct EvdevOptions {
   double max_force_N = 2.0;
   /// What the motors can hold for ever, N, 0.1 to 40; kNoForce_N: an assumption (continuous_force()).
   double continuous_force_N = kNoForce_N;
+  /// Time between two new positions of the stick, 0 to 0.1; 0 = unknown.
+  double sensor_period_s = 0.0;
   /// Width and height of the workspace, metres, 0.01 to 1: the way of the stick's grip.
   double size_m = 0.10;
   /// Rate of the servo, Hz.

@@ -47,6 +47,14 @@ TEST(Evdev, ReadsItsAxesInTheWorkspace) {
   EXPECT_NEAR(stick.ticks(1, {}).position.v.x, -0.05, 1e-12);
 }
 
+TEST(Evdev, StatesThePeriodOfItsStick) {
+  EvdevOptions options;
+  options.sensor_period_s = 0.008;
+  const EvdevDevice device(std::make_unique<VirtualJoystick>(true), options);
+  EXPECT_EQ(device.traits().sensor_period_s, 0.008);
+  EXPECT_TRUE(check(device.traits()));
+}
+
 TEST(Evdev, ReadsWhatItsEventsDidNotSay) {
   auto held = std::make_unique<VirtualJoystick>(true);
   held->overflow(EV_ABS, ABS_Y, 0);

@@ -5,6 +5,7 @@
 #include "palpable/core/files/atomic_file.hpp"
 #include "palpable/core/files/read_file.hpp"
 #include "palpable/device/drivers/open.hpp"
+#include "palpable/device/recording/traits_json.hpp"
 
 #include <array>
 #include <cmath>
@@ -282,6 +283,21 @@ TEST(Recording, ReplacesTheOldOneOnlyWithAReadableFile) {
   EXPECT_EQ(std::fread(kept.data(), 1, kept.size(), open), old.size());
   std::fclose(open);
   EXPECT_TRUE(read_recording(file)) << "readable from its first moment on";
+}
+
+TEST(RecordedTraits, HaveThePeriodOfASensorUnlessTheyAreOlder) {
+  Traits traits;
+  traits.sensor_period_s = 0.004;
+  const std::string text = traits_json(traits);
+  const auto kept = recorded_traits(R"({"traits":)" + text + "}");
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->sensor_period_s, 0.004);
+  constexpr std::string_view kMember = R"("sensor_period_s":0.004,)";
+  std::string older = text;
+  older.erase(older.find(kMember), kMember.size());
+  const auto read = recorded_traits(R"({"traits":)" + older + "}");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->sensor_period_s, 0.0);
 }
 
 TEST(Replay, RefusesARecordingWithoutATick) {

@@ -22,8 +22,9 @@ struct TraitNumber {
 };
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
-/// Recordings from before it was known do not have it.
+/// Recordings from before they were known do not have these.
 constexpr std::string_view kContinuous = "continuous_force_N";
+constexpr std::string_view kSensorPeriod = "sensor_period_s";
 constexpr TraitNumber kTraitNumbers[]{
     {"max_force_N", &Traits::max_force_N, kUnbounded},
     {kContinuous, &Traits::continuous_force_N, kUnknown},
@@ -32,6 +33,7 @@ constexpr TraitNumber kTraitNumbers[]{
     {"coulomb_friction_N", &Traits::coulomb_friction_N, kUnknown},
     {"position_resolution_m", &Traits::position_resolution_m, kUnknown},
     {"rate_hz", &Traits::rate_hz, kUnknown},
+    {kSensorPeriod, &Traits::sensor_period_s, 0.0},
     {"max_torque_Nm", &Traits::max_torque_Nm, kUnbounded},
     {"inertia_kg_m2", &Traits::inertia_kg_m2, kUnknown},
     {"rotational_damping_Nm_s", &Traits::rotational_damping_Nm_s, kUnknown}};
@@ -46,7 +48,8 @@ Traits traits_from(const Json& json) {
   const auto& work = json.at("workspace_m");
   traits.workspace_m = {work.at(0).get<double>(), work.at(1).get<double>(), work.at(2).get<double>()};
   for (const TraitNumber& number : kTraitNumbers) {
-    if (number.name == kContinuous && !json.contains(kContinuous)) continue;
+    const bool is_later = number.name == kContinuous || number.name == kSensorPeriod;
+    if (is_later && !json.contains(std::string(number.name))) continue;
     const auto& value = json.at(std::string(number.name));
     traits.*number.value = value.is_null() ? number.if_null : value.get<double>();
   }

@@ -29,6 +29,7 @@ Traits traits_of(const HandOptions& options) {
   traits.position_resolution_m = options.resolution_m;
   traits.delay_samples = options.delay_samples;
   traits.rate_hz = options.rate_hz;
+  traits.sensor_period_s = options.sensor_period_s;
   traits.has_torque = options.has_torque;
   if (!options.has_torque) return traits;
   traits.name = "simulated hand with torque";
@@ -61,11 +62,11 @@ SimulatedHand::SimulatedHand(const HandOptions& options, std::unique_ptr<MotorFi
   PALPABLE_CHECK(options.device_mass_kg + options.arm_mass_kg > 0.0 && options.rate_hz > 0.0);
   PALPABLE_CHECK(options.delay_samples >= 0 && options.delay_samples <= kMostDelay);
   goal_m_ = script_.step({}, {}, 0.0);
-  position_m_ = goal_m_;
+  position_m_ = sensed_m_ = goal_m_;
 }
 
 void SimulatedHand::place(Vec3 position_m) noexcept {
-  position_m_ = position_m;
+  position_m_ = sensed_m_ = position_m;
   velocity_m_per_s_ = {};
   goal_m_ = position_m;
   script_.set_goal(position_m);
@@ -74,8 +75,8 @@ void SimulatedHand::place(Vec3 position_m) noexcept {
 Reading SimulatedHand::read() noexcept {
   const double step = options_.resolution_m;
   Reading reading;
-  reading.position.v = {rounded(position_m_.x, step), rounded(position_m_.y, step),
-                        rounded(position_m_.z, step)};
+  reading.position.v = {rounded(sensed_m_.x, step), rounded(sensed_m_.y, step), rounded(sensed_m_.z, step)};
+  reading.is_repeated = is_repeated_;
   reading.rotation = rotation_;
   reading.buttons = pressed();
   return reading;
@@ -105,9 +106,21 @@ void SimulatedHand::write(Vector<DeviceFrame> force_N) noexcept {
   goal_m_ = script_.step(position_m_, motor_N, period_s);
   const Vec3 goal_velocity = (goal_m_ - goal_before) / period_s;
   for (int i = 1; options_.has_torque && i <= kSteps; ++i) turn(motor_Nm, period_s / kSteps);
-  for (int i = 1; i <= kSteps; ++i)
+  is_repeated_ = true;
+  for (int i = 1; i <= kSteps; ++i) {
     move(motor_N, goal_before + (static_cast<double>(i) / kSteps) * (goal_m_ - goal_before), goal_velocity,
          period_s / kSteps);
+    sense(period_s / kSteps);
+  }
+}
+
+void SimulatedHand::sense(double dt_s) noexcept {
+  constexpr double kRounding_s = 1e-9;
+  unsensed_s_ += dt_s;
+  if (unsensed_s_ < options_.sensor_period_s - kRounding_s) return;
+  unsensed_s_ = std::fmod(unsensed_s_ - options_.sensor_period_s, dt_s);
+  sensed_m_ = position_m_;
+  is_repeated_ = false;
 }
 
 void SimulatedHand::turn(Vec3 motor_Nm, double dt_s) noexcept {
@@ -167,6 +180,7 @@ Result<std::unique_ptr<Device>> open_simulated_hand(DeviceUrl& url, const OpenOp
   hand.arm_stiffness_N_per_m = url.take_number("arm-stiffness", hand.arm_stiffness_N_per_m, 0.0, 5000.0);
   hand.resolution_m = 1e-6 * url.take_number("resolution-um", 1e6 * hand.resolution_m, 0.0, 1000.0);
   hand.delay_samples = url.take_count("delay", 0, 0, SimulatedHand::kMostDelay);
+  hand.sensor_period_s = 1e-3 * url.take_number("sensor-ms", 0.0, 0.0, 100.0);
   hand.max_force_N = url.take_number("max-force", hand.max_force_N, 0.1, 40.0);
   hand.continuous_force_N = take_continuous_force(url);
   hand.degrees_of_freedom = url.take_word("dof", {"3", "2"}) == "2" ? 2 : 3;

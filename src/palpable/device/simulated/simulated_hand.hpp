@@ -27,6 +27,8 @@ struct HandOptions {
   double arm_stiffness_N_per_m = 135.0;
   /// Resolution of the position sensor; 0 = exact.
   double resolution_m = 10e-6;
+  /// Time between two new positions of the sensor; 0 = one in each tick.
+  double sensor_period_s = 0.0;
   /// Delay in ticks from writing a force until it acts at the motor, 0 ... 8.
   int delay_samples = 0;
   double max_force_N = 3.3;
@@ -84,6 +86,8 @@ class SimulatedHand final : public Device, public Guardable {
   std::uint32_t pressed() const noexcept;
   void turn(Vec3 motor_Nm, double dt_s) noexcept;
   void move(Vec3 motor_N, Vec3 goal_m, Vec3 goal_velocity_m_per_s, double dt_s) noexcept;
+  /// The sensor takes a new position once its period has passed.
+  void sense(double dt_s) noexcept;
 
   HandOptions options_;
   std::unique_ptr<MotorFile> motors_;
@@ -91,6 +95,10 @@ class SimulatedHand final : public Device, public Guardable {
   HandScript script_;
   Vec3 position_m_;
   Vec3 velocity_m_per_s_;
+  /// The sensor's last position, the time since then, and whether it was read before.
+  Vec3 sensed_m_;
+  double unsensed_s_ = 0.0;
+  bool is_repeated_ = false;
   Vec3 goal_m_;
   /// Ring buffer of delayed forces; the next one to act is at delayed_.
   std::array<Vec3, kMostDelay + 1> on_the_way_N_{};

@@ -1,11 +1,13 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Hands that press on a thin crest and slip off it, into the air beside it.
+// Hands that press on a thin crest or a flat top and slip off it, into the air beside it.
 #include "palpable/haptics/law/stroke_scenes.hpp"
 #include "palpable/haptics/law/test_scenes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <random>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -67,6 +69,56 @@ TEST(Crest, OfAReliefHoldsNoMoreHandsByFrictionThanWithoutIt) {
   }
   // Deep beside it, a few wait at a place from which no step on the surface is nearer.
   EXPECT_LE(without, 10);
+}
+
+/// A flat top, 12 mm wide and 6 mm high, with sides of the slope `steepest`.
+models::Scene flat_top(double pixel_m, double steepest) {
+  constexpr double kHalf_m = 0.006;
+  Raster<float> z(static_cast<int>(0.04 / pixel_m), static_cast<int>(0.02 / pixel_m));
+  for (int j = 0; j < z.height(); ++j)
+    for (int i = 0; i < z.width(); ++i)
+      z(i, j) = std::abs(i - 0.5 * z.width()) * pixel_m < kHalf_m ? 0.006F : 0.0F;
+  models::limit_slope(z, pixel_m, steepest);
+  return scene_of(std::move(z), pixel_m);
+}
+
+TEST(Crest, AHandThatSlipsOffAFlatTopIsLetGoInItsFirstTickInTheAir) {
+  std::mt19937 random(4);
+  const auto uniform = [&](double least, double most) {
+    return std::uniform_real_distribution<double>(least, most)(random);
+  };
+  int clear = 0, pushed = 0, pressed = 0;
+  for (const double pixel_m : {0.0001, 0.0003, 0.001, 0.002})
+    for (const double steepest : {3.0, 40.0})
+      for (const double friction : {0.0, 0.3, 1.0}) {
+        const models::Scene scene = flat_top(pixel_m, steepest);
+        const auto relief = models::relief_of(scene);
+        LawParameters parameters = frictionless();
+        parameters.static_friction = friction;
+        const auto law = made(scene, parameters);
+        const auto over = [&](Vec3 p) { return p.z - relief->sample(p.x, p.y).z_m; };
+        for (int k = 0; k < 20; ++k) {
+          // Pressed into the top, then out through its side.
+          const Vec3 above{uniform(0.0, 0.004), uniform(-0.005, 0.005), 0.0065};
+          const Vec3 deep = above - Vec3{0.0, 0.0, uniform(0.001, 0.004)};
+          const Vec3 step = std::pow(10.0, uniform(-4.5, -2.7)) * unit(Vec3{1.0, uniform(-0.5, 0.5), 0.0});
+          TouchState state;
+          for (int n = 0; n <= 20; ++n) output_at(*law, state, above + n / 20.0 * (deep - above));
+          Vec3 last = deep;
+          for (int n = 0; n < 400 && last.x < 0.012; ++n) {
+            const Vec3 p = last + step;
+            const double force_N = norm(output_at(*law, state, p).force_N);
+            const bool is_clear = over(last) > 1e-6 && over(p) > 1e-6;
+            clear += is_clear ? 1 : 0;
+            pushed += is_clear && force_N > 0.0 ? 1 : 0;
+            pressed += over(p) < -1e-6 && force_N > 0.0 ? 1 : 0;
+            last = p;
+          }
+        }
+      }
+  EXPECT_EQ(pushed, 0) << "of " << clear;
+  EXPECT_GT(clear, 2000);
+  EXPECT_GT(pressed, 10000);
 }
 
 }  // namespace

@@ -106,8 +106,6 @@ class ProxyFollower {
     int evaluations;
     bool was_held;
     bool met = false;
-    /// The proxy stays in contact although nothing may be between it and the hand.
-    bool waits = false;
     /// The straight way from the proxy to the hand was followed, and is not clear.
     bool is_blocked = false;
     /// Where the flight along the hand's path met it first, if it did.
@@ -127,7 +125,7 @@ class ProxyFollower {
     Tick tick{proxy.hand_m,   before.hand_m,    before.place_m, before.place_m,
               left.longest_m, left.evaluations, before.touching};
     if (!reaches_hand_after(slid, tick.place_before_m, proxy, tick)) {
-      if (tick.waits && !is_known_below(tick.hand_m, proxy) && sees_hand(proxy, tick)) {
+      if (!slide_.is_known_below(tick.hand_m, proxy) && lets_go(proxy, tick)) {
         proxy.lift_off();
         proxy.place_m = tick.hand_m;
       }
@@ -177,13 +175,11 @@ class ProxyFollower {
         if (slid == Slid::rests) return false;
       }
       // If every attempt to continue is blocked, the proxy stays in contact.
-      tick.waits = met && tick.evaluations <= 0;
-      if (tick.waits) return false;
+      if (met && tick.evaluations <= 0) return false;
       const bool moved = proxy.place_m != from;
-      const bool is_under = is_hand_below(hand_m, proxy);
+      const bool is_under = slide_.is_known_below(hand_m, proxy) || slide_.is_hand_below(hand_m, proxy);
       if (is_under && (moved || slid == Slid::unfinished)) return false;
-      tick.waits = slide_.passes_over({from.z, proxy.place_m.z, hand_m.z}, tick.longest_m);
-      if (tick.waits) return false;
+      if (slide_.passes_over({from.z, proxy.place_m.z, hand_m.z}, tick.longest_m)) return false;
       // Only a hand in free air must be reached in this tick.
       reach = is_under ? Reach::short_way : Reach::whole_way;
       tick.left_m = proxy.place_m;
@@ -198,7 +194,6 @@ class ProxyFollower {
       flown_from = proxy.place_m;
       if (fly(hand_m, reach, proxy, tick.evaluations) != Flown::met) break;
       proxy = there;
-      tick.waits = !is_under;
       tick.is_blocked = true;
       return false;
     }
@@ -207,14 +202,24 @@ class ProxyFollower {
     return false;
   }
 
-  /// Whether the hand is in the air, its path of this tick was, and nothing is between it and the proxy in
+  /// Whether the hand is in the air, its path of this tick was, and nothing holds it back from the proxy in
   /// contact, where that is or where it was before the tick: it may have slid behind a bump meanwhile.
-  [[gnu::noinline]] bool sees_hand(const SurfaceProxy& proxy, const Tick& tick) const noexcept {
-    // Mostly, one look at where the hand was shows that it was not in the air.
-    return !is_known_below(tick.hand_before_m, proxy) && !is_below(tick.hand_before_m) &&
+  [[gnu::noinline]] bool lets_go(const SurfaceProxy& proxy, const Tick& tick) const noexcept {
+    // Mostly, one look at where the hand is or was shows that it was not in the air.
+    return !is_below(tick.hand_m) && !slide_.is_known_below(tick.hand_before_m, proxy) &&
+           !is_below(tick.hand_before_m) && is_clear(tick.hand_before_m, tick.hand_m) &&
            ((!tick.is_blocked && is_clear(proxy.place_m, tick.hand_m)) ||
-            is_clear(tick.place_before_m, tick.hand_m)) &&
-           is_clear(tick.hand_before_m, tick.hand_m);
+            is_clear(tick.place_before_m, tick.hand_m) || slides_to_hand(proxy, tick.hand_m));
+  }
+
+  /// Whether a proxy without friction slides, without climbing over a wall, to where it sees a hand in the
+  /// air: then no wall is between both, only the edge over which the hand slipped.
+  bool slides_to_hand(const SurfaceProxy& proxy, Vec3 hand_m) const noexcept {
+    SurfaceProxy slid = proxy;
+    int evaluations = kMaxEvaluations;
+    SlideEnd end;
+    SurfaceSlide<Surface>(surface_, {}).slide_by_pixels(hand_m, slid, evaluations, end);
+    return is_clear(slid.place_m, hand_m);
   }
 
   /// For a proxy that is free, at a hand in the air whose path in this tick may have cut the surface: the
@@ -297,23 +302,6 @@ class ProxyFollower {
       proxy.clearance_m = hand_m.z - s.z_m;
       proxy.phase = SurfaceProxy::Phase::free;
     }
-  }
-
-  /// Whether the hand is known to be below the surface, by an earlier evaluation.
-  bool is_known_below(Vec3 hand_m, const SurfaceProxy& proxy) const noexcept {
-    const double steepest = surface_.steepest_slope();
-    return squared_norm(hand_m - proxy.under_at_m) * (1.0 + steepest * steepest) <
-           proxy.under_m * proxy.under_m;
-  }
-
-  /// Whether the hand is below the surface; the proxy remembers it.
-  bool is_hand_below(Vec3 hand_m, SurfaceProxy& proxy) const noexcept {
-    if (is_known_below(hand_m, proxy)) return true;
-    const double under_m = surface_.sample(hand_m.x, hand_m.y).z_m - hand_m.z;
-    if (under_m <= 0.0) return false;
-    proxy.under_at_m = hand_m;
-    proxy.under_m = under_m;
-    return true;
   }
 
   bool is_below(Vec3 p) const noexcept { return p.z < surface_.sample(p.x, p.y).z_m; }

@@ -57,6 +57,22 @@ class SurfaceSlide {
     return slide<Steps::pixels>(hand_m, surface_.pixel_m(), proxy, evaluations, end);
   }
 
+  /// Whether the hand is known to be below the surface, by an earlier evaluation.
+  bool is_known_below(Vec3 hand_m, const SurfaceProxy& proxy) const noexcept {
+    const double steepest = surface_.steepest_slope();
+    return squared_norm(hand_m - proxy.under_at_m) * (1.0 + steepest * steepest) <
+           proxy.under_m * proxy.under_m;
+  }
+
+  /// Whether the hand, which is not known to be, is below the surface; the proxy remembers it.
+  [[gnu::noinline]] bool is_hand_below(Vec3 hand_m, SurfaceProxy& proxy) const noexcept {
+    const double under_m = surface_.sample(hand_m.x, hand_m.y).z_m - hand_m.z;
+    if (under_m <= 0.0) return false;
+    proxy.under_at_m = hand_m;
+    proxy.under_m = under_m;
+    return true;
+  }
+
   /// Heights along a path: at its start, its maximum, and at its end.
   struct Climb {
     double from_m;
@@ -146,17 +162,6 @@ class SurfaceSlide {
     return {4.0 * (square - held4), 5.0 * (square + (product + product)) + held4};
   }
 
-  /// Whether the hand is in free air beside the crest on which the proxy is (with the way to the hand, the
-  /// part `lifted` of its rise above the tangent plane, and the sample `s`): friction must not hold it there.
-  /// Evaluates the surface only where its curvature at the proxy suggests that.
-  bool is_beside_crest(const models::WayFromSurface& way, double lifted, const models::PairedSample& s,
-                       double steep2, Vec3 hand_m) const noexcept {
-    if (steep2 > kSteep2) return false;
-    const Pair l = way.level;
-    const double bent = 0.5 * models::sum_of(s.bend_per_m * l * l) + s.twist_per_m * (l[0] * l[1]);
-    return bent < lifted && hand_m.z >= surface_.sample(hand_m.x, hand_m.y).z_m;
-  }
-
   /// Slides the proxy along the surface towards the hand. Inlined with all it calls (its callers are
   /// flattened), since a call of a surface evaluation with its result in memory would cost a third of it.
   template <Steps kSteps>
@@ -170,6 +175,8 @@ class SurfaceSlide {
     double sliding = friction_.sliding;
     double mu = proxy.slipping ? sliding : friction_.at_rest;
     bool moved = false;
+    // How a slide ends at its final position: one that found the hand in the air is not at its end.
+    Slid in_air = Slid::rests;
     Slid slid = Slid::rests;
     double shorter = proxy.step_share > 0.0 ? proxy.step_share : 1.0;
     double left_m = kSlides * longest_m;
@@ -189,8 +196,13 @@ class SurfaceSlide {
       const double held2 = mu * mu * normal2;
       if (is_near(along2, mu * lifted, steep2)) {
         end = {{place[0], place[1], s.z_m}, way, s.slope, steep2, lifted};
-        if (mu <= 0.0 || !is_beside_crest(way, lifted, s, steep2, hand_m)) break;
+        slid = in_air;
+        if (mu <= 0.0) break;
+        if (is_known_below(hand_m, proxy) || is_hand_below(hand_m, proxy)) [[likely]]
+          break;
+        // Friction does not hold a hand that is in the air.
         mu = sliding = 0.0;
+        in_air = Slid::unfinished;
         continue;
       }
       if (evaluations <= 0 || (kSteps == Steps::longer && left_m <= 0.0)) {

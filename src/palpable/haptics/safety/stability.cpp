@@ -19,6 +19,29 @@ constexpr double kHeldMargin = 0.66;
 /// can hold.
 constexpr double kWallsShare = 0.55;
 
+/// What a sensor that is slower than the loop costs. The velocity, too, is half of its period older, so less
+/// of the damper's dissipation counts. From a period of 10 ms on, light devices in a stiff hand received
+/// energy even so: there the contact's own oscillation must take 42 periods. Measured
+/// (docs/history/2026-11-27-fourth-force.md).
+constexpr double kSlowShare = 0.85;
+constexpr double kSlowest_s = 0.010;
+constexpr double kSlowestPhase = 0.15;
+
+bool is_slow(const device::Traits& device, double rate_hz) { return device.sensor_period_s * rate_hz > 1.0; }
+
+/// How long the force of a reading is held, with twice the mean age that the reading has at its first tick.
+double hold_s(const device::Traits& device, double rate_hz) {
+  return 1.0 / rate_hz + (is_slow(device, rate_hz) ? device.sensor_period_s : 0.0);
+}
+
+/// Beyond which a damper whose velocity comes from a very slow sensor no longer holds the device's mass.
+double most_by_mass(const device::Traits& device) {
+  if (device.sensor_period_s <= kSlowest_s || !std::isfinite(device.mass_kg))
+    return std::numeric_limits<double>::infinity();
+  const double fastest_rad_per_s = kSlowestPhase / device.sensor_period_s;
+  return device.mass_kg * fastest_rad_per_s * fastest_rad_per_s;
+}
+
 double known_or(double value, double otherwise) { return std::isfinite(value) ? value : otherwise; }
 
 }  // namespace
@@ -30,8 +53,9 @@ SafeContact safe_contact(const device::Traits& device, double rate_hz, double sc
   if (!device.pushes_back) return safe;
   // In the device frame, a scene of scale s has the stiffness K·s and the damping B·s.
   const double physical = known_or(device.damping_Ns_per_m, 0.0) + hand_damping_Ns_per_m;
-  const double held_s = (2.0 * std::max(device.delay_samples, 0) + 1.0) / rate_hz;
-  const double needed = 0.5 * held_s * stiffness_N_per_m * scale / kHeldMargin;
+  const double held_s = 2.0 * std::max(device.delay_samples, 0) / rate_hz + hold_s(device, rate_hz);
+  const double slow = is_slow(device, rate_hz) ? kSlowShare : 1.0;
+  const double needed = 0.5 * held_s * stiffness_N_per_m * scale / (slow * kHeldMargin);
   const double damping = std::min(std::max(damping_Ns_per_m * scale, needed), kWallsShare * physical);
   const double friction_N = known_or(device.coulomb_friction_N, 0.0);
   const double step_m = known_or(device.position_resolution_m, 0.0);
@@ -44,8 +68,9 @@ SafeContact safe_contact(const device::Traits& device, double rate_hz, double sc
     StiffnessBound bound;
   };
   const Candidate least =
-      std::min({Candidate{kHeldMargin * 2.0 * damping / held_s, StiffnessBound::held_spring},
-                Candidate{kMargin * 2.0 * (physical - damping) / held_s, StiffnessBound::passivity},
+      std::min({Candidate{slow * kHeldMargin * 2.0 * damping / held_s, StiffnessBound::held_spring},
+                Candidate{most_by_mass(device), StiffnessBound::held_spring},
+                Candidate{slow * kMargin * 2.0 * (physical - damping) / held_s, StiffnessBound::passivity},
                 Candidate{kMargin * by_quantisation, StiffnessBound::quantisation}},
                [](const Candidate& a, const Candidate& b) { return a.most < b.most; });
   safe.damping_Ns_per_m = damping / scale;

@@ -8,7 +8,9 @@
 
 namespace palpable::haptics {
 
-/// Which condition limits a virtual wall's stiffness.
+/// Which condition limits a virtual wall's stiffness. For a sensor whose period P is longer than the loop's
+/// T, and which is not in step with it, the force of a reading is held for P, and the reading is T / 2 old
+/// before: then 2d·T + P + T takes the place of (2d + 1)·T.
 enum class StiffnessBound {
   /// No known condition: a device without motors, or one that states no properties.
   none,

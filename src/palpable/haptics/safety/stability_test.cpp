@@ -48,6 +48,19 @@ TEST(SafeContact, CountsTheDelayAndTheRate) {
   EXPECT_NE(safe_contact(traits, 4000.0, 1.0, 1e6, 0.5).bound, StiffnessBound::none);
 }
 
+TEST(SafeContact, CountsThePeriodOfASensorThatIsSlowerThanTheLoop) {
+  device::Traits traits = known();
+  const double of_the_loop = safe_contact(traits, 1000.0, 1.0, 1e6, 0.5).stiffness_N_per_m;
+  traits.sensor_period_s = 0.001;
+  EXPECT_EQ(safe_contact(traits, 1000.0, 1.0, 1e6, 0.5).stiffness_N_per_m, of_the_loop);
+  // 250 Hz, not in step with the loop: held for 4 ms and read half a tick late.
+  traits.sensor_period_s = 0.004;
+  EXPECT_NEAR(safe_contact(traits, 1000.0, 1.0, 1e6, 0.5).stiffness_N_per_m, 0.85 * of_the_loop / 5.0, 1e-9);
+  EXPECT_NEAR(safe_contact(traits, 4000.0, 1.0, 1e6, 0.5).stiffness_N_per_m, 0.85 * of_the_loop / 4.25, 1e-9);
+  traits.delay_samples = 2;
+  EXPECT_NEAR(safe_contact(traits, 1000.0, 1.0, 1e6, 0.5).stiffness_N_per_m, 0.85 * of_the_loop / 9.0, 1e-9);
+}
+
 TEST(SafeContact, LowersADampingThatTheDeviceCannotRender) {
   const auto safe = safe_contact(known(), 1000.0, 1.0, 300.0, 50.0);
   EXPECT_NEAR(safe.damping_Ns_per_m, 0.55 * 1.6, 1e-12);
@@ -123,6 +136,26 @@ TEST(SafeContact, AWallAtTheLimitReturnsNoMoreThanAHandThatTapsItGave) {
   }
   // Nor is the limit far too low.
   EXPECT_EQ(too_stiff, kDevices);
+}
+
+TEST(SafeContact, AWallAtTheLimitOfASlowSensorReturnsNoMoreThanAHandThatTapsItGave) {
+  constexpr double kSeconds = 9.0;
+  constexpr double kAllowed_J = 1e-6;
+  constexpr int kDevices = 16;
+  std::mt19937_64 random(21);
+  int too_stiff = 0;
+  for (int n = 0; n < kDevices; ++n) {
+    const auto hand = random_device(random, 0.010);
+    const std::uint64_t seed = random();
+    const auto wall = stiffest_wall(hand);
+    EXPECT_LE(most_received_J(hand, wall.stiffness_N_per_m, wall.damping_Ns_per_m, kSeconds, seed),
+              kAllowed_J)
+        << "device " << n << " period " << hand.sensor_period_s;
+    const double twice_N_per_m = 2.0 * wall.stiffness_N_per_m;
+    too_stiff +=
+        most_received_J(hand, twice_N_per_m, wall.damping_Ns_per_m, kSeconds, seed) > kAllowed_J ? 1 : 0;
+  }
+  EXPECT_GE(too_stiff, kDevices - 2);
 }
 
 }  // namespace

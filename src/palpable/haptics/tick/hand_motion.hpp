@@ -20,6 +20,7 @@ class HandMotion {
       : velocity_(known_or_zero(device.position_resolution_m)),
         gain_(device.delay_samples),
         delay_ticks_(std::clamp(device.delay_samples, 0, VelocityGain::kMostDelay)),
+        sensor_period_s_(known_or_zero(device.sensor_period_s)),
         max_step_s_(options.max_rise_time_s) {}
 
   /// Earlier readings say nothing about the next one: a new touch, or a stall.
@@ -40,7 +41,10 @@ class HandMotion {
   Vector<DeviceFrame> gains_m_per_s() const noexcept { return gains_m_per_s_; }
   /// Hand::acts_after_s in a tick of this length.
   double acts_after_s(double dt_s) const noexcept {
-    return (static_cast<double>(delay_ticks_) + 0.5) * std::min(dt_s, max_step_s_);
+    const double tick_s = std::min(dt_s, max_step_s_);
+    // The mean age of a reading while its force is held.
+    const double held_s = sensor_period_s_ > tick_s ? sensor_period_s_ + tick_s : tick_s;
+    return static_cast<double>(delay_ticks_) * tick_s + 0.5 * held_s;
   }
 
  private:
@@ -49,6 +53,7 @@ class HandMotion {
   VelocityEstimator velocity_;
   VelocityGain gain_;
   int delay_ticks_;
+  double sensor_period_s_;
   double max_step_s_;
   Vector<DeviceFrame> velocity_m_per_s_;
   Vector<DeviceFrame> gains_m_per_s_;

@@ -130,6 +130,29 @@ TEST_P(SlowSensors, KeepTheForceAndAreReportedInFull) {
 
 INSTANTIATE_TEST_SUITE_P(Ticks, SlowSensors, testing::Values(1, 2, 3, 5));
 
+TEST(SimulatedHand, GivesANewPositionInEachPeriodOfItsSensor) {
+  for (const double period_s : {0.0, 0.001, 0.0025, 0.004}) {
+    device::HandOptions options;
+    options.resolution_m = 0.0;
+    options.sensor_period_s = period_s;
+    device::SimulatedHand hand(options);
+    hand.place({});
+    Vec3 before;
+    int fresh = 0;
+    for (int n = 0; n < 400; ++n) {
+      hand.write({{1.0, 0.0, 0.0}});
+      const device::Reading reading = hand.read();
+      EXPECT_EQ(reading.is_repeated, reading.position.v == before) << n;
+      if (period_s <= kT_s) {
+        EXPECT_EQ(reading.position.v, hand.true_position_m());
+      }
+      fresh += reading.is_repeated ? 0 : 1;
+      before = reading.position.v;
+    }
+    EXPECT_EQ(fresh, static_cast<int>(std::lround(400 * kT_s / std::max(period_s, kT_s)))) << period_s;
+  }
+}
+
 /// How many ticks apart the readings of a hand are taken to be that moves by so much in each n-th tick.
 int found_ticks(double resolution_m, int n, double moves_m, int ticks = 40) {
   device::Traits device;

@@ -21,7 +21,8 @@ namespace palpable::haptics {
 
 /// A device without friction, with a hand that damps as little as the limit assumes: 0.05 to 0.5 kg, 0.05 to
 /// 1 N·s/m, held with 20 to 300 N/m, a delay of 0 to 2 ticks, a sensor of 1 to 20 µm.
-inline device::HandOptions random_device(std::mt19937_64& random) {
+/// With `slowest_sensor_s` above 0, its sensor has a period of 1 ms to that, on a logarithmic scale.
+inline device::HandOptions random_device(std::mt19937_64& random, double slowest_sensor_s = 0.0) {
   const auto between = [&](double least, double most) {
     return std::uniform_real_distribution<double>(least, most)(random);
   };
@@ -36,6 +37,9 @@ inline device::HandOptions random_device(std::mt19937_64& random) {
   hand.delay_samples = static_cast<int>(random() % 3);
   hand.max_force_N = 10.0;
   hand.script.kind = device::HandScriptOptions::Kind::hold;
+  constexpr double kTick_s = 0.001;
+  if (slowest_sensor_s > kTick_s)
+    hand.sensor_period_s = kTick_s * std::pow(slowest_sensor_s / kTick_s, between(0.0, 1.0));
   return hand;
 }
 

@@ -48,8 +48,8 @@ class TickPipeline {
   void rehearse(double dt_s) noexcept;
 
   bool fading() const noexcept { return coming_.scene != nullptr; }
-  /// Starts a cross-fade to `scene`; only while not fading(). It takes fade_s, whatever the device's status
-  /// is.
+  /// Starts a cross-fade to `scene`; only while not fading(). It takes fade_s and a tick, whatever the
+  /// device's status is; longer where a spring comes up under the hand: 1 s for each 30 mm, at most 1 s.
   void change(const HapticScene& scene) noexcept;
   /// The scene that the last step() stopped using, returned once; else null.
   const HapticScene* take_retired() noexcept;

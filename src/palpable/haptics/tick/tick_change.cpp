@@ -20,12 +20,28 @@ bool is_same(const LawOutput& a, const LawOutput& b) {
          a.spring_N == b.spring_N && a.spring_torque_Nm == b.spring_torque_Nm && a.guide_N == b.guide_N;
 }
 
+/// How fast a surface that a change of scene brings up rises under a hand.
+constexpr double kLift_m_per_s = 0.03;
+/// No surface takes longer.
+constexpr double kLongest_s = 1.0;
+
 }  // namespace
 
 void TickPipeline::fade(double dt_s) noexcept {
   flags_ |= flag::kFading;
   faded_before_ = faded_;
-  faded_ = std::min(1.0, faded_ + dt_s / options_.fade_s);
+  // How much deeper the hand is in the surface that comes than in the one that goes: a spring that stores U
+  // at a force f is 2 U / f deep.
+  const auto depth_m = [](const Side& side) {
+    const double spring_N = norm(side.output.spring_N);
+    return side.output.contact && spring_N > 0.0
+               ? 2.0 * side.output.stored_J / (spring_N * side.scene->scene_from_device.scale)
+               : 0.0;
+  };
+  // In the first tick, the surface that comes has not been evaluated.
+  const double rises_s =
+      faded_ > 0.0 ? std::min((depth_m(coming_) - depth_m(now_)) / kLift_m_per_s, kLongest_s) : kLongest_s;
+  faded_ = std::min(1.0, faded_ + dt_s / std::max(options_.fade_s, rises_s));
 }
 
 bool TickPipeline::is_changing() const noexcept {

@@ -1,8 +1,10 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Changes of scene in a touch.
+#include "palpable/haptics/tick/counted_hand.hpp"
 #include "palpable/haptics/tick/test_loop.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 
@@ -136,6 +138,68 @@ TEST(TickChange, EnergyOfAStiffnessThatGrowsUnderAPressingHandIsTheChangesNotThe
     loop.run(1);
   }
   EXPECT_LE(loop.tick->counts().made_max_J, 1e-4) << "what a held spring of 700 N/m without a damper makes";
+}
+
+/// What a change to a plane 12 mm higher does to a hand in an arm of 150 N/m.
+struct Lifted {
+  double grows_N = 0.0;
+  double falls_N = 0.0;
+  double fastest_m_per_s = 0.0;
+  double got_J = 0.0;
+  double said_J = 0.0;
+};
+
+Lifted lifted(double goal_m, int delay, double stiffness_N_per_m) {
+  constexpr int kChange = 1200;
+  device::HandOptions options;
+  options.arm_mass_kg = 0.2;
+  options.arm_damping_Ns_per_m = 3.0;
+  options.arm_stiffness_N_per_m = 150.0;
+  options.max_force_N = 10.0;
+  options.delay_samples = delay;
+  options.script.kind = device::HandScriptOptions::Kind::hold;
+  CountedHand hand(options);
+  HapticScene low;
+  low.touchable = std::make_shared<SpringSurface>(flat, stiffness_N_per_m, 0.6);
+  const auto above = [](double, double) { return SpringSurface::Height{0.012, 0.0, 0.0}; };
+  const HapticScene high{std::make_shared<SpringSurface>(above, stiffness_N_per_m, 0.6, 2), {}, 2};
+  TickOptions tick_options;
+  tick_options.fade_s = 0.03;
+  Ring<TouchEvent> events(64);
+  TickPipeline tick(hand, low, tick_options, events);
+  hand.set_goal({0.0, 0.0, 0.01});
+  Lifted result;
+  Vec3 before_N;
+  double least_J = 0.0;
+  for (int n = 0; n < 2400; ++n) {
+    if (n == 100) hand.set_goal({0.0, 0.0, goal_m});
+    if (n == kChange) tick.change(high);
+    const double before_m = hand.true_position_m().z;
+    const Vec3 written_N = tick.step(kT_s * n, kT_s).written_force_N.v;
+    if (n == kChange) least_J = hand.total_J();
+    if (n >= kChange) {
+      result.grows_N = std::max(result.grows_N, norm(written_N) - norm(before_N));
+      result.falls_N = std::max(result.falls_N, norm(before_N) - norm(written_N));
+      result.fastest_m_per_s = std::max(result.fastest_m_per_s, (hand.true_position_m().z - before_m) / kT_s);
+      result.got_J = std::max(result.got_J, hand.total_J() - least_J);
+    }
+    before_N = written_N;
+  }
+  result.said_J = tick.counts().scene_change_J;
+  return result;
+}
+
+TEST(TickChange, ASurfaceThatComesUpUnderAHandLiftsItAndDoesNotThrowIt) {
+  // Pressing, and at rest in the air above the lower plane.
+  for (const double goal_m : {-0.005, 0.004})
+    for (const int delay : {0, 2}) {
+      const Lifted hand = lifted(goal_m, delay, delay == 0 ? 400.0 : 150.0);
+      EXPECT_LE(hand.grows_N, 0.15) << goal_m << " " << delay;
+      EXPECT_LE(hand.falls_N, 0.15) << goal_m << " " << delay;
+      EXPECT_LE(hand.fastest_m_per_s, 0.08) << goal_m << " " << delay;
+      EXPECT_GT(hand.got_J, 1e-3) << "it is lifted";
+      EXPECT_GE(hand.said_J, hand.got_J) << goal_m << " " << delay;
+    }
 }
 
 }  // namespace
