@@ -145,6 +145,16 @@ std::vector<PlaceGuide::Seen> PlaceGuide::around(Place from) const {
   return all;
 }
 
+std::vector<std::size_t> PlaceGuide::here(Place place) const {
+  std::vector<std::size_t> covering;
+  for (const Seen& seen : around(place))
+    if (seen.distance_m == 0.0) covering.push_back(seen.place);
+  std::stable_sort(covering.begin(), covering.end(), [this](std::size_t a, std::size_t b) {
+    return places_[a].name.extent < places_[b].name.extent;
+  });
+  return covering;
+}
+
 Result<std::size_t> PlaceGuide::find(std::string_view name, Place from) const {
   // In the order of their distance, so that of equal names the nearest one is first.
   std::vector<std::string> names;
