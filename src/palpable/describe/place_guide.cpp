@@ -26,8 +26,8 @@ using Extent = models::PlaceName::Extent;
 constexpr int kReducedLabelSide = 400;
 
 double reach_m(const models::PlaceName& name, double side_m) {
-  // Of areas and labels: what words cannot tell (offset_words()).
-  constexpr double kUntold_m = 0.0005;
+  // Of areas and labels: what words cannot tell, up to half a millimetre along both axes (offset_words()).
+  constexpr double kUntold_m = 0.00071;
   if (name.extent == Extent::point) return kPointReach * side_m;
   return name.extent == Extent::line ? kLineReach * side_m : kUntold_m;
 }

@@ -67,6 +67,18 @@ TEST(PlaceGuide, AWrittenNameTakesThePlaceOfWhatItWasGivenTo) {
               HasSubstr("level. Hut. Closed in winter. Mont Blanc."));
 }
 
+TEST(PlaceGuide, APlaceIsReachedWhereWordsTellNoWayToIt) {
+  models::Scene scene = two_hills();
+  scene.names = {
+      {"yard", "", {0.0, 0.0}, Extent::area, {{0.0, 0.0}, {-0.01, 0.0}, {-0.01, -0.01}, {0.0, -0.01}}}};
+  const PlaceGuide guide(scene);
+  for (const Place from : {Place{0.00049, 0.00049}, Place{0.00049, -0.005}}) {
+    EXPECT_EQ(offset_words(-from.x_m, std::min(0.0, -from.y_m)), "here");
+    EXPECT_EQ(guide.seen(0, from).distance_m, 0.0);
+  }
+  EXPECT_GT(guide.seen(0, {0.0008, 0.0}).distance_m, 0.0);
+}
+
 TEST(PlaceGuide, ListsTheNearestFirstWithDirectionAndDistance) {
   const PlaceGuide guide(named_hills());
   EXPECT_EQ(around_words(guide, {0.0, 0.0}, 8),
