@@ -60,6 +60,7 @@ const page = built
       data('data-touch', gzipSync(readFileSync(wasm), { level: 9 }).toString('base64')) +
       data('data-scene', '%PALPABLE_SCENE%') +
       data('data-picture', '%PALPABLE_PICTURE%') +
+      data('data-second', '%PALPABLE_SECOND%') +
       // The last thing in the file: whoever finds it has the whole file.
       '<i id="data-end" hidden></i>\n  </body>',
   );

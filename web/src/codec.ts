@@ -73,8 +73,16 @@ export interface HeightsFrame {
   /** Metres, row-major, origin top-left. */
   heights: Float32Array;
 }
+export interface ShiftFrame {
+  kind: 'shift';
+  scene: number;
+  columns: number;
+  rows: number;
+  /** How much farther left the second picture shows each place of the surface: shares of its width, row-major, origin top-left. */
+  shares: Float32Array;
+}
 export interface PictureFrame {
-  kind: 'picture' | 'cells';
+  kind: 'picture' | 'cells' | 'second';
   scene: number;
   columns: number;
   rows: number;
@@ -82,8 +90,10 @@ export interface PictureFrame {
   rgb: Uint8Array;
 }
 
+export type RasterFrame = HeightsFrame | ShiftFrame | PictureFrame;
+
 /** The raster in a binary frame, or an error message. */
-export function readRaster(buffer: ArrayBuffer): HeightsFrame | PictureFrame | string {
+export function readRaster(buffer: ArrayBuffer): RasterFrame | string {
   const headerBytes = 4 * raster.header.length;
   if (buffer.byteLength < headerBytes) return 'the frame is too short';
   const view = new DataView(buffer);
@@ -91,14 +101,14 @@ export function readRaster(buffer: ArrayBuffer): HeightsFrame | PictureFrame | s
     number, number, number, number, number,
   ];
   if (magic !== raster.magic) return 'the frame is not a raster';
-  const isHeights = kind === raster.kinds.heights;
-  const isCells = kind === raster.kinds.cells;
-  if (!isHeights && !isCells && kind !== raster.kinds.picture) return 'there is no raster of that kind';
-  if (columns < 1 || rows < 1 || buffer.byteLength - headerBytes !== columns * rows * (isHeights ? 4 : 3))
+  const name = (Object.keys(raster.kinds) as (keyof typeof raster.kinds)[]).find((one) => raster.kinds[one] === kind);
+  if (name === undefined) return 'there is no raster of that kind';
+  const hasFloats = name === 'heights' || name === 'shift';
+  if (columns < 1 || rows < 1 || buffer.byteLength - headerBytes !== columns * rows * (hasFloats ? 4 : 3))
     return 'the raster is not as long as its size says';
-  if (!isHeights) return { kind: isCells ? 'cells' : 'picture', scene, columns, rows, rgb: new Uint8Array(buffer, headerBytes) };
-  const heights = new Float32Array(columns * rows);
-  for (let i = 0; i < heights.length; ++i) heights[i] = view.getFloat32(headerBytes + 4 * i, true);
-  if (!heights.every(Number.isFinite)) return 'a height is not a number';
-  return { kind: 'heights', scene, columns, rows, heights };
+  if (!hasFloats) return { kind: name, scene, columns, rows, rgb: new Uint8Array(buffer, headerBytes) };
+  const values = new Float32Array(columns * rows);
+  for (let i = 0; i < values.length; ++i) values[i] = view.getFloat32(headerBytes + 4 * i, true);
+  if (!values.every(Number.isFinite)) return 'a height is not a number';
+  return name === 'heights' ? { kind: name, scene, columns, rows, heights: values } : { kind: name, scene, columns, rows, shares: values };
 }

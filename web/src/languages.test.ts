@@ -22,7 +22,7 @@ const notForReading: [file: RegExp, text: RegExp][] = [
   [/./, /^\((prefers|forced|pointer|hover)-?/],
   [/./, /Path=\/; SameSite=Strict/],
   [/./, /^(asked where|no headset|no finder|no WebAssembly|no WebXR|too slow|looked for|yes or no|Control|NotAllowedError|SecurityError|NotFoundError|OverconstrainedError|InvalidStateError|NotSupportedError)$/],
-  [/codec|dom\.ts|message\.ts|touch_module|depth_picture|qr_picture|trace_files|head\/finder|instrument/, /./],
+  [/codec|dom\.ts|message\.ts|touch_module|depth_picture|second_view|qr_picture|trace_files|head\/finder|instrument/, /./],
   [/language\.ts/, /^(English|Deutsch|Español)$/],
   [/connection\.ts/, /^(the session has ended|another scene was opened|shown out|opened in another tab)$/],
   [/marble3d|view_flat|plot/, /px /],

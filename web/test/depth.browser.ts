@@ -6,7 +6,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { anaglyph, glasses, type Colour } from '../src/view/depth/anaglyph';
 import type { Fit } from '../src/view/depth/fit';
 import { straightPitch } from '../src/view/depth/layout';
-import type { Mark, Shot } from './depth_scene';
+import type { Mark, Second, Shot } from './depth_scene';
 import { centre, marks, pixelsOf, scriptOf, stagePage, top, type Pixels } from './discs';
 import { launch } from './harness';
 
@@ -126,6 +126,34 @@ describe('the drawn depth', () => {
     const spread = (values: number[]) => Math.max(...values) - Math.min(...values);
     expect(spread(shots.map(({ flat }) => flat))).toBeLessThan(1);
     expect(spread(shots.map(({ low }) => low))).toBeGreaterThan(5);
+  });
+
+  it('of a pair shows the right eye the second picture, and the left one the first', async () => {
+    const { width, height, pixel, distance } = screens[0]!;
+    // The first picture's discs are white, the second one's green, and lie elsewhere in it.
+    const build = (second?: Second) =>
+      page.evaluate(([all, probe, other]) => window.depthScene.build([0.1, 0.08], all, probe, other), [marks, marble, second] as [Mark[], typeof marble, Second?]);
+    await build({ colour: [0, 255, 0], shiftPerMetre: 2 });
+    for (const share of heads) {
+      const head = { x: (share.x * distance) / 1000, y: (share.y * distance) / 1000, z: (share.z * distance) / 1000 };
+      const look = { depthMode: 'crossed', pixelSize: pixel, screenDistance: distance } as const;
+      const picture = await take({ width, height, look, head });
+      const without = await take({ width, height, look: { ...look, secondView: false }, head });
+      for (const [k, mark] of marks.entries())
+        for (const [half, side] of [-1, 1].entries()) {
+          const eye = { x: head.x + (side * eyeDistance) / 2, y: head.y, z: head.z + distance / 1000 };
+          const middle = (width / 4) * (3 - 2 * half);
+          const { right, down } = expected(mark, picture, eye, pixel / 1000);
+          const radius = (0.002 * picture.fit.scale) / (pixel / 1000) + 2;
+          const found = centre(picture, middle + right, height / 2 + down, radius, ([, green]) => green);
+          near(`point ${k}, ${side < 0 ? 'left' : 'right'} eye`, found.left - middle, right);
+          near(`point ${k}, down`, found.top - height / 2, down);
+          const red = (of: Picture) => of.at(Math.round(middle + right), Math.round(height / 2 + down))[0];
+          expect(red(picture) > 128, `point ${k}, ${side < 0 ? 'left' : 'right'} eye`).toBe(side < 0);
+          expect(red(without)).toBeGreaterThan(128);
+        }
+    }
+    await page.evaluate(([all, probe]) => window.depthScene.build([0.1, 0.08], all, probe), [[...marks, flatEdge, lowEdge], marble] as [Mark[], typeof marble]);
   });
 
   it('has in every mode the pictures of both eyes where they belong', async () => {

@@ -5,6 +5,7 @@ import { Surface } from '../src/surface';
 import type { Fit } from '../src/view/depth/fit';
 import type { ScreenPoint } from '../src/view/depth/frustum';
 import { plainLook, type Look } from '../src/view/view';
+import type { SecondView } from '../src/view/second_view';
 import { View3d } from '../src/view/view3d';
 
 /** A disc or a square, level at a height, with a disc or a right half of its own colour; metres. */
@@ -14,6 +15,12 @@ export interface Mark {
   height: number;
   kind: 'disc' | 'edge';
   colour: [number, number, number];
+}
+
+/** The second picture: its discs have this colour, and are as much farther left, as a share of the width, as they are higher (per metre). */
+export interface Second {
+  colour: [number, number, number];
+  shiftPerMetre: number;
 }
 
 export interface Shot {
@@ -31,7 +38,7 @@ export interface Taken {
 
 declare global {
   interface Window {
-    depthScene: { build(size: [number, number], marks: Mark[], marble: ScreenPoint): void; take(shot: Shot): Taken };
+    depthScene: { build(size: [number, number], marks: Mark[], marble: ScreenPoint, second?: Second): void; take(shot: Shot): Taken };
   }
 }
 
@@ -45,7 +52,7 @@ let view: View3d | null = null;
 export const theView = () => view!;
 
 window.depthScene = {
-  build([sizeX, sizeY], marks, marble) {
+  build([sizeX, sizeY], marks, marble, second) {
     const raster = (perMetre: number) => ({ columns: Math.round(sizeX * perMetre), rows: Math.round(sizeY * perMetre) });
     const ground = raster(samplesPerMetre);
     const heights = new Float32Array(ground.columns * ground.rows);
@@ -66,8 +73,10 @@ window.depthScene = {
       });
     }
     const stage = document.getElementById('stage')!;
+    view?.dispose();
     view = new View3d(stage);
-    view.show(new Surface(ground.columns, ground.rows, heights, sizeX, sizeY), { kind: 'picture', scene: 1, ...picture, rgb });
+    const surface = new Surface(ground.columns, ground.rows, heights, sizeX, sizeY);
+    view.show(surface, { kind: 'picture', scene: 1, ...picture, rgb }, second && secondOf(surface, marks, picture, second));
     view.probes([{ ...marble, force: [0, 0, 0], number: 1, chosen: true }]);
   },
 
@@ -82,6 +91,18 @@ window.depthScene = {
     return { fit: view!.fit, pixels: pixelsIn(view!.canvas, width, height) };
   },
 };
+
+/** The picture of a second camera far away to the right of the first: rows alike, what is higher farther left. */
+function secondOf({ columns, rows, heights, sizeX, sizeY }: Surface, marks: readonly Mark[], size: { columns: number; rows: number }, second: Second): SecondView {
+  const rgb = new Uint8Array(3 * size.columns * size.rows);
+  const inSecond = (mark: Mark) => mark.x - second.shiftPerMetre * mark.height * sizeX;
+  for (let k = 0; k < size.columns * size.rows; ++k) {
+    const [x, y] = [(((k % size.columns) + 0.5) / size.columns - 0.5) * sizeX, (0.5 - (Math.floor(k / size.columns) + 0.5) / size.rows) * sizeY];
+    if (marks.some((mark) => mark.kind === 'disc' && Math.hypot(x - inSecond(mark), y - mark.y) < discRadius)) rgb.set(second.colour, 3 * k);
+  }
+  const shares = heights.map((height) => second.shiftPerMetre * height);
+  return { picture: { kind: 'second', scene: 1, ...size, rgb }, shift: { kind: 'shift', scene: 1, columns, rows, shares } };
+}
 
 /** What a canvas shows, in base 64. */
 export function pixelsIn(canvas: HTMLCanvasElement, width: number, height: number): string {

@@ -3,7 +3,7 @@
 // Names on the page: given, listed, found, changed, deleted and undone by keys alone; and a simulated blind person who looks for
 // names in scenes of five kinds, only with PALPABLE_TARGETS (200 for all of them), since it takes minutes.
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
@@ -116,7 +116,7 @@ const kinds: { kind: string; make: string[] }[] = [
   { kind: 'a relief', make: ['sample:sculptures', '--method', 'fast'] },
   { kind: 'a solid', make: ['sample:church'] },
   { kind: 'a street map', make: ['sample:map'] },
-  { kind: 'a grid', make: [join(folder, 'steps.obj'), '--as', 'grid', '--size', '160x100x50'] },
+  { kind: 'a grid', make: ['sample:sculptures', '--method', 'fast', '--as', 'grid'] },
 ];
 const wanted = Number(process.env.PALPABLE_TARGETS ?? 4);
 const perScene = Math.ceil(wanted / (wanted > 20 ? kinds.length : 1));
@@ -136,7 +136,6 @@ function random(seed: number): () => number {
 /** A scene with names at seeded places; its targets. */
 function named(index: number): { scene: string; targets: string[] } {
   const { make } = kinds[index]!;
-  writeFileSync(join(folder, 'steps.obj'), stepsMesh());
   const scene = join(folder, `scene-${index}.palp`);
   palpable('make', ...make, '-o', scene);
   const { size_m } = JSON.parse(palpable('info', scene, '--json')) as { size_m: [number, number, number] };
@@ -152,17 +151,6 @@ function named(index: number): { scene: string; targets: string[] } {
   }
   // In another order than that of the places.
   return { scene, targets: targets.map((name) => ({ name, order: next() })).sort((a, b) => a.order - b.order).map(({ name }) => name) };
-}
-
-/** Stairs of three steps. */
-function stepsMesh(): string {
-  const boxes = [0, 1, 2].map((k) => ({ x: k * 0.05, height: 0.02 * (k + 1) }));
-  const lines: string[] = [];
-  boxes.forEach(({ x, height }, k) => {
-    for (const z of [0, height]) for (const y of [0, 0.1]) for (const dx of [0, 0.05]) lines.push(`v ${x + dx} ${y} ${z}`);
-    for (const face of ['1 3 4 2', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3', '2 4 8 6']) lines.push(`f ${face.split(' ').map((corner) => Number(corner) + 8 * k).join(' ')}`);
-  });
-  return `${lines.join('\n')}\n`;
 }
 
 const all: (Search & { kind: string; name: string })[] = [];

@@ -26,8 +26,8 @@ using Extent = models::PlaceName::Extent;
 constexpr int kReducedLabelSide = 400;
 
 double reach_m(const models::PlaceName& name, double side_m) {
-  // Of areas and labels: what words cannot tell (offset_words()).
-  constexpr double kUntold_m = 0.0005;
+  // Of areas and labels: what words cannot tell, up to half a millimetre along both axes (offset_words()).
+  constexpr double kUntold_m = 0.00071;
   if (name.extent == Extent::point) return kPointReach * side_m;
   return name.extent == Extent::line ? kLineReach * side_m : kUntold_m;
 }
@@ -143,6 +143,16 @@ std::vector<PlaceGuide::Seen> PlaceGuide::around(Place from) const {
   std::stable_sort(all.begin(), all.end(),
                    [](const Seen& a, const Seen& b) { return a.distance_m < b.distance_m; });
   return all;
+}
+
+std::vector<std::size_t> PlaceGuide::here(Place place) const {
+  std::vector<std::size_t> covering;
+  for (const Seen& seen : around(place))
+    if (seen.distance_m == 0.0) covering.push_back(seen.place);
+  std::stable_sort(covering.begin(), covering.end(), [this](std::size_t a, std::size_t b) {
+    return places_[a].name.extent < places_[b].name.extent;
+  });
+  return covering;
 }
 
 Result<std::size_t> PlaceGuide::find(std::string_view name, Place from) const {

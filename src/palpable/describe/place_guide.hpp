@@ -50,6 +50,9 @@ class PlaceGuide {
   /// All of them, the nearest first.
   std::vector<Seen> around(Place from) const;
 
+  /// Those that cover a place (seen() at 0 m), points first, then lines, areas and labels.
+  std::vector<std::size_t> here(Place place) const;
+
   /// The place that is called so; of several the nearest one. Case does not count; the beginning of a name,
   /// or one letter in five wrong, is enough where only one name fits. Errors: usage with the names that fit,
   /// or with similar ones.

@@ -40,6 +40,8 @@ TEST(PlaceGuide, OffersTheLinesOfADrawing) {
   EXPECT_THAT(guide.places()[0].words, HasSubstr("line 1, closed, 1"));
   // The middle of the circle belongs to what it encloses; from the line it is 40 mm up to the circle.
   EXPECT_EQ(guide.seen(0, {-0.02, 0.02}).distance_m, 0.0);
+  EXPECT_THAT(position_words(circle_and_line(), 1.0, {0.0, -0.02}, guide),
+              HasSubstr("On the line, from left to right. Line 2."));
   EXPECT_NEAR(guide.seen(1, {0.0, 0.01}).distance_m, 0.03, 0.001);
 }
 
@@ -60,7 +62,21 @@ TEST(PlaceGuide, AWrittenNameTakesThePlaceOfWhatItWasGivenTo) {
   EXPECT_EQ(name_at(scene, {-0.03, 0.02}), "hut");
   EXPECT_EQ(name_at(scene, {-0.037, 0.02}), "Mont Blanc");
   EXPECT_EQ(name_at(scene, {0.0, 0.0}), "table");
-  EXPECT_THAT(position_words(scene, 1.0, {-0.03, 0.02}), HasSubstr("Hut. Closed in winter."));
+  // Finding either ends there, so the place's words have both.
+  EXPECT_THAT(position_words(scene, 1.0, {-0.03, 0.02}, PlaceGuide(scene)),
+              HasSubstr("level. Hut. Closed in winter. Mont Blanc."));
+}
+
+TEST(PlaceGuide, APlaceIsReachedWhereWordsTellNoWayToIt) {
+  models::Scene scene = two_hills();
+  scene.names = {
+      {"yard", "", {0.0, 0.0}, Extent::area, {{0.0, 0.0}, {-0.01, 0.0}, {-0.01, -0.01}, {0.0, -0.01}}}};
+  const PlaceGuide guide(scene);
+  for (const Place from : {Place{0.00049, 0.00049}, Place{0.00049, -0.005}}) {
+    EXPECT_EQ(offset_words(-from.x_m, std::min(0.0, -from.y_m)), "here");
+    EXPECT_EQ(guide.seen(0, from).distance_m, 0.0);
+  }
+  EXPECT_GT(guide.seen(0, {0.0008, 0.0}).distance_m, 0.0);
 }
 
 TEST(PlaceGuide, ListsTheNearestFirstWithDirectionAndDistance) {

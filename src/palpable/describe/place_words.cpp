@@ -67,11 +67,26 @@ std::string beside_words(const models::Scene& scene, Place place) {
                 offset_words(surface->x_m - place.x_m, surface->y_m - place.y_m));
 }
 
-/// The sentence of a written name, after a blank; empty without any.
-std::string sentence_after(const models::PlaceName* name) {
-  if (name == nullptr || name->sentence.empty()) return {};
-  const bool ends = name->sentence.find_last_of(".!?") + 1 == name->sentence.size();
-  return fmt::format(" {}{}", name->sentence, ends ? "" : ".");
+/// The sentence of a name, after a blank; empty without any.
+std::string sentence_after(const models::PlaceName& name) {
+  if (name.sentence.empty()) return {};
+  const bool ends = name.sentence.find_last_of(".!?") + 1 == name.sentence.size();
+  return fmt::format(" {}{}", name.sentence, ends ? "" : ".");
+}
+
+/// All names that cover a place, those that persons gave with their sentences, each after a blank. Of a map
+/// only these: its own are in other words.
+std::string names_here(const models::Scene& scene, Place place, const PlaceGuide& guide) {
+  std::string words = is_at_route_end(scene, place) ? fmt::format(" {}.", capitalised(tr(kRouteEnd))) : "";
+  std::vector<std::string> said;
+  for (const std::size_t index : guide.here(place)) {
+    const NamedPlace& named = guide.places()[index];
+    if (scene.map != nullptr && !named.written) continue;
+    if (std::find(said.begin(), said.end(), named.name.name) != said.end()) continue;
+    said.push_back(named.name.name);
+    words += fmt::format(" {}.{}", capitalised(named.name.name), sentence_after(named.name));
+  }
+  return words;
 }
 
 /// How the coordinate towards the user is called.
@@ -172,25 +187,18 @@ std::string name_at(const models::Scene& scene, Place place) {
   return material.name == models::Material{}.name ? std::string() : known(material.name);
 }
 
-std::string position_words(const models::Scene& scene, double height_factor, Place place) {
+std::string position_words(const models::Scene& scene, double height_factor, Place place,
+                           const PlaceGuide& guide) {
   const models::BoundaryMap* const map = boundaries_of(scene);
   const std::string what = map != nullptr                  ? capitalised(line_at(*map, place))
                            : is_beside_solid(scene, place) ? capitalised(beside_words(scene, place))
                                                            : capitalised(height_name(scene)) + " " +
                                                                  surface_at(scene, height_factor, place);
-  const models::PlaceName* const written = written_at(scene, place);
-  if (scene.map != nullptr) {
-    const MapGuide guide(scene, MapStreets::felt);
-    return fmt::format("{}. {}{}{} {}", capitalised(where(scene, place)),
-                       is_at_route_end(scene, place) ? capitalised(tr(kRouteEnd)) + ". " : std::string(),
-                       written != nullptr
-                           ? fmt::format("{}.{} ", capitalised(written->name), sentence_after(written))
-                           : std::string(),
-                       map_position_words(guide, place), around_words(guide, place));
-  }
-  const std::string name = name_at(scene, place);
-  return fmt::format("{}. {}.{}{}", capitalised(where(scene, place)), what,
-                     name.empty() ? "" : fmt::format(" {}.", capitalised(name)), sentence_after(written));
+  if (scene.map == nullptr)
+    return fmt::format("{}. {}.{}", capitalised(where(scene, place)), what, names_here(scene, place, guide));
+  const MapGuide streets(scene, MapStreets::felt);
+  return fmt::format("{}.{} {} {}", capitalised(where(scene, place)), names_here(scene, place, guide),
+                     map_position_words(streets, place), around_words(streets, place));
 }
 
 std::string step_words(const models::Scene& scene, double height_factor, Place place) {

@@ -13,6 +13,8 @@
 
 namespace palpable::describe {
 
+class PlaceGuide;
+
 /// Which ninth of a rectangle around the origin contains a place: "upper left", "centre", "middle right".
 std::string region_words(Place place, double size_x_m, double size_y_m);
 /// Places in their order, each once: "3 upper left; centre". Empty without any.
@@ -37,10 +39,11 @@ bool is_at_route_end(const models::Scene& scene, Place place);
 /// its own.
 std::string name_at(const models::Scene& scene, Place place);
 
-/// Everything about a place: region, offset from the middle, height and slope (for contours: the line), name
-/// and sentence. Heights of a solid are above its base, or from its back if it stands upright; beside it is
-/// "nothing", and where the surface is.
-std::string position_words(const models::Scene& scene, double height_factor, Place place);
+/// Everything about a place: region, offset from the middle, height and slope (for contours: the line), all
+/// names that cover it, with the sentences that persons gave. `guide`: of the scene. Heights of a solid are
+/// above its base, or from its back if it stands upright; beside it is "nothing", and where the surface is.
+std::string position_words(const models::Scene& scene, double height_factor, Place place,
+                           const PlaceGuide& guide);
 /// The place after a step, in short: name, height and slope; for contours, whether the probe is on a line.
 std::string step_words(const models::Scene& scene, double height_factor, Place place);
 /// "pressed 1.5 millimetres deep", "lifted by 2 millimetres"; beside a solid there is nothing to press.

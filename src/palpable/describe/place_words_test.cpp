@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/describe/place_words.hpp"
 
+#include "palpable/describe/place_guide.hpp"
 #include "palpable/describe/test_scenes.hpp"
 
 #include <numbers>
@@ -55,7 +56,7 @@ TEST(PlaceWords, LinesHaveNoSign) {
 TEST(PlaceWords, SayHeightSlopeAndNameOfAPlace) {
   const auto scene = named_hills();
   EXPECT_EQ(
-      position_words(scene, 1.0, {-0.03, 0.02}),
+      position_words(scene, 1.0, {-0.03, 0.02}, PlaceGuide(scene)),
       "Upper left, 30 millimetres left, 20 millimetres up from the middle. Height 13 millimetres, level. "
       "Tall hill.");
   EXPECT_EQ(step_words(scene, 1.0, {-0.03, 0.02}), "tall hill, 13 millimetres, level");

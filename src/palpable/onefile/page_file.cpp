@@ -21,12 +21,11 @@
 namespace palpable::onefile {
 namespace {
 
-/// The scene's picture as the page shows it: a JPEG, or a PNG where that is smaller (drawings). Empty without
-/// a picture.
-Result<std::vector<std::byte>> picture_file(const models::Scene& scene) {
-  if (scene.texture.empty()) return std::vector<std::byte>();
+/// A picture as the page shows it: a JPEG, or a PNG where that is smaller (drawings). Empty for an empty one.
+Result<std::vector<std::byte>> picture_file(const Raster<Rgb8>& whole) {
+  if (whole.empty()) return std::vector<std::byte>();
   constexpr int kQuality = 88;
-  const auto picture = page::protocol::thinned(scene.texture, page::kLongestPictureSide);
+  const auto picture = page::protocol::thinned(whole, page::kLongestPictureSide);
   auto jpeg = formats::encode_jpeg(picture, kQuality);
   if (!jpeg) return jpeg;
   auto png = formats::encode_png(picture);
@@ -43,13 +42,17 @@ Result<std::string> encode_page(const models::Scene& scene) {
         "this program was built without emscripten, which compiles the page's part of it: install it "
         "(Debian: apt install emscripten) and build again",
         {}};
-  const auto picture = picture_file(scene);
+  const auto picture = picture_file(scene.texture);
   if (!picture) return picture.error();
+  const auto second =
+      picture_file(scene.second_view != nullptr ? scene.second_view->picture : Raster<Rgb8>());
+  if (!second) return second.error();
   // In the order of the template.
-  const std::array<std::pair<std::string_view, std::string>, 3> values{
+  const std::array<std::pair<std::string_view, std::string>, 4> values{
       {{kTitleMark, html_escaped(describe::name_of(scene))},
        {kSceneMark, base64(gzip(encode_scene_bytes(scene)))},
-       {kPictureMark, base64(*picture)}}};
+       {kPictureMark, base64(*picture)},
+       {kSecondMark, base64(*second)}}};
   std::string page;
   std::string_view rest = page_template();
   for (const auto& [mark, value] : values) {

@@ -14,5 +14,6 @@ std::string_view page_template();
 inline constexpr std::string_view kTitleMark = "%PALPABLE_TITLE%";
 inline constexpr std::string_view kSceneMark = "%PALPABLE_SCENE%";
 inline constexpr std::string_view kPictureMark = "%PALPABLE_PICTURE%";
+inline constexpr std::string_view kSecondMark = "%PALPABLE_SECOND%";
 
 }  // namespace palpable::onefile

@@ -9,6 +9,7 @@
 #include "palpable/onefile/byte_archive.hpp"
 #include "palpable/onefile/model_bytes.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -90,7 +91,7 @@ void fields(Archive& archive, typename Archive::template Ref<models::Scene> scen
 namespace {
 
 /// The first bytes; the number is raised when anything else here changes.
-const std::string kMark = "palpable one-file scene 2";
+const std::string kMark = "palpable one-file scene 3";
 
 Error damaged_scene() { return invalid_input("holds a scene that is damaged or cut off"); }
 
@@ -114,6 +115,21 @@ bool read_labels(ByteInput& in, Raster<std::uint8_t>& labels) {
   return true;
 }
 
+/// The second view's shift; its picture is not among the bytes.
+bool read_shift(ByteInput& in, models::Scene& scene) {
+  int width = 0, height = 0;
+  in(width, height);
+  const auto bytes = in.block();
+  if (!in.ok()) return false;
+  if (bytes.empty()) return true;
+  if (!check_picture_size(width, height)) return false;
+  Raster<std::uint16_t> shift(width, height);
+  if (bytes.size() != std::as_writable_bytes(shift.values()).size()) return false;
+  std::copy(bytes.begin(), bytes.end(), std::as_writable_bytes(shift.values()).begin());
+  scene.second_view = std::make_shared<const models::SecondView>(models::SecondView{{}, std::move(shift)});
+  return true;
+}
+
 }  // namespace
 
 std::vector<std::byte> encode_scene_bytes(const models::Scene& scene) {
@@ -125,6 +141,9 @@ std::vector<std::byte> encode_scene_bytes(const models::Scene& scene) {
     out.block(formats::planes_of(material.texture.tile, models::kTextureSide));
   out(scene.labels.width(), scene.labels.height());
   out.block(std::as_bytes(scene.labels.values()));
+  const auto second = scene.second_view != nullptr ? scene.second_view->shift : Raster<std::uint16_t>();
+  out(second.width(), second.height());
+  out.block(std::as_bytes(second.values()));
   out(scene.map != nullptr);
   if (scene.map != nullptr) out(*scene.map);
   const auto bytes = out.bytes();
@@ -144,6 +163,7 @@ Result<models::Scene> decode_scene_bytes(std::span<const std::byte> bytes) {
   for (auto& material : scene.materials)
     if (!read_tile(in, material.texture)) return damaged_scene();
   if (!read_labels(in, scene.labels)) return damaged_scene();
+  if (!read_shift(in, scene)) return damaged_scene();
   bool has_map = false;
   in(has_map);
   StreetMap map;

@@ -11,7 +11,7 @@
 
 namespace palpable::onefile {
 
-/// A scene without its picture, as bytes that are read without any outside library. Only the program that
+/// A scene without its pictures, as bytes that are read without any outside library. Only the program that
 /// wrote them reads them: they are inside one page together with it. The scene must be valid
 /// (formats::check_scene()). Deterministic.
 std::vector<std::byte> encode_scene_bytes(const models::Scene& scene);

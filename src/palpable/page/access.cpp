@@ -24,8 +24,15 @@ OwnNames loopback_names(std::uint16_t port) {
   return {"http", {"127.0.0.1" + suffix, "localhost" + suffix}};
 }
 
-OwnNames guest_names(const std::string& address, std::uint16_t port) {
-  return {"https", {address + ":" + std::to_string(port)}};
+std::string host_and_port(const std::string& address, std::uint16_t port) {
+  const bool is_6 = address.find(':') != std::string::npos;
+  return (is_6 ? "[" + address + "]" : address) + ":" + std::to_string(port);
+}
+
+OwnNames guest_names(const std::vector<std::string>& addresses, std::uint16_t port) {
+  OwnNames names{"https", {}};
+  for (const std::string& address : addresses) names.hosts.push_back(host_and_port(address, port));
+  return names;
 }
 
 bool is_own_host(std::string_view host, const OwnNames& names) {

@@ -20,9 +20,11 @@ struct OwnNames {
   std::vector<std::string> hosts;
 };
 
-/// The names of a server that listens on loopback, without TLS; and of one for guests, at an IPv4 address.
+/// The names of a server that listens on loopback, without TLS; and of one for guests, at IP addresses.
 OwnNames loopback_names(std::uint16_t port);
-OwnNames guest_names(const std::string& address, std::uint16_t port);
+/// An IP address with a port, as in an address of the web: "10.0.0.1:4711", "[fd00::2]:4711".
+std::string host_and_port(const std::string& address, std::uint16_t port);
+OwnNames guest_names(const std::vector<std::string>& addresses, std::uint16_t port);
 
 /// Whether a request's Host and Origin are the server's own. Another Host means DNS rebinding; another Origin
 /// means a foreign page in the same browser.

@@ -53,10 +53,15 @@ TEST(Access, AcceptsOnlyItsOwnHost) {
 }
 
 TEST(Access, AcceptsOnlyTheAddressOfGuestsForThem) {
-  const OwnNames names = guest_names("192.168.1.20", kPort);
+  const OwnNames names = guest_names({"192.168.1.20", "fd00::2"}, kPort);
   EXPECT_TRUE(is_own_host("192.168.1.20:4711", names));
   EXPECT_FALSE(is_own_host("127.0.0.1:4711", names));
   EXPECT_FALSE(is_own_host("192.168.1.20", names));
+  EXPECT_TRUE(is_own_host("[fd00::2]:4711", names));
+  EXPECT_FALSE(is_own_host("fd00::2:4711", names));
+  EXPECT_FALSE(is_own_host("[fd00::3]:4711", names));
+  EXPECT_TRUE(is_own_origin("https://[fd00::2]:4711", names));
+  EXPECT_FALSE(is_own_origin("http://[fd00::2]:4711", names));
   EXPECT_TRUE(is_own_origin("https://192.168.1.20:4711", names));
   EXPECT_FALSE(is_own_origin("http://192.168.1.20:4711", names));
 }

@@ -4,6 +4,7 @@
 
 #include "palpable/core/picture/image.hpp"
 #include "palpable/core/picture/raster.hpp"
+#include "palpable/models/scene/second_view.hpp"
 #include "palpable/page/protocol.gen.hpp"
 
 #include <cstdint>
@@ -26,6 +27,8 @@ struct PageScene {
   Raster<float> height_m;
   /// Covers the same rectangle; may be empty.
   Raster<Rgb8> picture;
+  /// What the right eye sees of it, as the scene has it; null: the same picture.
+  std::shared_ptr<const models::SecondView> second_view;
   /// The cells of a field at its surface, over the same rectangle; empty if `about.cells` is not set.
   Raster<Rgb8> cells;
 };

@@ -4,6 +4,7 @@
 
 #include "palpable/page/protocol.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace palpable::page {
@@ -11,6 +12,12 @@ namespace {
 
 // Enough for the page's mesh and sound; the state carries the exact height.
 constexpr int kLongestHeightSide = 320;
+
+Raster<float> shares_of(const Raster<std::uint16_t>& shift) {
+  Raster<float> shares(shift.width(), shift.height());
+  std::transform(shift.values().begin(), shift.values().end(), shares.values().begin(), models::shift_share);
+  return shares;
+}
 
 }  // namespace
 
@@ -73,14 +80,20 @@ void HostChanges::show(const std::shared_ptr<const PageScene>& scene) {
   const auto binary = [](std::string bytes) {
     return std::make_shared<const Frame>(Frame{std::move(bytes), true});
   };
-  scene_frames_ = {
-      text_frame(scene->about),
-      binary(protocol::write_heights(number, protocol::thinned(scene->height_m, kLongestHeightSide)))};
+  scene_frames_ = {text_frame(scene->about),
+                   binary(protocol::write_floats(protocol::RasterKind::heights, number,
+                                                 protocol::thinned(scene->height_m, kLongestHeightSide)))};
   const auto push = [&](protocol::RasterKind kind, const Raster<Rgb8>& picture) {
     scene_frames_.push_back(
         binary(protocol::write_picture(kind, number, protocol::thinned(picture, kLongestPictureSide))));
   };
   if (scene->about.has_picture) push(protocol::RasterKind::picture, scene->picture);
+  if (scene->second_view != nullptr) {
+    push(protocol::RasterKind::second, scene->second_view->picture);
+    scene_frames_.push_back(binary(
+        protocol::write_floats(protocol::RasterKind::shift, number,
+                               protocol::thinned(shares_of(scene->second_view->shift), kLongestHeightSide))));
+  }
   if (scene->about.cells) push(protocol::RasterKind::cells, scene->cells);
 }
 

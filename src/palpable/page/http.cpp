@@ -73,7 +73,7 @@ RequestHandler::RequestHandler(SessionAccess access, std::uint16_t port, ShelfHo
 
 RequestHandler::RequestHandler(ShareHost& share, std::uint16_t port)
     : entrance_(std::make_unique<GuestEntrance>(share)),
-      names_(guest_names(share.address(), port)),
+      names_(guest_names(share.addresses(), port)),
       port_(port),
       shelf_(nullptr) {}
 

@@ -143,7 +143,6 @@ protocol::Words PageNames::way(const models::Scene& scene, const protocol::Ask& 
   }
   words.text = describe::phrase("Here: {}.", named.words) + (named.name.sentence.empty() ? "" : " ") +
                named.name.sentence;
-  targets_.at(probe).reset();
   return words;
 }
 

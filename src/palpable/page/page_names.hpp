@@ -38,13 +38,15 @@ class PageNames {
   Result<std::optional<describe::PlaceGuide::Seen>> find(const models::Scene& scene,
                                                          const protocol::Find& find);
   /// The way of a probe to the place that it is led to, in words: "tall hill: 12 millimetres right"; at its
-  /// end the name with its sentence, and the probe is led no longer. Empty if it is not led.
+  /// end the name with its sentence, until find() ends it: keys may only pass by. Empty if it is not led.
   protocol::Words way(const models::Scene& scene, const protocol::Ask& ask);
   /// Where a probe is led; nullopt: nowhere, or it has arrived.
   std::optional<describe::PlaceGuide::Seen> seen(const models::Scene& scene, std::size_t probe, Place from);
 
- private:
+  /// What has a name in the scene.
   const describe::PlaceGuide& guide(const models::Scene& scene);
+
+ private:
   /// The index of the target of a probe among the guide's places now; nullopt if it is gone.
   std::optional<std::size_t> target(const models::Scene& scene, std::size_t probe);
   Result<std::optional<std::size_t>> place_in_list(const models::Scene& scene, std::int64_t list,

@@ -64,6 +64,9 @@ TEST(PageNames, LeadAProbeToTheirPlaceUntilItIsThere) {
   const auto there = names.way(scene, way_from(0.029, 0.001));
   EXPECT_EQ(there.text, "Here: gate. It is locked.");
   EXPECT_FALSE(there.x_m);
+  // Keys may only have passed by: the page ends it.
+  EXPECT_EQ(names.way(scene, way_from(0.0, 0.0)).text, "Gate: 30 millimetres right.");
+  ASSERT_TRUE(names.find(scene, {0, around.list, {}, 0.0, 0.0}));
   EXPECT_EQ(names.way(scene, way_from(0.0, 0.0)).text, "");
 }
 

@@ -43,6 +43,7 @@ std::shared_ptr<const PageScene> page_scene(const models::Scene& scene, std::uin
   const auto [lowest, highest] =
       std::minmax_element(page->height_m.values().begin(), page->height_m.values().end());
   page->picture = scene.texture;
+  page->second_view = scene.second_view;
   auto& about = page->about;
   about.scene = number;
   about.name = name.empty() ? describe::name_of(scene) : name;
@@ -60,6 +61,7 @@ std::shared_ptr<const PageScene> page_scene(const models::Scene& scene, std::uin
   about.lowest_m = static_cast<double>(*lowest);
   about.highest_m = static_cast<double>(*highest);
   about.has_picture = !scene.texture.empty();
+  about.has_second_view = scene.second_view != nullptr;
   if (auto cells = surface_cells(scene)) {
     page->cells = std::move(cells->picture);
     about.cells = std::move(cells->words);

@@ -248,8 +248,8 @@ template std::string write_message(const Shelf&);
 template std::string write_message(const Job&);
 template std::string write_message(const Uploaded&);
 
-std::string write_heights(std::uint32_t scene, const Raster<float>& height_m) {
-  return raster_frame(RasterKind::heights, scene, height_m);
+std::string write_floats(RasterKind kind, std::uint32_t scene, const Raster<float>& values) {
+  return raster_frame(kind, scene, values);
 }
 
 std::string write_picture(RasterKind kind, std::uint32_t scene, const Raster<Rgb8>& picture) {

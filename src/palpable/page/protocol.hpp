@@ -26,8 +26,9 @@ template <class Message>
 std::string write_message(const Message& message);
 
 /// Binary frames (protocol.json, "raster").
-std::string write_heights(std::uint32_t scene, const Raster<float>& height_m);
-/// `kind`: picture or cells.
+/// `kind`: heights or shift.
+std::string write_floats(RasterKind kind, std::uint32_t scene, const Raster<float>& values);
+/// `kind`: picture, cells or second.
 std::string write_picture(RasterKind kind, std::uint32_t scene, const Raster<Rgb8>& picture);
 
 /// The raster reduced to at most `longest_side` columns and rows by block means. An empty or small enough

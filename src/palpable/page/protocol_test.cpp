@@ -139,7 +139,7 @@ TEST(PageProtocol, TruncatesTextAtACharacterBoundary) {
 TEST(PageProtocol, WritesARasterThatMatchesItsHeader) {
   Raster<float> heights(3, 2);
   heights(2, 1) = 1.5F;
-  const std::string frame = write_heights(7, heights);
+  const std::string frame = write_floats(RasterKind::heights, 7, heights);
   ASSERT_EQ(frame.size(), 20U + 24U);
   std::uint32_t words[5];
   std::memcpy(words, frame.data(), sizeof words);

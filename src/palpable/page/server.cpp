@@ -12,7 +12,9 @@
 #include <exception>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -108,31 +110,51 @@ Result<void> open(tcp::acceptor& acceptor, const asio::ip::address& address, std
   return Error{ErrorCode::failed, "cannot serve the page there (" + error.message() + ")", place};
 }
 
-/// The second port, for guests (docs/adr/0009). It outlives the context, but for the acceptor.
+using Acceptors = std::vector<std::unique_ptr<tcp::acceptor>>;
+
+/// The second port, for guests (docs/adr/0009). It outlives the context, but for the acceptors.
 struct GuestPort {
   std::unique_ptr<asio::ssl::context> tls;
   std::optional<ServerContext> shared;
   std::optional<Connections> connections;
 };
 
+/// Opens one port at all addresses, the first of which must open: an address of version 6 may not be ready.
+Result<Acceptors> open_at(asio::io_context& context, const std::vector<std::string>& addresses,
+                          std::uint16_t port) {
+  Acceptors acceptors;
+  for (const std::string& text : addresses) {
+    beast::error_code error;
+    const auto address = asio::ip::make_address(text, error);
+    if (error) return invalid_input("is not an IP address of this computer", text);
+    auto acceptor = std::make_unique<tcp::acceptor>(context);
+    if (auto opened = open(*acceptor, address, port); !opened) {
+      if (acceptors.empty()) return opened.error();
+      break;
+    }
+    port = acceptor->local_endpoint().port();
+    acceptors.push_back(std::move(acceptor));
+  }
+  return acceptors;
+}
+
 /// Begins to serve guests.
-Result<void> open_for_guests(GuestPort& guests, tcp::acceptor& acceptor, Pages& pages,
+Result<void> open_for_guests(GuestPort& guests, asio::io_context& context, Acceptors& acceptors, Pages& pages,
                              const ServeOptions& options, const protocol::Hello& hello) {
   ShareHost& share = *options.share;
   auto tls = tls_context(share.certificate());
   if (!tls) return tls.error();
   guests.tls = *std::move(tls);
-  beast::error_code error;
-  const auto address = asio::ip::make_address_v4(share.address(), error);
-  if (error) return invalid_input("is not an IPv4 address of this computer", share.address());
-  if (auto opened = open(acceptor, address, share.port()); !opened) return opened;
-  const std::uint16_t port = acceptor.local_endpoint().port();
+  auto opened = open_at(context, share.addresses(), share.port());
+  if (!opened) return opened.error();
+  acceptors = *std::move(opened);
+  const std::uint16_t port = acceptors.front()->local_endpoint().port();
   guests.shared.emplace(ServerContext{RequestHandler(share, port), pages, nullptr, options, RateLimit({}),
                                       &share, guests.tls.get(), RateLimit(options.handshake_rate)});
   guests.connections.emplace(options.most_guest_connections, options.most_connections_of_an_address);
   // The last probe answers the questions of those who look.
-  share.begin(port, std::max<std::int64_t>(1, hello.hands), hello.probes - 2);
-  accept_next(acceptor, *guests.connections, *guests.shared);
+  share.begin(port, acceptors.size(), std::max<std::int64_t>(1, hello.hands), hello.probes - 2);
+  for (const auto& acceptor : acceptors) accept_next(*acceptor, *guests.connections, *guests.shared);
   return {};
 }
 
@@ -150,7 +172,7 @@ Result<void> run(const Served& served, const ServeOptions& options, const std::a
 
   asio::io_context context(1);
   tcp::acceptor acceptor(context);
-  tcp::acceptor guest_acceptor(context);
+  Acceptors guest_acceptors;
   if (auto opened = open(acceptor, asio::ip::address_v4::loopback(), options.port); !opened) return opened;
   const std::uint16_t port = acceptor.local_endpoint().port();
   Updates updates(context, options, served.shelf);
@@ -160,7 +182,8 @@ Result<void> run(const Served& served, const ServeOptions& options, const std::a
                                served.shelf, options, RateLimit(options.upgrade_rate), nullptr, nullptr,
                                RateLimit({})});
   if (options.share != nullptr && served.touch != nullptr)
-    if (auto opened = open_for_guests(guests, guest_acceptor, *pages, options, served.touch->hello());
+    if (auto opened =
+            open_for_guests(guests, context, guest_acceptors, *pages, options, served.touch->hello());
         !opened)
       return opened;
   accept_next(acceptor, connections, *shared);
@@ -171,7 +194,7 @@ Result<void> run(const Served& served, const ServeOptions& options, const std::a
   updates.stop();
   beast::error_code ignored;
   acceptor.close(ignored);
-  guest_acceptor.close(ignored);
+  for (const auto& one : guest_acceptors) one->close(ignored);
   pages->close_all();
   context.run_for(milliseconds(100));
   return {};

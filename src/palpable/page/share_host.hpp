@@ -5,10 +5,12 @@
 #include "palpable/core/result.hpp"
 #include "palpable/page/protocol.gen.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace palpable::page {
 
@@ -46,14 +48,17 @@ class ShareHost {
   ShareHost& operator=(const ShareHost&) = delete;
   virtual ~ShareHost() = default;
 
-  /// The IPv4 address at which the server listens for guests, and the port; 0 = any free one.
-  virtual const std::string& address() const = 0;
+  /// The IP addresses at which the server listens for guests, and the port; 0 = any free one. The first
+  /// address is needed, further ones may fail.
+  virtual const std::vector<std::string>& addresses() const = 0;
   virtual std::uint16_t port() const = 0;
   virtual const ServerCertificate& certificate() const = 0;
-  /// Whether a device of this IPv4 address may connect at all.
+  /// Whether a device of this IP address may connect at all.
   virtual bool is_local(std::string_view peer) const = 0;
-  /// Called once, when guests can connect at this port. The probes first…last are free for guests.
-  virtual void begin(std::uint16_t port, std::int64_t first_probe, std::int64_t last_probe) = 0;
+  /// Called once, when guests can connect at this port of the first `served` addresses. The probes
+  /// first…last are free for guests.
+  virtual void begin(std::uint16_t port, std::size_t served, std::int64_t first_probe,
+                     std::int64_t last_probe) = 0;
   /// Called 20 to 60 times per second.
   virtual void update() = 0;
 

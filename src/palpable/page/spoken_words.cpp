@@ -60,7 +60,7 @@ std::string SpokenWords::text_of(const protocol::Ask& ask, const models::Scene& 
     commentary.heard(scene, place, now_s());
     // Told by either: a step says it the first time only.
     const std::string untold = commentary.untold_sentence(scene, place);
-    return ask.what == "position" ? describe::position_words(scene, height_factor, place)
+    return ask.what == "position" ? describe::position_words(scene, height_factor, place, names_.guide(scene))
                                   : sentence(describe::step_words(scene, height_factor, place)) + untold;
   }
   if (ask.what == "probe") return describe::felt_words(scene, height_factor, place, force_N) + ".";

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The WebSocket to the program.
 import { known, t } from '../language';
-import { readMessage, readRaster, writeMessage, type HeightsFrame, type PictureFrame } from '../codec';
+import { readMessage, readRaster, writeMessage, type RasterFrame } from '../codec';
 import { enter, type Loss } from '../enter';
 import type { FromPage, ToPage } from '../generated/protocol';
 
 export interface Receiver {
   opened(): void;
   message(message: ToPage): void;
-  raster(frame: HeightsFrame | PictureFrame): void;
+  raster(frame: RasterFrame): void;
   closed(loss: Loss): void;
 }
 

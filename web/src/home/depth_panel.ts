@@ -65,7 +65,7 @@ export class DepthPanel {
   private words(): string {
     if (element<HTMLSelectElement>('view').disabled) return t('True depth needs WebGL, which this browser does not offer.');
     const page = this.target.page();
-    return page.view === 'flat' ? t('True depth needs the view in 3D.') : depthWords(this.stage.fit, page);
+    return page.view === 'flat' ? t('True depth needs the view in 3D.') : depthWords(this.stage.fit, page, this.stage.showsSecond);
   }
 
   private screenWords(): string {

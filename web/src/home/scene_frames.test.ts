@@ -7,7 +7,7 @@ import { SceneFrames } from './scene_frames';
 
 const scene: Scene = {
   type: 'scene', scene: 2, name: 'cone', description: null, kind: 'relief', upright: false, size_x_m: 0.1, size_y_m: 0.1, middle_x_m: 0, middle_y_m: 0, start_x_m: 0, start_y_m: 0, lowest_m: 0, highest_m: 0.01,
-  has_picture: true, cells: null, labels: [],
+  has_picture: true, has_second_view: false, cells: null, labels: [],
 };
 const heights: HeightsFrame = { kind: 'heights', scene: 2, columns: 2, rows: 2, heights: new Float32Array(4) };
 const picture: PictureFrame = { kind: 'picture', scene: 2, columns: 1, rows: 1, rgb: new Uint8Array(3) };
@@ -24,6 +24,18 @@ it('a scene is complete with its own heights and picture', () => {
   expect(frames.isComplete).toBe(true);
   frames.take(heights);
   expect(frames.isComplete).toBe(false);
+});
+
+it('a scene of a pair is complete with its second view', () => {
+  const frames = new SceneFrames();
+  frames.scene = { ...scene, has_second_view: true };
+  frames.take(heights);
+  frames.take(picture);
+  expect(frames.isComplete).toBe(false);
+  frames.take({ ...picture, kind: 'second' });
+  frames.take({ kind: 'shift', scene: 2, columns: 1, rows: 1, shares: new Float32Array(1) });
+  expect(frames.isComplete).toBe(true);
+  expect(frames.secondView?.picture.kind).toBe('second');
 });
 
 it('a field is complete with its cells', () => {

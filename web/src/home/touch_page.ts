@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page: connects the program, the stage, the settings, the keys, sound and speech.
 import { known, language, t } from '../language';
-import type { HeightsFrame, PictureFrame } from '../codec';
+import type { RasterFrame } from '../codec';
 import { element } from '../dom';
 import { protocolVersion, type Hello, type Scene, type Settings as ProgramSettings, type State, type ToPage } from '../generated/protocol';
 import { Names } from '../names/names';
@@ -357,7 +357,7 @@ export class TouchPage {
         if (message.level === 'recovered') this.readouts.allWell();
         if (message.level === 'named') this.names.changed();
         // What the unseen touch feels is no part of a replay.
-        if (message.level === 'motion' && this.replay.isOpen) return;
+        if (message.level === 'motion' && (this.replay.isOpen || this.names.finder.isFollowedByKeys)) return;
         return this.voice.say(message.text, importanceOf(message.level));
     }
   }
@@ -380,10 +380,10 @@ export class TouchPage {
     if (hello.version !== protocolVersion) this.alert(t('This page and the program are of different versions: reload the page.'));
   }
 
-  private receiveRaster(frame: HeightsFrame | PictureFrame): void {
+  private receiveRaster(frame: RasterFrame): void {
     const first = this.surface === null;
     if (!this.loaded.take(frame)) return;
-    const { scene, surface, picture, cells } = this.loaded;
+    const { scene, surface, picture, cells, secondView } = this.loaded;
     if (surface === null || scene === null) return;
     if (frame.kind === 'heights') {
       this.own.setScale(surface.scale);
@@ -394,7 +394,8 @@ export class TouchPage {
       if (first) this.ready();
     }
     if (!this.loaded.isComplete) return;
-    this.stage.show(surface, picture, cells);
+    this.stage.show(surface, picture, cells, secondView);
+    element('second-view-choice').hidden = secondView === null;
     this.headset.follow();
     this.walking.show();
     this.showProbes();

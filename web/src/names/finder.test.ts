@@ -86,6 +86,28 @@ describe('finding a name', () => {
     await vi.advanceTimersByTimeAsync(5000);
     expect(pulses.length).toBe(before);
   });
+
+  it('does not end at a name that keys pass by, and then says where the probe has come to', async () => {
+    const { finder, place, said } = setUp();
+    finder.begin('gate');
+    await vi.advanceTimersByTimeAsync(100);
+    for (const x of [0.04, 0.045, 0.05]) {
+      Object.assign(place, { x, y: target.y });
+      finder.moved(true);
+      void Promise.resolve(finder.words()()).then((text) => text && said.push(text));
+      expect(finder.isFollowedByKeys).toBe(true);
+      await vi.advanceTimersByTimeAsync(50);
+    }
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(finder.isLeading).toBe(true);
+    expect(said).not.toContain('Here: gate.');
+    Object.assign(place, target);
+    finder.moved(true);
+    void Promise.resolve(finder.words()()).then((text) => text && said.push(text));
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(said[said.length - 1]).toBe('Here: gate.');
+    expect(finder.isLeading || finder.isFollowedByKeys).toBe(false);
+  });
 });
 
 describe('a name', () => {

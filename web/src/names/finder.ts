@@ -23,6 +23,10 @@ export interface FinderPage {
 
 /** Without a movement for this long the pulses stop (ms). */
 const patience = 15_000;
+/** After a key press for this long the place may be on the way of further ones (ms), and is no end. */
+const settling = 250;
+/** For so long after a key press (ms) its words say where the probe is. */
+const keysLead = 2000;
 /** A probe that is not moved by keys: the way is asked for this often (ms), and said this often. */
 const askEvery = 500;
 const sayEvery = 3000;
@@ -37,6 +41,7 @@ export class Finder {
   private timer: ReturnType<typeof setTimeout> | undefined;
   private from: Place = { x: NaN, y: NaN };
   private movedAt = -Infinity;
+  private keyAt = -Infinity;
   private askedAt = -Infinity;
   private saidAt = -Infinity;
 
@@ -47,6 +52,10 @@ export class Finder {
 
   get isLeading(): boolean {
     return this.name !== null;
+  }
+  /** Whether the words of the way are being followed by keys: other words on the motion would replace them. */
+  get isFollowedByKeys(): boolean {
+    return this.isLeading && performance.now() - this.keyAt < keysLead;
   }
 
   /** The program leads to the place of this name from now on. */
@@ -75,6 +84,7 @@ export class Finder {
   moved(byKey: boolean): void {
     const surface = this.page.surface();
     if (this.name === null || surface === null) return;
+    if (byKey) this.keyAt = performance.now();
     const place = this.page.place();
     if (Math.hypot(place.x - this.from.x, place.y - this.from.y) < leastMove * surface.scale) return;
     const now = performance.now();
@@ -100,6 +110,11 @@ export class Finder {
     const answer = await this.page.way();
     if (answer === null || this.name === null) return null;
     if (answer.x_m === null || answer.y_m === null) {
+      const moving = this.keyAt + settling - performance.now();
+      if (moving > 0) {
+        await new Promise((resolve) => setTimeout(resolve, moving));
+        return this.ask();
+      }
       const { name } = this;
       this.stop();
       this.reached = name;

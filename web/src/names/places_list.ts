@@ -3,6 +3,7 @@
 // The dialog with the names around a probe: a list box, which keyboards and screen readers know how to use.
 import { element } from '../dom';
 import type { Around, AroundPlace } from '../generated/protocol';
+import { TypeAhead } from './type_ahead';
 
 export interface PlacesTarget {
   find(place: AroundPlace, list: number): void;
@@ -14,14 +15,17 @@ export interface PlacesTarget {
 export class PlacesList {
   private readonly dialog = element<HTMLDialogElement>('places-dialog');
   private readonly list = element<HTMLSelectElement>('places-list');
+  private readonly typeAhead = new TypeAhead();
   private around: Around | null = null;
 
   constructor(private readonly target: PlacesTarget) {
     this.list.addEventListener('change', () => this.select());
     this.list.addEventListener('keydown', (event) => {
-      if (event.key !== 'Enter' || this.chosen === undefined) return;
-      event.preventDefault();
-      this.dialog.close('find');
+      if (event.key === 'Enter' && this.chosen !== undefined) {
+        event.preventDefault();
+        this.dialog.close('find');
+      }
+      if ([...event.key].length === 1 && !event.ctrlKey && !event.altKey && !event.metaKey) this.type(event);
     });
     this.list.addEventListener('dblclick', () => this.chosen && this.dialog.close('find'));
     element('places-delete').addEventListener('click', () => {
@@ -56,6 +60,14 @@ export class PlacesList {
     if (this.isOpen) return;
     this.dialog.showModal();
     (around.places.length > 0 ? this.list : element('places-close')).focus();
+  }
+
+  private type(event: KeyboardEvent): void {
+    event.preventDefault();
+    const found = this.typeAhead.type(event.key, event.timeStamp, this.around?.places ?? [], this.list.selectedIndex);
+    if (found === null) return;
+    this.list.selectedIndex = found;
+    this.select();
   }
 
   private select(): void {

@@ -26,9 +26,9 @@ export interface Pixels {
   rgba: Uint8ClampedArray;
 }
 
-/** The scene's picture; null if it has none. */
-export async function picture(): Promise<Pixels | null> {
-  const bytes = bytesIn('data-picture');
+/** The picture with this id; null if the scene has none. */
+export async function picture(id: string): Promise<Pixels | null> {
+  const bytes = bytesIn(id);
   if (bytes.length === 0) return null;
   const bitmap = await createImageBitmap(new Blob([bytes]), { colorSpaceConversion: 'none' });
   const { width, height } = bitmap;

@@ -24,11 +24,11 @@ const tooOld = t('This browser is too old for this page: it needs WebAssembly an
 
 async function openTouch(): Promise<TouchModule> {
   if (typeof WebAssembly === 'undefined' || typeof DecompressionStream === 'undefined') throw new Error(tooOld);
-  const [wasm, scene, pixels] = await Promise.all([unpacked('data-touch'), unpacked('data-scene'), picture()]).catch(() => {
+  const [wasm, scene, pixels, second] = await Promise.all([unpacked('data-touch'), unpacked('data-scene'), picture('data-picture'), picture('data-second')]).catch(() => {
     throw new Error(damaged);
   });
   const touch = await TouchModule.load(wasm);
-  touch.open(scene, pixels);
+  touch.open(scene, pixels, second);
   return touch;
 }
 

@@ -10,6 +10,7 @@ interface Exports {
   palpable_allocate(bytes: number): number;
   palpable_release(memory: number): void;
   palpable_sentence(): number;
+  palpable_second(rgbx: number, width: number, height: number): void;
   palpable_open(bytes: number, size: number, rgbx: number, width: number, height: number): number;
   palpable_receive(text: number, size: number): void;
   palpable_advance(seconds: number): number;
@@ -69,7 +70,8 @@ export class TouchModule {
   }
 
   /** Throws the sentence if the scene cannot be touched. */
-  open(scene: Uint8Array, picture: Pixels | null): void {
+  open(scene: Uint8Array, picture: Pixels | null, second: Pixels | null): void {
+    if (second !== null) this.with(second.rgba, (pixels) => this.exports.palpable_second(pixels, second.width, second.height));
     const { width, height, rgba } = picture ?? { width: 0, height: 0, rgba: new Uint8ClampedArray(0) };
     const opened = this.with(scene, (at) => this.with(rgba, (pixels) => this.exports.palpable_open(at, scene.length, pixels, width, height)));
     if (opened === 0) throw new Error(this.sentence());

@@ -52,7 +52,7 @@ const depthSliders = [
 const headsetSlider = pageSlider('headsetSize', percent, 'headset-size');
 sliders.push(...depthSliders, headsetSlider);
 /** The preferences' controls: by id, the preference. */
-const checks = { sound: 'sound', speech: 'speech', vibration: 'vibration', gamepads: 'gamepads', 'depth-comfort': 'depthComfort', 'swap-eyes': 'swapEyes' } as const;
+const checks = { sound: 'sound', speech: 'speech', vibration: 'vibration', gamepads: 'gamepads', 'depth-comfort': 'depthComfort', 'second-view': 'secondView', 'swap-eyes': 'swapEyes' } as const;
 const selects = { surface: 'surface', view: 'view', 'depth-mode': 'depthMode', theme: 'theme' } as const;
 const keysOf = <T extends object>(table: T) => Object.keys(table) as (keyof T & string)[];
 

@@ -36,6 +36,8 @@ export interface Preferences {
   depthShare: number;
   /** Whether disparities are kept within a degree. */
   depthComfort: boolean;
+  /** Whether the right eye sees the second picture of the pair that a scene was made from. */
+  secondView: boolean;
   swapEyes: boolean;
   /** Of the scene in a headset: per cent of its true size, or of a table's where it is larger. */
   headsetSize: number;
@@ -73,6 +75,7 @@ export const defaults: Preferences = {
   depthBefore: 40,
   depthShare: 100,
   depthComfort: true,
+  secondView: true,
   swapEyes: false,
   headsetSize: 100,
   cameraAngle: 60,

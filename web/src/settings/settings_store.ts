@@ -43,6 +43,7 @@ const titles: Record<string, string> = {
   depthBefore: t('part before the screen'),
   depthShare: t('depth'),
   depthComfort: t('disparities within a degree'),
+  secondView: t('second photograph'),
   swapEyes: t('exchanged eyes'),
   cameraAngle: t('camera’s angle of view'),
   cameraTilt: t('camera’s tilt'),

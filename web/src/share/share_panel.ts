@@ -57,6 +57,9 @@ export class SharePanel {
     const before = this.shown?.invitation?.link;
     if (invitation === null || invitation.link === before) return;
     element('share-link').textContent = invitation.link;
+    const { other_link: link } = invitation;
+    element('share-other').hidden = link === null;
+    element('share-other').textContent = link && t('In a network without IPv4: {link}', { link });
     const how = invitationWords(invitation);
     element('share-how').textContent = how;
     drawCode(element('share-code') as unknown as SVGElement, invitation.side, invitation.code);

@@ -11,6 +11,7 @@ import { obstacleTo } from './kinds';
 import { Making } from './making';
 import { Refusal, tell } from './program';
 import { Question } from './question';
+import { sentWords } from './sent';
 
 export class ShelfPage {
   private shelf: Shelf | null = null;
@@ -119,7 +120,7 @@ export class ShelfPage {
   private alert(sentence: string): void {
     const banner = element('banner');
     banner.hidden = sentence === '';
-    banner.textContent = sentence;
+    banner.textContent = sentWords(sentence);
     if (sentence !== '') banner.scrollIntoView({ block: 'nearest' });
   }
 

@@ -13,6 +13,7 @@ import type { ScreenPoint } from './depth/frustum';
 import { clampHead, headStep, headWords, restingHead } from './depth/head';
 import { bindGestures } from './gestures';
 import type { Headset } from './headset/headset';
+import type { SecondView } from './second_view';
 import type { ProbeView, View } from './view';
 import { View3d } from './view3d';
 import { FlatView } from './view_flat';
@@ -47,6 +48,7 @@ export class Stage {
   private surface: Surface | null = null;
   private picture: PictureFrame | null = null;
   private cells: PictureFrame | null = null;
+  private second: SecondView | null = null;
   private heightFactor = 1;
   private canDo3d = true;
   private offered = false;
@@ -74,10 +76,11 @@ export class Stage {
     this.set(1, look);
   }
 
-  show(surface: Surface, picture: PictureFrame | null, cells: PictureFrame | null): void {
+  show(surface: Surface, picture: PictureFrame | null, cells: PictureFrame | null, second: SecondView | null): void {
     this.surface = surface;
     this.picture = picture;
     this.cells = cells;
+    this.second = second;
     this.lay();
     this.target.changed();
   }
@@ -100,6 +103,10 @@ export class Stage {
   line(points: readonly Place[]): void {
     this.view?.line(points);
     this.target.changed();
+  }
+  /** Whether a view for two eyes shows the pair's own second picture to the right one. */
+  get showsSecond(): boolean {
+    return this.second !== null && this.look.secondView && (this.look.surface === 'picture' || this.look.surface === 'unlit');
   }
   /** What is drawn on; null before that. */
   get canvas(): HTMLCanvasElement | null {
@@ -209,7 +216,8 @@ export class Stage {
 
   /** Shows the surface with the picture or its cells. */
   private lay(): void {
-    if (this.surface) this.view?.show(this.surface, this.look.surface === 'cells' ? (this.cells ?? this.picture) : this.picture);
+    const cells = this.look.surface === 'cells' ? this.cells : null;
+    if (this.surface) this.view?.show(this.surface, cells ?? this.picture, cells === null ? this.second : null);
   }
 
   private build(wanted: Preferences['view']): void {

@@ -8,6 +8,7 @@ import type { CameraPose } from './camera';
 import type { Fit } from './depth/fit';
 import type { ScreenPoint } from './depth/frustum';
 import type { Headset } from './headset/headset';
+import type { SecondView } from './second_view';
 import type { Speed } from './pace';
 
 export interface ProbeView extends Place {
@@ -22,13 +23,14 @@ export interface ProbeView extends Place {
 /** The preferences that views follow. */
 export type Look = Pick<
   Preferences,
-  'surface' | 'tilt' | 'depthMode' | 'eyeDistance' | 'screenDistance' | 'depthBefore' | 'depthShare' | 'depthComfort' | 'swapEyes' | 'pixelSize' | 'headsetSize'
+  'surface' | 'tilt' | 'depthMode' | 'eyeDistance' | 'screenDistance' | 'depthBefore' | 'depthShare' | 'depthComfort' | 'secondView' | 'swapEyes' | 'pixelSize' | 'headsetSize'
 >;
 export const plainLook: Look = defaults;
 
 export interface View {
   readonly canvas: HTMLCanvasElement;
-  show(surface: Surface, picture: PictureFrame | null): void;
+  /** `second`: what the right eye sees instead of the picture, where the view is for two eyes. */
+  show(surface: Surface, picture: PictureFrame | null, second?: SecondView | null): void;
   /** Sets the height factor and the look of the surface and the view. */
   set(heightFactor: number, look: Look): void;
   /** How the scene is shown on the screen in a depth mode; null: as a usual picture. */

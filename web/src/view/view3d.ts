@@ -35,6 +35,7 @@ import { Headset } from './headset/headset';
 import { inWindow, layouts, usedShare, windowOf, type Layout } from './depth/layout';
 import { Marble3d, marbleRadius } from './marble3d';
 import { Pace, type Speed } from './pace';
+import { leftEye, rightEyeMesh, type SecondView } from './second_view';
 import { lookAlike, plainLook, themeColours, type Look, type ProbeView, type View } from './view';
 
 const fieldOfView = 32;
@@ -56,6 +57,10 @@ export class View3d implements View {
   private readonly traced = new Line(new BufferGeometry(), new LineBasicMaterial());
   private ground: Mesh | null = null;
   private walls: Mesh | null = null;
+  /** The ground for the right eye alone; null: it sees the same. */
+  private rightGround: Mesh | null = null;
+  private second: SecondView | null = null;
+  private secondTexture: DataTexture | null = null;
   private texture: DataTexture | null = null;
   private surface: Surface | null = null;
   /** What the middle of the picture shows. */
@@ -77,6 +82,8 @@ export class View3d implements View {
   constructor(container: HTMLElement) {
     this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, powerPreference: 'low-power' });
     this.renderer.setPixelRatio(this.pixelRatio);
+    // A usual picture is that of the left eye.
+    this.camera.layers.enable(leftEye);
     this.depth = new DepthPicture(this.renderer);
     this.block.add(this.sun, this.sun.target, this.traced);
     this.scene.add(new AmbientLight(0xffffff, 0.75), this.block);
@@ -90,15 +97,19 @@ export class View3d implements View {
     return this.onScreen;
   }
 
-  show(surface: Surface, picture: PictureFrame | null): void {
+  show(surface: Surface, picture: PictureFrame | null, second: SecondView | null = null): void {
     this.surface = surface;
+    const anisotropy = this.renderer.capabilities.getMaxAnisotropy();
     this.texture?.dispose();
-    this.texture = picture && textureOf(picture, this.renderer.capabilities.getMaxAnisotropy());
+    this.texture = picture && textureOf(picture, anisotropy);
+    this.second = second;
+    this.secondTexture?.dispose();
+    this.secondTexture = second && textureOf(second.picture, anisotropy);
     this.build();
   }
 
   set(heightFactor: number, look: Look): void {
-    const rebuild = heightFactor !== this.heightFactor || look.surface !== this.look.surface;
+    const rebuild = heightFactor !== this.heightFactor || look.surface !== this.look.surface || look.secondView !== this.look.secondView;
     const resample = look.depthMode !== this.look.depthMode;
     this.heightFactor = heightFactor;
     this.look = { ...look };
@@ -183,7 +194,8 @@ export class View3d implements View {
   dispose(): void {
     this.headset.dispose();
     this.texture?.dispose();
-    for (const mesh of [this.ground, this.walls]) discard(mesh);
+    this.secondTexture?.dispose();
+    for (const mesh of [this.ground, this.walls, this.rightGround]) discard(mesh);
     for (const marble of this.marbles) marble.dispose();
     this.traced.geometry.dispose();
     this.traced.material.dispose();
@@ -316,15 +328,21 @@ export class View3d implements View {
   }
 
   private build(): void {
-    for (const mesh of [this.ground, this.walls]) {
+    for (const mesh of [this.ground, this.walls, this.rightGround]) {
       if (mesh) this.block.remove(mesh);
       discard(mesh);
     }
+    this.rightGround = null;
     if (this.surface === null) return;
     const map = this.look.surface === 'clay' ? null : this.texture;
     const material =
       this.look.surface === 'unlit' && map ? new MeshBasicMaterial({ map }) : new MeshStandardMaterial({ map, roughness: 0.85 });
-    this.ground = new Mesh(groundOf(this.surface, this.heightFactor), material);
+    const ground = new Mesh(groundOf(this.surface, this.heightFactor), material);
+    this.ground = ground;
+    if (map && this.second && this.secondTexture && this.look.secondView) {
+      this.rightGround = rightEyeMesh(ground, this.surface, this.second, this.secondTexture);
+      this.block.add(this.rightGround);
+    }
     this.walls = new Mesh(wallsOf(this.surface, this.heightFactor), new MeshStandardMaterial({ roughness: 0.9, side: DoubleSide }));
     this.block.add(this.ground, this.walls);
     this.showMarbles();

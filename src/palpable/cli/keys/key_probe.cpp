@@ -81,7 +81,7 @@ KeyProbe::Request KeyProbe::press(const TerminalKey& key, const models::Scene& s
       next_part_ = part + 1;
       break;
     case 'p':
-      words = describe::position_words(scene, height_factor, place_);
+      words = describe::position_words(scene, height_factor, place_, describe::PlaceGuide(scene));
       // It told the sentence, which the next step need not.
       commentary_.untold_sentence(scene, place_);
       break;

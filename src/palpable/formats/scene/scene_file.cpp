@@ -13,6 +13,7 @@
 #include "palpable/formats/scene/material_codec.hpp"
 #include "palpable/formats/scene/model_codec.hpp"
 #include "palpable/formats/scene/scene_limits.hpp"
+#include "palpable/formats/scene/second_view_codec.hpp"
 
 #include <algorithm>
 #include <array>
@@ -184,6 +185,12 @@ Result<void> read_pictures(const json& description, ZipMembers& members, models:
     if (!map) return std::move(map).error();
     scene.labels = *std::move(map);
   }
+  // Absent in older files.
+  if (description.contains("second_view")) {
+    auto view = read_second_view(description.at("second_view"), members);
+    if (!view) return std::move(view).error();
+    scene.second_view = std::make_shared<const models::SecondView>(*std::move(view));
+  }
   return {};
 }
 
@@ -300,6 +307,9 @@ Result<Bytes> encode_scene(const models::Scene& scene, const ZipMembers& others)
   };
   if (auto added = add_picture("texture", kTexture, scene.texture); !added) return std::move(added).error();
   if (auto added = add_picture("labels", kLabels, scene.labels); !added) return std::move(added).error();
+  if (scene.second_view != nullptr)
+    if (auto added = write_second_view(*scene.second_view, description["second_view"], members); !added)
+      return std::move(added).error();
   if (scene.map != nullptr) {
     members[kMap] = encode_street_map(*scene.map);
     description["map"] = kMap;

@@ -5,14 +5,18 @@
 #include "palpable/core/files/atomic_file.hpp"
 #include "palpable/core/files/byte_reader.hpp"
 #include "palpable/formats/packing/float_block.hpp"
+#include "palpable/formats/packing/zip.hpp"
+#include "palpable/formats/picture/png.hpp"
 #include "palpable/formats/scene/test_scene_file.hpp"
 #include "palpable/models/field/field_leaf.hpp"
 
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -41,6 +45,30 @@ TEST(SceneFile, KeepsATexturesPictureToFifteenBits) {
   models::Scene broken = scene;
   broken.materials[1].texture.tile.pop_back();
   EXPECT_FALSE(encode_scene(broken));
+}
+
+TEST(SceneFile, KeepsTheSecondViewItsShiftExactly) {
+  models::Scene scene = sample();
+  models::SecondView view{Raster<Rgb8>(40, 30, {200, 100, 50}), Raster<std::uint16_t>(20, 15)};
+  for (std::size_t k = 0; k < view.shift.count(); ++k)
+    view.shift.values()[k] = static_cast<std::uint16_t>(211 * k);
+  scene.second_view = std::make_shared<const models::SecondView>(view);
+  const auto file = encode_scene(scene);
+  ASSERT_TRUE(file);
+  const auto back = decode_scene(*file);
+  ASSERT_TRUE(back) << back.error().sentence();
+  ASSERT_NE(back->scene.second_view, nullptr);
+  EXPECT_EQ(back->scene.second_view->shift, view.shift);
+  ASSERT_EQ(back->scene.second_view->picture.width(), 40);
+  EXPECT_NEAR(back->scene.second_view->picture(5, 5).r, 200, 2);
+  EXPECT_TRUE(back->others.empty());
+
+  auto members = *unzip(*file);
+  members.erase("second-view.jpg");
+  EXPECT_FALSE(decode_scene(*zip(members)));
+  members = *unzip(*file);
+  members["second-view-shift.png"] = *encode_png(Raster<std::uint8_t>(20, 15));
+  EXPECT_FALSE(decode_scene(*zip(members)));
 }
 
 TEST(SceneFile, KeepsEveryValueExactly) {

@@ -11,6 +11,7 @@
 #include "palpable/models/relief/relief.hpp"
 #include "palpable/models/scene/place_name.hpp"
 #include "palpable/models/scene/route_guide.hpp"
+#include "palpable/models/scene/second_view.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -84,6 +85,8 @@ struct Scene {
   Model model;
   /// Shown on the surface, covering the model's rectangle; may be empty.
   Raster<Rgb8> texture;
+  /// Of a relief from a pair, what the right eye sees; null: the texture.
+  std::shared_ptr<const SecondView> second_view;
   /// At least one; label k of `labels` uses materials[k].
   std::vector<Material> materials{Material{}};
   /// Material index per sample, over the same rectangle as the texture; empty = all 0.

@@ -37,10 +37,13 @@ OpenPage& open_page() {
   return page;
 }
 
-Result<void> open(std::span<const std::byte> bytes, Raster<Rgb8> picture) {
+Result<void> open(std::span<const std::byte> bytes, Raster<Rgb8> picture, Raster<Rgb8> second) {
   auto scene = decode_scene_bytes(bytes);
   if (!scene) return scene.error();
   scene->texture = std::move(picture);
+  if (scene->second_view != nullptr)
+    scene->second_view = std::make_shared<const models::SecondView>(
+        models::SecondView{std::move(second), scene->second_view->shift});
   OpenPage& page = open_page();
   page.scene = std::make_shared<const models::Scene>(*std::move(scene));
   auto touch = BrowserTouch::open(page.scene);
@@ -48,6 +51,22 @@ Result<void> open(std::span<const std::byte> bytes, Raster<Rgb8> picture) {
   page.touch = *std::move(touch);
   page.talk = std::make_unique<PageTalk>(*page.touch);
   return {};
+}
+
+/// Pixels of four bytes: red, green, blue, unused.
+Raster<Rgb8> picture_of(const std::uint8_t* rgbx, int width, int height) {
+  Raster<Rgb8> picture(width, height);
+  for (Rgb8& pixel : picture.values()) {
+    pixel = {rgbx[0], rgbx[1], rgbx[2]};
+    rgbx += 4;
+  }
+  return picture;
+}
+
+/// The picture for the right eye of the scene that is opened next.
+Raster<Rgb8>& next_second() {
+  static Raster<Rgb8> second;
+  return second;
 }
 
 }  // namespace
@@ -67,16 +86,18 @@ PALPABLE_EXPORT(palpable_release) void palpable_release(void* memory) { std::fre
 /// The sentence of the last error.
 PALPABLE_EXPORT(palpable_sentence) const char* palpable_sentence() { return open_page().sentence.c_str(); }
 
+/// Gives the picture for the right eye, before the scene is opened whose bytes ask for it.
+PALPABLE_EXPORT(palpable_second) void palpable_second(const std::uint8_t* rgbx, int width, int height) {
+  palpable::onefile::next_second() = palpable::onefile::picture_of(rgbx, width, height);
+}
+
 /// Opens the scene of these bytes with its picture, `width` x `height` pixels of four bytes (red, green,
 /// blue, unused), or none (0 x 0). 1, or 0 and a sentence.
 PALPABLE_EXPORT(palpable_open)
 int palpable_open(const std::byte* bytes, std::size_t size, const std::uint8_t* rgbx, int width, int height) {
-  palpable::Raster<palpable::Rgb8> picture(width, height);
-  for (palpable::Rgb8& pixel : picture.values()) {
-    pixel = {rgbx[0], rgbx[1], rgbx[2]};
-    rgbx += 4;
-  }
-  const auto opened = palpable::onefile::open({bytes, size}, std::move(picture));
+  const auto opened =
+      palpable::onefile::open({bytes, size}, palpable::onefile::picture_of(rgbx, width, height),
+                              std::exchange(palpable::onefile::next_second(), {}));
   if (!opened) open_page().sentence = opened.error().sentence();
   return opened ? 1 : 0;
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/share/certificate.hpp"
 
+#include "palpable/page/share/local_network.hpp"
+
 #include <array>
 #include <memory>
 
@@ -59,16 +61,17 @@ bool set_names(X509* certificate, const std::string& address) {
          X509_set_issuer_name(certificate, name) == 1;
 }
 
-bool fill(X509* certificate, EVP_PKEY* key, const std::string& address) {
+/// `addresses`: "IP:10.0.0.1,IP:fd00::1".
+bool fill(X509* certificate, EVP_PKEY* key, const std::string& name, const std::string& addresses) {
   constexpr long kVersion3 = 2;
   return X509_set_version(certificate, kVersion3) == 1 && set_serial(certificate) &&
          X509_gmtime_adj(X509_getm_notBefore(certificate), -kBefore_s) != nullptr &&
          X509_gmtime_adj(X509_getm_notAfter(certificate), kAfter_s) != nullptr &&
-         X509_set_pubkey(certificate, key) == 1 && set_names(certificate, address) &&
+         X509_set_pubkey(certificate, key) == 1 && set_names(certificate, name) &&
          add_extension(certificate, NID_basic_constraints, "critical,CA:FALSE") &&
          add_extension(certificate, NID_key_usage, "critical,digitalSignature") &&
          add_extension(certificate, NID_ext_key_usage, "serverAuth") &&
-         add_extension(certificate, NID_subject_alt_name, "IP:" + address) &&
+         add_extension(certificate, NID_subject_alt_name, addresses) &&
          X509_sign(certificate, key, EVP_sha256()) > 0;
 }
 
@@ -94,13 +97,19 @@ std::string fingerprint_of(const X509* certificate) {
 
 }  // namespace
 
-Result<ServerCertificate> make_certificate(const std::string& address) {
-  // It becomes a part of an extension's text, in which a comma would begin another name.
-  if (address.empty() || address.find_first_not_of("0123456789.") != std::string::npos)
-    return invalid_input("is not an IPv4 address", address);
+Result<ServerCertificate> make_certificate(const std::vector<std::string>& addresses) {
+  std::string names;
+  for (const std::string& address : addresses) {
+    // They become a part of an extension's text, in which a comma would begin another name.
+    const auto known = ip_address(address);
+    if (!known) return known.error();
+    names += (names.empty() ? "IP:" : ",IP:") + text_of(*known);
+  }
+  if (addresses.empty()) return no_certificate();
   const Key key(EVP_EC_gen("P-256"));
   const Certificate certificate(X509_new());
-  if (key == nullptr || certificate == nullptr || !fill(certificate.get(), key.get(), address))
+  if (key == nullptr || certificate == nullptr ||
+      !fill(certificate.get(), key.get(), addresses.front(), names))
     return no_certificate();
   const Memory certificate_text(BIO_new(BIO_s_mem()));
   const Memory key_text(BIO_new(BIO_s_mem()));

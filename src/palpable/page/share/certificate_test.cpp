@@ -25,12 +25,14 @@ Parsed parsed(const ServerCertificate& made) {
 }
 
 TEST(Certificate, IsForItsAddressAndSignedByItself) {
-  const auto made = make_certificate("192.168.1.20");
+  const auto made = make_certificate({"192.168.1.20", "fd00::2"});
   ASSERT_TRUE(made);
   const Parsed certificate = parsed(*made);
   ASSERT_NE(certificate, nullptr);
   EXPECT_EQ(X509_check_ip_asc(certificate.get(), "192.168.1.20", 0), 1);
+  EXPECT_EQ(X509_check_ip_asc(certificate.get(), "fd00::2", 0), 1);
   EXPECT_NE(X509_check_ip_asc(certificate.get(), "192.168.1.21", 0), 1);
+  EXPECT_NE(X509_check_ip_asc(certificate.get(), "fd00::3", 0), 1);
   EXPECT_EQ(X509_verify(certificate.get(), X509_get0_pubkey(certificate.get())), 1);
   EXPECT_EQ(X509_get_extended_key_usage(certificate.get()), static_cast<std::uint32_t>(XKU_SSL_SERVER));
   EXPECT_EQ(X509_check_ca(certificate.get()), 0);
@@ -38,7 +40,7 @@ TEST(Certificate, IsForItsAddressAndSignedByItself) {
 }
 
 TEST(Certificate, IsValidNowAndNotInThreeDays) {
-  const auto made = make_certificate("10.0.0.1");
+  const auto made = make_certificate({"10.0.0.1"});
   ASSERT_TRUE(made);
   const Parsed certificate = parsed(*made);
   EXPECT_LT(X509_cmp_current_time(X509_get0_notBefore(certificate.get())), 0);
@@ -48,8 +50,8 @@ TEST(Certificate, IsValidNowAndNotInThreeDays) {
 }
 
 TEST(Certificate, HasAnotherKeyAndFingerprintEachTime) {
-  const auto one = make_certificate("10.0.0.1");
-  const auto other = make_certificate("10.0.0.1");
+  const auto one = make_certificate({"10.0.0.1"});
+  const auto other = make_certificate({"10.0.0.1"});
   ASSERT_TRUE(one && other);
   EXPECT_NE(one->key, other->key);
   EXPECT_NE(one->fingerprint, other->fingerprint);
@@ -57,9 +59,9 @@ TEST(Certificate, HasAnotherKeyAndFingerprintEachTime) {
 }
 
 TEST(Certificate, RefusesWhatIsNoAddress) {
-  EXPECT_FALSE(make_certificate(""));
-  EXPECT_FALSE(make_certificate("10.0.0.1,DNS:example.org"));
-  EXPECT_FALSE(make_certificate("999.1.1.1"));
+  EXPECT_FALSE(make_certificate({""}) || make_certificate({}));
+  EXPECT_FALSE(make_certificate({"10.0.0.1,DNS:example.org"}));
+  EXPECT_FALSE(make_certificate({"999.1.1.1"}));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 // Guests of a shared touch: one-time links over TLS, roles, presence, and being shown out.
 #include "palpable/page/share/test_guests.hpp"
 
+#include <algorithm>
 #include <array>
 #include <set>
 #include <string>
@@ -287,6 +288,25 @@ TEST(SharedTouch, TwoPersonsTouchWithDifferentProbes) {
   second.send(pointer_of(8));
   EXPECT_THAT(notices_before_the_answer(second), testing::Contains(HasSubstr("Only the person who shares")));
   EXPECT_EQ(shared.page.host.moves, 0);
+}
+
+TEST(GuestPages, AreServedAtBothVersionsOfTheInternetProtocol) {
+  const auto own = network_addresses();
+  const auto six = ip_address("::1").value();
+  if (std::none_of(own.begin(), own.end(), [&](const auto& one) { return one.address == six; }))
+    GTEST_SKIP() << "this computer has no loopback of version 6";
+  SharedPage shared({}, 8, {"127.0.0.1", "::1"});
+  const std::string host = "[::1]:" + std::to_string(shared.guests.port);
+  EXPECT_EQ(shared.other_link, "https://" + host + "/#" + shared.token);
+  const auto join = [&](const std::string& to, const std::string& from) {
+    return shared.status_over_version_6(http::verb::post, "/session", shared.token, to, from);
+  };
+  EXPECT_EQ(join("localhost:" + std::to_string(shared.guests.port), "https://" + host), 403U);
+  EXPECT_EQ(join("[::2]:" + std::to_string(shared.guests.port), "https://" + host), 403U);
+  EXPECT_EQ(join(host, "https://evil.example"), 403U);
+  EXPECT_EQ(join(host, "https://" + host), 204U);
+  // One link, whichever address is used.
+  EXPECT_EQ(join(host, "https://" + host), 403U);
 }
 
 }  // namespace

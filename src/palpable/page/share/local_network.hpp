@@ -4,6 +4,7 @@
 
 #include "palpable/core/result.hpp"
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -11,24 +12,32 @@
 
 namespace palpable::page {
 
-/// An IPv4 address of this computer and the mask of its network, both in host byte order.
+/// An address of the internet protocol, versions 4 and 6; those of version 4 as ::ffff:a.b.c.d (RFC 4291,
+/// 2.5.5.2).
+using IpAddress = std::array<std::uint8_t, 16>;
+
+/// An address of this computer, and how many of its first bits are those of its network.
 struct NetworkAddress {
-  std::uint32_t address = 0;
-  std::uint32_t mask = 0;
+  IpAddress address{};
+  int prefix = 0;
 };
 
-/// The IPv4 addresses of the interfaces that are up, loopback's too.
+/// The addresses of the interfaces that are up, loopback's too.
 std::vector<NetworkAddress> network_addresses();
 
-/// The address by which devices of the local network reach this computer: that of the interface which leads
-/// out, else the first one that is not loopback's. Sends nothing. Errors: failed, if there is none.
-Result<std::string> address_in_network();
+/// The addresses by which devices of the local network reach this computer, at most one of each version, 4
+/// first: that of the interface which leads out, else the first one that is neither loopback's nor, of
+/// version 6, link-local (browsers cannot be sent there). Sends nothing. Errors: failed, if there is none.
+Result<std::vector<std::string>> addresses_in_network();
 
-/// An IPv4 address in dotted notation as a number in host byte order. Errors: invalid_input.
-Result<std::uint32_t> ipv4(std::string_view text);
+/// An address in the usual notation, with or without a zone ("fe80::1%eth0"). Errors: invalid_input.
+Result<IpAddress> ip_address(std::string_view text);
 
-/// Whether a device may be in the local network: its address is private (RFC 1918), link-local, loopback's,
-/// or in the network of one of `own`.
-bool is_local(std::uint32_t peer, const std::vector<NetworkAddress>& own);
+/// As browsers write it (RFC 5952), without brackets.
+std::string text_of(const IpAddress& address);
+
+/// Whether a device may be in the local network: its address is private (RFC 1918, RFC 4193), link-local,
+/// loopback's, or in the network of one of `own`.
+bool is_local(const IpAddress& peer, const std::vector<NetworkAddress>& own);
 
 }  // namespace palpable::page

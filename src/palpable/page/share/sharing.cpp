@@ -3,6 +3,7 @@
 #include "palpable/page/share/sharing.hpp"
 
 #include "palpable/describe/language.hpp"
+#include "palpable/page/access.hpp"
 #include "palpable/page/share/certificate.hpp"
 #include "palpable/page/share/qr_code.hpp"
 
@@ -13,37 +14,42 @@
 namespace palpable::page {
 
 Result<std::unique_ptr<Sharing>> Sharing::open(Options options) {
-  if (options.address.empty()) {
-    auto found = address_in_network();
+  if (options.addresses.empty()) {
+    auto found = addresses_in_network();
     if (!found) return found.error();
-    options.address = *std::move(found);
+    options.addresses = *std::move(found);
   }
-  const auto number = ipv4(options.address);
-  if (!number) return number.error();
   auto networks = network_addresses();
-  if (std::none_of(networks.begin(), networks.end(),
-                   [&](const NetworkAddress& own) { return own.address == *number; }))
-    return invalid_input("is no address of this computer", options.address);
-  auto certificate = make_certificate(options.address);
+  for (std::string& text : options.addresses) {
+    const auto address = ip_address(text);
+    if (!address) return address.error();
+    if (std::none_of(networks.begin(), networks.end(),
+                     [&](const NetworkAddress& own) { return own.address == *address; }))
+      return invalid_input("is no address of this computer", text);
+    text = text_of(*address);
+  }
+  auto certificate = make_certificate(options.addresses);
   if (!certificate) return certificate.error();
   return std::unique_ptr<Sharing>(
       new Sharing(std::move(options), std::move(networks), *std::move(certificate)));
 }
 
 bool Sharing::is_local(std::string_view peer) const {
-  const auto number = ipv4(peer);
-  return number && page::is_local(*number, networks_);
+  const auto address = ip_address(peer);
+  return address && page::is_local(*address, networks_);
 }
 
-void Sharing::begin(std::uint16_t port, std::int64_t first_probe, std::int64_t last_probe) {
+void Sharing::begin(std::uint16_t port, std::size_t served, std::int64_t first_probe,
+                    std::int64_t last_probe) {
   options_.port = port;
+  options_.addresses.resize(std::min(served, options_.addresses.size()));
   guests_.set_probes(first_probe, last_probe);
   const Role first = first_probe <= last_probe ? Role::touch : Role::look;
   if (const auto made = invite(first); !made) say(made.error().message);
 }
 
-std::string Sharing::where() const {
-  return "https://" + options_.address + ":" + std::to_string(options_.port) + "/";
+std::string Sharing::where(std::size_t k) const {
+  return "https://" + host_and_port(options_.addresses[k], options_.port) + "/";
 }
 
 void Sharing::update() {
@@ -92,7 +98,8 @@ Result<void> Sharing::invite(Role role) {
   const auto code = qr_code(link);
   if (!code) return code.error();
   const auto minutes = static_cast<std::int64_t>(std::lround(options_.link_lifetime_s / 60.0));
-  link_ = protocol::Invitation{std::string(name_of(role)), link, minutes, code->side, code->modules};
+  link_ = protocol::Invitation{std::string(name_of(role)), link, minutes, code->side, code->modules, {}};
+  if (options_.addresses.size() > 1) link_->other_link = where(1) + "#" + *token;
   ++revision_;
   if (options_.on_link) options_.on_link(*link_, terminal_text(*code));
   return {};

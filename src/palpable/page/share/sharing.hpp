@@ -23,8 +23,9 @@ namespace palpable::page {
 class Sharing final : public ShareHost {
  public:
   struct Options {
-    /// The IPv4 address of this computer at which guests connect; empty: the one by which it is reached.
-    std::string address;
+    /// The IP addresses of this computer at which guests connect, that of the QR code first; none: those by
+    /// which it is reached.
+    std::vector<std::string> addresses;
     /// 0 = any free port.
     std::uint16_t port = 0;
     std::size_t places = 8;
@@ -37,14 +38,15 @@ class Sharing final : public ShareHost {
     /// Each sentence about the guests. May be empty.
     std::function<void(const std::string& sentence)> on_news;
   };
-  /// Errors: this computer is in no network, or `address` is none of its own; OpenSSL fails.
+  /// Errors: this computer is in no network, or an address is none of its own; OpenSSL fails.
   static Result<std::unique_ptr<Sharing>> open(Options options);
 
-  const std::string& address() const override { return options_.address; }
+  const std::vector<std::string>& addresses() const override { return options_.addresses; }
   std::uint16_t port() const override { return options_.port; }
   const ServerCertificate& certificate() const override { return certificate_; }
   bool is_local(std::string_view peer) const override;
-  void begin(std::uint16_t port, std::int64_t first_probe, std::int64_t last_probe) override;
+  void begin(std::uint16_t port, std::size_t served, std::int64_t first_probe,
+             std::int64_t last_probe) override;
   void update() override;
   bool offers(std::string_view token) const override;
   Result<std::string> join(std::string_view token, std::string_view agent) override;
@@ -68,7 +70,8 @@ class Sharing final : public ShareHost {
         invitations_(options_.link_lifetime_s),
         guests_(options_.places) {}
 
-  std::string where() const;
+  /// The page at the k-th address.
+  std::string where(std::size_t k = 0) const;
   void say(std::string sentence);
 
   Options options_;

@@ -15,6 +15,7 @@
 #include <mutex>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <boost/asio/ssl.hpp>
 #include <boost/beast/websocket/ssl.hpp>
@@ -48,8 +49,9 @@ class Links {
 
 class SharedPage {
  public:
-  explicit SharedPage(ServeOptions options = {}, std::size_t places = 8)
-      : sharing_(opened(places)), page((options.share = sharing_.get(), options)) {
+  explicit SharedPage(ServeOptions options = {}, std::size_t places = 8,
+                      const std::vector<std::string>& addresses = {"127.0.0.1"})
+      : sharing_(opened(places, addresses)), page((options.share = sharing_.get(), options)) {
     const std::string link = links_.take();
     const auto slash = link.rfind('/');
     const auto colon = link.rfind(':');
@@ -74,6 +76,18 @@ class SharedPage {
     stream.handshake(ssl::stream_base::client);
     return exchange(stream, guests.port, method, target, body, headers);
   }
+  // The same at loopback of version 6, whose certificate is checked too.
+  unsigned status_over_version_6(http::verb method, const std::string& target, const std::string& body,
+                                 const std::string& host, const std::string& origin) {
+    X509_VERIFY_PARAM_set1_ip_asc(SSL_CTX_get0_param(trust.native_handle()), "::1");
+    boost::asio::io_context context;
+    ssl::stream<tcp::socket> stream(context, trust);
+    stream.next_layer().connect(tcp::endpoint(boost::asio::ip::address_v6::loopback(), guests.port));
+    stream.handshake(ssl::stream_base::client);
+    return exchange(stream, guests.port, method, target, body,
+                    {{http::field::host, host}, {http::field::origin, origin}})
+        .result_int();
+  }
   // Uses a link; the cookie, or the empty string and the reason in `refusal`.
   std::string join(const std::string& with) {
     const Response response = ask_as_guest(http::verb::post, "/session", with,
@@ -88,12 +102,15 @@ class SharedPage {
   }
 
  private:
-  std::unique_ptr<Sharing> opened(std::size_t places) {
+  std::unique_ptr<Sharing> opened(std::size_t places, const std::vector<std::string>& addresses) {
     Sharing::Options options;
-    options.address = "127.0.0.1";
+    options.addresses = addresses;
     options.places = places;
     options.now_s = [this] { return now_s.load(); };
-    options.on_link = [this](const protocol::Invitation& link, const std::string&) { links_.put(link.link); };
+    options.on_link = [this](const protocol::Invitation& link, const std::string&) {
+      other_link = link.other_link.value_or(std::string());
+      links_.put(link.link);
+    };
     auto made = Sharing::open(std::move(options));
     EXPECT_TRUE(made);
     return std::move(made).value();
@@ -102,6 +119,8 @@ class SharedPage {
   Links links_;
 
  public:
+  /// The newest link at the second address; read it after its link was taken.
+  std::string other_link;
   std::atomic<double> now_s = 1000.0;
 
  private:

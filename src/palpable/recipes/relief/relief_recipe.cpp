@@ -85,6 +85,7 @@ Result<MadeScene> relief_from_pair(const vision::StereoPair& given, const Stereo
   scene.labels = std::move(treated->regions.labels);
   scene.warnings = std::move(treated->regions.warnings);
   if (recipe.texture != Texture::none) scene.texture = rgb8(picture);
+  scene.second_view = std::move(treated->second_view);
   MadeScene made{std::move(scene), std::move(treated->notes)};
   warn_of_order(made, orders, recipe);
   return made;

@@ -3,6 +3,7 @@
 #include "palpable/recipes/relief/treated_pair.hpp"
 
 #include "palpable/recipes/relief/regions.hpp"
+#include "palpable/recipes/relief/second_view.hpp"
 #include "palpable/vision/stereo/methods/match.hpp"
 #include "palpable/vision/stereo/result/fit_to_touch.hpp"
 #include "palpable/vision/stereo/result/front_view.hpp"
@@ -55,9 +56,14 @@ Result<TreatedPair> treated_pair(const vision::StereoPair& given, const StereoRe
     notes.emplace_back("The camera was not moved to the side: the texture is the left picture.");
   else if (recipe.texture == Texture::front)
     if (const auto moved = move_to_front_view(pair, match->disparity, work); !moved) return moved.error();
+  std::shared_ptr<const models::SecondView> second;
+  if (recipe.texture == Texture::left && !given.frame && !match->exchanged)
+    second =
+        std::make_shared<const models::SecondView>(second_view(pair.right, match->disparity.disparity_px));
   auto disparity = with_regions_treated(match->disparity, {rgb8(pair.left)}, recipe, work, regions, notes);
-  return TreatedPair{std::move(pair.left), std::move(disparity), std::move(regions), std::move(notes),
-                     "stereo, " + std::string(vision::name_of(method))};
+  return TreatedPair{std::move(pair.left), std::move(disparity),
+                     std::move(second),    std::move(regions),
+                     std::move(notes),     "stereo, " + std::string(vision::name_of(method))};
 }
 
 }  // namespace palpable::recipes

@@ -9,6 +9,7 @@
 #include "palpable/core/work.hpp"
 #include "palpable/recipes/relief/relief_recipe.hpp"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct TreatedPair {
   /// The picture of the view to which the disparity belongs.
   Image picture;
   DisparityMap disparity;
+  /// The other picture as the right eye's view; null if it is none: the cameras were not beside each other,
+  /// or exchanged, or `picture` is that from between them.
+  std::shared_ptr<const models::SecondView> second_view;
   /// Labels and materials of ground and background, empty where neither was found; and a warning if the pair
   /// is not fit to touch.
   models::Scene regions;

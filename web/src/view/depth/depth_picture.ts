@@ -22,6 +22,7 @@ import {
 import { eyeInScene, type Fit } from './fit';
 import { eyesOf, offAxis, type ScreenPoint, type Size } from './frustum';
 import { partsOf, type Layout, type Mixing } from './layout';
+import { leftEye, rightEye } from '../second_view';
 
 /** Where the screen is in the scene. */
 export interface Screen {
@@ -42,7 +43,10 @@ export class DepthPicture {
   private readonly eyes = { left: new PerspectiveCamera(), right: new PerspectiveCamera() };
   private mixer: Mixer | null = null;
 
-  constructor(private readonly renderer: WebGLRenderer) {}
+  constructor(private readonly renderer: WebGLRenderer) {
+    for (const camera of [this.middle, this.eyes.left]) camera.layers.enable(leftEye);
+    this.eyes.right.layers.enable(rightEye);
+  }
 
   aim(screen: Screen, head: ScreenPoint, eyeDistance: number): void {
     const [left, right] = eyesOf(head, eyeDistance);

@@ -35,6 +35,10 @@ describe('the depth in words', () => {
     expect(depthWords(fit, { depthMode: 'parallel', ...viewer })).toMatch(/ The pictures are at most 53 mm apart, so that the eyes need not turn outwards\.$/);
     expect(depthWords(fit, { depthMode: 'crossed', ...viewer })).not.toMatch(/apart/);
   });
+  it('says what the right eye sees of a pair', () => {
+    expect(depthWords(fit, { depthMode: 'rows', ...viewer }, true)).toMatch(/ The right eye sees the second photograph, .* from the first\.$/);
+    expect(depthWords(fit, { depthMode: 'head', ...viewer }, true)).not.toMatch(/photograph/);
+  });
   it('has a short form for what magnifying changes', () => {
     expect(comfortWords(fit, { depthMode: 'rows', depthShare: 100 })).toBe('64 % of the true depth, so that it is easy on the eyes.');
     expect(comfortWords({ ...fit, depth: 1 }, { depthMode: 'rows', depthShare: 100 })).toBe('The true depth.');

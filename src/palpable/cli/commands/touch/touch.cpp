@@ -138,7 +138,7 @@ void add_touch(Program& program) {
       "Share the touch with phones and tablets of the local network, over TLS: prints a one-time link "
       "with its QR code");
   options.text("--share-address", arguments->share_address,
-               "With --share: which IPv4 address of this computer they connect to");
+               "With --share: which IP address of this computer they connect to");
   options.integer("--share-port", arguments->share_port, {0, 65535},
                   "With --share: the port that they connect to; 0 = any free one");
   options.flag("--headless", arguments->headless, "No page: a scripted hand explores");

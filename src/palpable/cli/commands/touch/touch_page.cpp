@@ -48,7 +48,7 @@ class NoteBox {
 Result<std::unique_ptr<page::Sharing>> open_sharing(const TouchArguments& arguments, Console& console) {
   if (!arguments.share) return std::unique_ptr<page::Sharing>();
   page::Sharing::Options options;
-  options.address = arguments.share_address;
+  if (!arguments.share_address.empty()) options.addresses = {arguments.share_address};
   options.port = static_cast<std::uint16_t>(arguments.share_port);
   options.on_link = [&console](const page::protocol::Invitation& link, const std::string& code) {
     console.draw(code);
@@ -56,6 +56,7 @@ Result<std::unique_ptr<page::Sharing>> open_sharing(const TouchArguments& argume
         fmt::format("Let one phone or tablet {}: {}\nThe link is valid once, for {} minutes; the page makes "
                     "further ones.",
                     link.role, link.link, link.minutes));
+    if (link.other_link) console.say(fmt::format("In a network without IPv4: {}", *link.other_link));
   };
   options.on_news = [&console](const std::string& sentence) { console.say(sentence); };
   auto sharing = page::Sharing::open(std::move(options));
