@@ -280,6 +280,20 @@ Result<Microphones> microphones_of(const std::string& text) {
   return square_array(*radius_m);
 }
 
+/// The wrist camera of a robot whose address names its arm.
+Result<std::optional<WristAddress>> take_wrist(device::DeviceUrl& url) {
+  WristAddress wrist;
+  if (auto taken = take_topics(url, {{"arm", &wrist.arm},
+                                     {"wrist", &wrist.picture},
+                                     {"wrist-info", &wrist.info},
+                                     {"wrist-pose", &wrist.pose}});
+      !taken)
+    return std::move(taken).error();
+  wrist.sweep.half_m = url.take_number("sweep", wrist.sweep.half_m, 0.005, 0.1);
+  wrist.sweep.speed_m_per_s = url.take_number("arm-speed", wrist.sweep.speed_m_per_s, 0.005, 0.1);
+  return wrist.arm.empty() ? std::nullopt : std::optional(std::move(wrist));
+}
+
 Result<LiveAddress> parse_robot(device::DeviceUrl url) {
   if (url.path() == "sample")
     return Error{ErrorCode::usage, "the simulated robot is no server; the command touch starts one for it",
@@ -309,6 +323,10 @@ Result<LiveAddress> parse_robot(device::DeviceUrl url) {
   drive.turn_rad_per_s = url.take_number("turn", drive.turn_rad_per_s, 0.1, 2.0);
   drive.reaction_s = url.take_number("reaction", drive.reaction_s, 0.0, 2.0);
   address.marks_sounds = url.take_count("sound-marker", 1, 0, 1) == 1;
+  address.pulls_to_sounds = url.take_count("sound-pull", 0, 0, 1) == 1;
+  auto wrist = take_wrist(url);
+  if (!wrist) return std::move(wrist).error();
+  address.wrist = *std::move(wrist);
   if (const auto text = url.take_text("microphones"); !text.empty()) {
     auto microphones = microphones_of(text);
     if (!microphones) return std::move(microphones).error();
