@@ -51,10 +51,13 @@ DepthErrors errors_of(const session::NearView& near, const study::RoomView& trut
 void print(std::uint64_t seed, const char* what, DepthErrors errors) {
   const double count = static_cast<double>(errors.error_m.size());
   if (count == 0) return fmt::print("{:4} {} none\n", seed, what);
-  fmt::print("{:4} {} known {:5.1f} % | error median {:4.2f} % {:5.2f} mm, 90 % {:5.2f} % {:6.2f} mm | bias {:5.2f} %\n",
-             seed, what, 100.0 * count / static_cast<double>(errors.asked), 100.0 * quantile_of(errors.relative, 0.5),
-             1000.0 * quantile_of(errors.error_m, 0.5), 100.0 * quantile_of(errors.relative, 0.9),
-             1000.0 * quantile_of(errors.error_m, 0.9), 100.0 * quantile_of(errors.bias, 0.5));
+  fmt::print(
+      "{:4} {} known {:5.1f} % | error median {:4.2f} % {:5.2f} mm, 90 % {:5.2f} % {:6.2f} mm | bias {:5.2f} "
+      "%\n",
+      seed, what, 100.0 * count / static_cast<double>(errors.asked),
+      100.0 * quantile_of(errors.relative, 0.5), 1000.0 * quantile_of(errors.error_m, 0.5),
+      100.0 * quantile_of(errors.relative, 0.9), 1000.0 * quantile_of(errors.error_m, 0.9),
+      100.0 * quantile_of(errors.bias, 0.5));
 }
 
 models::Relief relief_of_depth(const Raster<float>& depth_m) {
@@ -93,26 +96,34 @@ void zoom(std::uint64_t seed, study::SweptRobot& robot, const session::NearView&
     Vec3 hand;
     do hand = {random.between(-0.049, 0.049), random.between(-0.036, 0.036), 0.0};
     while (wide_truth.object(std::clamp(static_cast<int>(hand.x / wide_relief.pixel_m() + 119.5), 0, 239),
-                             std::clamp(static_cast<int>(89.5 - hand.y / wide_relief.pixel_m()), 0, 179)) < 0);
+                             std::clamp(static_cast<int>(89.5 - hand.y / wide_relief.pixel_m()), 0, 179)) <
+           0);
     const auto to = zoomed_shift(wide, {}, close, hand, kRadius_m);
     if (!to.point) {
       ++missing;
       continue;
     }
-    const auto before = truth_under(wide_truth, wide, {}, hand), after = truth_under(near_truth, close, to.shift, hand);
+    const auto before = truth_under(wide_truth, wide, {}, hand),
+               after = truth_under(near_truth, close, to.shift, hand);
     if (before && after) there_mm.push_back(1000.0 * norm(*after - *before));
-    if (const auto place = place_of(close, *before))
-      place_mm.push_back(1000.0 * std::hypot(place->x + to.shift.by_m.x - hand.x, place->y + to.shift.by_m.y - hand.y));
-    height_mm.push_back(1000.0 * std::abs(ball_m(**shifted(near_relief, to.shift), hand) - ball_m(wide_relief, hand)));
+    if (const auto place = before ? place_of(close, *before) : std::nullopt)
+      place_mm.push_back(
+          1000.0 * std::hypot(place->x + to.shift.by_m.x - hand.x, place->y + to.shift.by_m.y - hand.y));
+    height_mm.push_back(1000.0 *
+                        std::abs(ball_m(**shifted(near_relief, to.shift), hand) - ball_m(wide_relief, hand)));
     const auto back = zoomed_shift(close, to.shift, wide, hand, kRadius_m);
     const auto again = truth_under(wide_truth, wide, back.shift, hand);
     if (back.point && again && before) back_mm.push_back(1000.0 * norm(*again - *before));
   }
-  if (there_mm.empty() || back_mm.empty()) return fmt::print("{:4} zoom: no hand on what both see\n", seed);
-  fmt::print("{:4} zoom {:2} of 20 | in the room {:5.1f} mm, 90 % {:5.1f} | under the hand {:4.2f} mm, 90 % {:4.2f} | "
-             "and back {:5.1f} mm, 90 % {:5.1f} | height {:5.3f} mm at most\n",
-             seed, 20 - missing, quantile_of(there_mm, 0.5), quantile_of(there_mm, 0.9), quantile_of(place_mm, 0.5),
-             quantile_of(place_mm, 0.9), quantile_of(back_mm, 0.5), quantile_of(back_mm, 0.9), quantile_of(height_mm, 1.0));
+  if (there_mm.empty() || back_mm.empty() || place_mm.empty())
+    return fmt::print("{:4} zoom: no hand on what both see\n", seed);
+  fmt::print(
+      "{:4} zoom {:2} of 20 | in the room {:5.1f} mm, 90 % {:5.1f} | under the hand {:4.2f} mm, 90 % {:4.2f} "
+      "| "
+      "and back {:5.1f} mm, 90 % {:5.1f} | height {:5.3f} mm at most\n",
+      seed, 20 - missing, quantile_of(there_mm, 0.5), quantile_of(there_mm, 0.9), quantile_of(place_mm, 0.5),
+      quantile_of(place_mm, 0.9), quantile_of(back_mm, 0.5), quantile_of(back_mm, 0.9),
+      quantile_of(height_mm, 1.0));
 }
 
 void draw(const std::string& file, const Raster<float>& depth_m, double near_m, double far_m) {
@@ -120,14 +131,24 @@ void draw(const std::string& file, const Raster<float>& depth_m, double near_m, 
   if (out == nullptr) return;
   fmt::print(out, "P5 {} {} 255\n", depth_m.width(), depth_m.height());
   for (const float z : depth_m.values()) {
-    const double light = std::isfinite(z) ? 255.0 - 215.0 * std::clamp((z - near_m) / (far_m - near_m), 0.0, 1.0) : 0.0;
+    const double light =
+        std::isfinite(z) ? 255.0 - 215.0 * std::clamp((z - near_m) / (far_m - near_m), 0.0, 1.0) : 0.0;
     std::fputc(static_cast<int>(light), out);
   }
   std::fclose(out);
 }
 
+void draw(const std::string& file, const Image& picture) {
+  FILE* out = std::fopen(file.c_str(), "wb");
+  if (out == nullptr) return;
+  fmt::print(out, "P6 {} {} 255\n", picture.width, picture.height);
+  for (const float value : picture.samples) std::fputc(static_cast<int>(255.0F * value), out);
+  std::fclose(out);
+}
+
 int run(int count, const char* const* words) {
-  const auto first = whole_number(count > 1 ? words[1] : "1"), last = whole_number(count > 2 ? words[2] : "24");
+  const auto first = whole_number(count > 1 ? words[1] : "1"),
+             last = whole_number(count > 2 ? words[2] : "24");
   if (!first || !last || *first < 0 || *last < *first) {
     fmt::print(stderr, "palpable_near_set [FIRST LAST [FOLDER]]\n");
     return 2;
@@ -155,6 +176,7 @@ int run(int count, const char* const* words) {
     std::fflush(stdout);
     if (count <= 3) continue;
     const std::string base = fmt::format("{}/{}-", words[3], seed);
+    draw(base + "near.ppm", near->colour);
     draw(base + "near.pgm", near->depth.depth_m, 0.25, 0.9);
     draw(base + "truth.pgm", truth.depth_m, 0.25, 0.9);
     draw(base + "wide.pgm", robot.world.view(study::camera_of(240, 180, 1.52), {}).depth_m, 0.25, 3.0);

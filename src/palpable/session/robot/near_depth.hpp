@@ -28,7 +28,8 @@ struct NearDepthOptions {
   /// Pictures are reduced to at most this many pixels.
   std::size_t most_pixels = 320 * 240;
   vision::MultiViewOptions sweep = {};
-  vision::ConsistencyOptions consistency = {};
+  /// Wider than that of videos: the pictures are few and near each other.
+  vision::ConsistencyOptions consistency{.tolerance = 0.03};
 };
 
 /// What a wrist camera sees, as from one of its pictures.

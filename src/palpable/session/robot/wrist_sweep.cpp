@@ -49,7 +49,8 @@ double WristSweep::target_m() const {
 bool WristSweep::begin(double t_s) {
   if (poses_.empty() || t_s - poses_.back().t_s > options_.lost_s) return false;
   // Who moved it elsewhere since then has another place in mind.
-  if (home_ && norm(poses_.back().pose.translation_m - home_->translation_m) > options_.half_m + options_.margin_m)
+  if (home_ &&
+      norm(poses_.back().pose.translation_m - home_->translation_m) > options_.half_m + options_.margin_m)
     home_.reset();
   if (!home_) home_ = poses_.back().pose;
   stage_ = Stage::moving;
@@ -143,8 +144,10 @@ double WristSweep::command(double t_s, bool may_move) {
   }
   double wanted = 0.0;
   if (may_move && t_s - poses_.back().t_s <= options_.lost_s) wanted = towards_target(t_s);
-  const double most = std::max(0.0, command_m_per_s_ * std::copysign(1.0, wanted)) + options_.growth_m_per_s2 * dt_s;
-  const double before = std::exchange(command_m_per_s_, std::copysign(std::min(std::abs(wanted), most), wanted));
+  const double most =
+      std::max(0.0, command_m_per_s_ * std::copysign(1.0, wanted)) + options_.growth_m_per_s2 * dt_s;
+  const double before =
+      std::exchange(command_m_per_s_, std::copysign(std::min(std::abs(wanted), most), wanted));
   // What moved before it was told to stand, and stood before it was told to move, is no fault.
   if ((before == 0.0) != (command_m_per_s_ == 0.0)) obeyed_at_s_ = t_s, obeyed_at_m_ = left_m();
   return command_m_per_s_;
@@ -156,8 +159,8 @@ double WristSweep::towards_target(double t_s) {
   const double away_m = target_m() - left_m();
   if (stage_ == Stage::standing) return 0.0;
   if (std::abs(away_m) > kReached_m)
-    return std::copysign(
-        std::clamp(kGain_per_s * std::abs(away_m), kSlowest_m_per_s, options_.speed_m_per_s), away_m);
+    return std::copysign(std::clamp(kGain_per_s * std::abs(away_m), kSlowest_m_per_s, options_.speed_m_per_s),
+                         away_m);
   stage_ = stage_ == Stage::returning ? Stage::idle : Stage::standing;
   standing_since_s_ = t_s;
   still_since_.reset();

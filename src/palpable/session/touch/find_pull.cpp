@@ -13,8 +13,8 @@ double distance_m(Place a, Place b) { return std::hypot(a.x_m - b.x_m, a.y_m - b
 }  // namespace
 
 std::shared_ptr<const models::RouteGuide> FindPull::begin(const models::Scene& scene,
-                                                          const device::Traits& device, Place from,
-                                                          Place to, double force_N) {
+                                                          const device::Traits& device, Place from, Place to,
+                                                          double force_N) {
   pulls_ = false;
   if (!device.pushes_back) return nullptr;
   models::RouteGuide guide;

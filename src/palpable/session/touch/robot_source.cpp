@@ -4,10 +4,9 @@
 
 #include "palpable/session/robot/drive_surface.hpp"
 #include "palpable/session/robot/motion_watch.hpp"
-#include "palpable/session/robot/robot_ears.hpp"
 #include "palpable/session/robot/robot_messages.hpp"
+#include "palpable/session/touch/robot_hearing.hpp"
 #include "palpable/session/touch/robot_views.hpp"
-#include "palpable/session/touch/sound_pull.hpp"
 #include "palpable/session/touch/touch_session.hpp"
 #include "palpable/sources/live/rosbridge_client.hpp"
 #include "palpable/sources/live/rosbridge_picture.hpp"
@@ -41,12 +40,6 @@ enum RobotTopic : std::size_t {
   kRobotContact
 };
 
-/// Places of the topics that not every robot has.
-struct RobotTopics {
-  std::size_t sound = 0, sound_format = 0;
-  RobotViews::Places wrist;
-};
-
 constexpr auto kTick = std::chrono::milliseconds(20);
 
 double seconds_of(RobotClock::time_point time) {
@@ -55,20 +48,17 @@ double seconds_of(RobotClock::time_point time) {
 
 class RobotSource final : public LiveSource, public RobotControl {
  public:
-  RobotSource(std::unique_ptr<RosbridgeClient> client, const RobotAddress& address, const RobotTopics& topics,
-              std::optional<RobotEars> ears)
+  RobotSource(std::unique_ptr<RosbridgeClient> client, const RobotAddress& address,
+              const RobotViews::Places& wrist, std::optional<RobotEars> ears,
+              const RobotHearing::Options& hearing)
       : client_(std::move(client)),
-        topics_(topics),
         metres_per_unit_(address.pictures.metres_per_unit),
-        marks_sounds_(ears && address.marks_sounds),
-        pulls_to_sounds_(ears && address.pulls_to_sounds),
-        camera_down_rad_(address.drive.shape.camera_down_rad),
-        ears_(std::move(ears)),
+        hearing_(std::move(ears), hearing),
         drive_(address.drive) {
     drive_.set_mode(address.mode);
     mode_ = address.mode;
     if (address.wrist)
-      views_ = std::make_unique<RobotViews>(*client_, topics.wrist, address.wrist->sweep, address.drive.shape);
+      views_ = std::make_unique<RobotViews>(*client_, wrist, address.wrist->sweep, address.drive.shape);
     thread_ = std::thread([this] { run(); });
   }
   ~RobotSource() override {
@@ -97,7 +87,7 @@ class RobotSource final : public LiveSource, public RobotControl {
     if (auto words = client_->notice()) return words;
     if (views_)
       if (auto words = views_->notice()) return words;
-    if (auto words = sound_pull_.words()) return words;
+    if (auto words = hearing_.notice()) return words;
     const std::lock_guard lock(mutex_);
     if (notices_.empty()) return std::nullopt;
     std::string first = std::move(notices_.front());
@@ -116,25 +106,17 @@ class RobotSource final : public LiveSource, public RobotControl {
     return made ? *std::move(made) : nullptr;
   }
   RobotControl* robot() override { return this; }
-  bool marks_sounds() const override { return marks_sounds_; }
+  bool marks_sounds() const override { return hearing_.marks(); }
   void mark_sound(Raster<std::uint8_t>& labels, std::uint8_t label, const Pinhole& camera) override {
-    if (const auto azimuth_rad = sound_azimuth_rad()) mark_direction(labels, label, camera, camera_down_rad_, *azimuth_rad);
+    hearing_.mark(labels, label, camera, seconds_of(RobotClock::now()), pose().heading_rad);
   }
   std::shared_ptr<const models::RouteGuide> guide(const models::Scene& scene) override {
     TouchSession* session = session_;
-    if (!pulls_to_sounds_ || session == nullptr) return scene.guide;
-    const auto sample = session->latest();
+    if (!hearing_.pulls() || session == nullptr) return scene.guide;
     // A pull leads to a mark, and there is none in the other views.
-    const bool is_marked = !views_ || views_->is_plain();
-    const auto azimuth_rad = mode() == RobotMode::touch && is_marked && camera_seen_ &&
-                                     sample.status == device::Status::ok
-                                 ? sound_azimuth_rad()
-                                 : std::nullopt;
-    return sound_pull_.guide(scene, session->device_traits(), {sample.position.v.x, sample.position.v.y},
-                             statistics().sounds, azimuth_rad.has_value(), [&](Place hand) {
-                               return sound_place(*models::relief_of(scene), *camera_seen_, camera_down_rad_,
-                                                  *azimuth_rad, hand);
-                             });
+    const bool is_marked = mode() == RobotMode::touch && (!views_ || views_->is_plain());
+    return hearing_.guide(scene, *session, is_marked ? camera_seen_ : std::nullopt,
+                          seconds_of(RobotClock::now()), pose().heading_rad);
   }
   void begin(TouchSession& session) override {
     touch_law_ = session.settings().law;
@@ -167,6 +149,7 @@ class RobotSource final : public LiveSource, public RobotControl {
     RobotStatistics statistics = statistics_;
     statistics.picture_age = picture_ages_.summary();
     statistics.is_started = drive_.is_started();
+    statistics.sounds = hearing_.sounds();
     if (views_) statistics.arm = {views_->arm_commands(), views_->near_views()};
     return statistics;
   }
@@ -196,10 +179,9 @@ class RobotSource final : public LiveSource, public RobotControl {
     TouchSession* session = session_;
     return views_ && session != nullptr ? views_->surface(seen, *session) : nullptr;
   }
-  /// From straight ahead to the right; nullopt: nothing was heard lately.
-  std::optional<double> sound_azimuth_rad() const {
+  RobotPose pose() const {
     const std::lock_guard lock(mutex_);
-    return ears_ ? ears_->azimuth_rad(seconds_of(RobotClock::now()), drive_.pose().heading_rad) : std::nullopt;
+    return drive_.pose();
   }
 
   void fail(const Error& error) {
@@ -285,7 +267,7 @@ class RobotSource final : public LiveSource, public RobotControl {
     if (const auto newest = client_->take(kRobotContact))
       if (const auto* touches = std::get_if<sources::RosFlag>(&newest->message.body))
         take_contact(touches->value);
-    if (ears_) listen();
+    hearing_.listen(*client_, seconds_of(RobotClock::now()), pose().heading_rad);
     if (const auto newest = client_->take(kRobotBattery))
       if (const auto* battery = std::get_if<sources::RosBattery>(&newest->message.body))
         take_battery(battery->charge);
@@ -298,17 +280,6 @@ class RobotSource final : public LiveSource, public RobotControl {
       notices_.emplace_back("The robot touches something: it is stopped, and must be started again.");
     }
     touches_ = touches;
-  }
-
-  void listen() {
-    const std::lock_guard lock(mutex_);
-    ears_->turn(seconds_of(RobotClock::now()), drive_.pose().heading_rad);
-    const auto heard = take_sound(*client_, topics_.sound, topics_.sound_format, *ears_);
-    if (auto words = ears_->words()) notices_.push_back(*std::move(words));
-    statistics_.sounds = ears_->sounds();
-    if (heard) return;
-    notices_.push_back(fmt::format("The robot {}: it is not listened to.", heard.error().message));
-    ears_.reset();
   }
 
   void take_battery(double charge) {
@@ -399,10 +370,8 @@ class RobotSource final : public LiveSource, public RobotControl {
   }
 
   std::unique_ptr<RosbridgeClient> client_;
-  RobotTopics topics_;
   std::optional<double> metres_per_unit_;
-  bool marks_sounds_, pulls_to_sounds_;
-  double camera_down_rad_;
+  RobotHearing hearing_;
   std::atomic<bool> ending_{false};
   std::atomic<Asked> asked_{Asked::nothing};
   std::atomic<bool> law_is_set_{true};
@@ -412,9 +381,7 @@ class RobotSource final : public LiveSource, public RobotControl {
   /// Null: there is no near view.
   std::unique_ptr<RobotViews> views_;
 
-  // The feed's thread's own.
-  SoundPull sound_pull_;
-  /// Of the last surface().
+  /// The feed's thread's own: of the last surface().
   std::optional<Pinhole> camera_seen_;
 
   // The thread's own.
@@ -439,8 +406,6 @@ class RobotSource final : public LiveSource, public RobotControl {
   /// Guards what follows.
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  /// Changed by the thread alone, with the lock.
-  std::optional<RobotEars> ears_;
   RobotDrive drive_;
   RobotMode mode_ = RobotMode::drive;
   std::optional<LiveFrame> newest_;
@@ -461,15 +426,17 @@ Result<std::unique_ptr<LiveSource>> open_robot_source(const RobotAddress& addres
   options.topics = {address.pictures.depth, address.pictures.colour, address.pictures.info,
                     address.odometry,       address.battery,         address.contact};
   options.publications = {{address.command, "geometry_msgs", "Twist"}};
-  RobotTopics topics;
+  RobotViews::Places places;
+  RobotHearing::Options hearing{address.marks_sounds, address.pulls_to_sounds,
+                                address.drive.shape.camera_down_rad};
   const auto add = [&](const std::string& topic) {
     options.topics.push_back(topic);
     return options.topics.size() - 1;
   };
   if (const auto& wrist = address.wrist) {
     if (auto valid = check(wrist->sweep); !valid) return std::move(valid).error();
-    topics.wrist = {add(wrist->picture), add(wrist->info), add(wrist->pose), options.publications.size()};
-    options.on_demand = {topics.wrist.picture};
+    places = {add(wrist->picture), add(wrist->info), add(wrist->pose), options.publications.size()};
+    options.on_demand = {places.picture};
     options.publications.push_back({wrist->arm, "geometry_msgs", "Twist"});
   }
   std::optional<RobotEars> ears;
@@ -477,14 +444,14 @@ Result<std::unique_ptr<LiveSource>> open_robot_source(const RobotAddress& addres
     auto made = RobotEars::create(*address.microphones, {});
     if (!made) return std::move(made).error();
     ears = *std::move(made);
-    topics.sound = add(address.sound);
-    topics.sound_format = add(address.sound_format);
-    options.kept_whole = {topics.sound};
+    hearing.sound = add(address.sound);
+    hearing.sound_format = add(address.sound_format);
+    options.kept_whole = {hearing.sound};
   }
   auto client = RosbridgeClient::open(std::move(options));
   if (!client) return std::move(client).error();
   return std::unique_ptr<LiveSource>(
-      std::make_unique<RobotSource>(*std::move(client), address, topics, std::move(ears)));
+      std::make_unique<RobotSource>(*std::move(client), address, places, std::move(ears), hearing));
 }
 
 }  // namespace palpable::session

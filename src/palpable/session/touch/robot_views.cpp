@@ -32,8 +32,8 @@ RobotViews::RobotViews(sources::RosbridgeClient& client, const Places& places, c
       places_(places),
       half_m_(sweep.half_m),
       speed_m_per_s_(sweep.speed_m_per_s),
-      base_from_wide_(camera_pose({{shape.camera_forward_m, 0.0, shape.camera_height_m}}, 0.0,
-                                  shape.camera_down_rad)),
+      base_from_wide_(
+          camera_pose({{shape.camera_forward_m, 0.0, shape.camera_height_m}}, 0.0, shape.camera_down_rad)),
       sweep_(sweep) {}
 
 RobotViews::~RobotViews() {
@@ -130,10 +130,11 @@ void RobotViews::begin_sweep(const RobotNow& now) {
   wanted_ = RobotView::wide;
   stood_ = now.pose;
   client_.subscribe_to(places_.picture);
-  notices_.push_back(fmt::format(
-      "The arm moves its camera by {:.0f} cm to the right and to the left, at {:.0f} cm a second: it must have "
-      "room there.",
-      100.0 * half_m_, 100.0 * speed_m_per_s_));
+  notices_.push_back(
+      fmt::format("The arm moves its camera by {:.0f} cm to the right and to the left, at {:.0f} cm a "
+                  "second: it must have "
+                  "room there.",
+                  100.0 * half_m_, 100.0 * speed_m_per_s_));
 }
 
 void RobotViews::take_wrist(double t_s) {
@@ -209,8 +210,7 @@ TouchedView RobotViews::near_view() const {
 std::shared_ptr<const models::Relief> RobotViews::surface(const SeenView& seen, TouchSession& session) {
   const std::lock_guard lock(mutex_);
   const auto now = ViewClock::now();
-  const double dt_s =
-      surfaced_at_ ? std::chrono::duration<double>(now - *surfaced_at_).count() : 0.0;
+  const double dt_s = surfaced_at_ ? std::chrono::duration<double>(now - *surfaced_at_).count() : 0.0;
   surfaced_at_ = now;
   if (near_ && !near_relief_) {
     auto made = sculpt::relief_in_window(near_->depth.depth_m, *vision::range_of_depths(near_->depth.depth_m),

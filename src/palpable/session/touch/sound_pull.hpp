@@ -14,8 +14,8 @@
 
 namespace palpable::session {
 
-/// The place of a scene, which shows what a camera sees, on the band of a sound's direction (mark_direction())
-/// that is nearest to a hand. nullopt: the direction is not in the picture.
+/// The place of a scene, which shows what a camera sees, on the band of a sound's direction
+/// (mark_direction()) that is nearest to a hand. nullopt: the direction is not in the picture.
 std::optional<Place> sound_place(const models::Relief& relief, const Pinhole& camera, double down_rad,
                                  double azimuth_rad, Place hand);
 

@@ -174,7 +174,8 @@ std::optional<double> plausible_number(const RosJson& of, const char* name) {
   return value && std::abs(*value) < kMost ? value : std::nullopt;
 }
 
-/// geometry_msgs/Pose. `named`: what it is of, for errors. `usual_z_m`: where it states no z; nullopt: it must.
+/// geometry_msgs/Pose. `named`: what it is of, for errors. `usual_z_m`: where it states no z; nullopt: it
+/// must.
 Result<RosPose> pose_in(const RosJson& pose, const char* named, std::optional<double> usual_z_m) {
   const auto& place = ros_member(pose, "position");
   const auto& turn = ros_member(pose, "orientation");
@@ -191,9 +192,10 @@ Result<RosPose> pose_in(const RosJson& pose, const char* named, std::optional<do
     return invalid_input(fmt::format("sends {} with an orientation that is no unit quaternion", named));
   const double s = 2.0 / size;
   RosPose found{{*px, *py, *pz}};
-  found.rotation = {1.0 - s * (*y * *y + *z * *z), s * (*x * *y - *w * *z), s * (*x * *z + *w * *y),
-                    s * (*x * *y + *w * *z), 1.0 - s * (*x * *x + *z * *z), s * (*y * *z - *w * *x),
-                    s * (*x * *z - *w * *y), s * (*y * *z + *w * *x), 1.0 - s * (*x * *x + *y * *y)};
+  found.rotation = {
+      1.0 - s * (*y * *y + *z * *z), s * (*x * *y - *w * *z),       s * (*x * *z + *w * *y),
+      s * (*x * *y + *w * *z),       1.0 - s * (*x * *x + *z * *z), s * (*y * *z - *w * *x),
+      s * (*x * *z - *w * *y),       s * (*y * *z + *w * *x),       1.0 - s * (*x * *x + *y * *y)};
   return found;
 }
 

@@ -125,10 +125,10 @@ TEST(RosbridgeMessage, HasOdometryAndABattery) {
   EXPECT_NEAR(odometry.yaw_rad, M_PI, 1e-12);
   EXPECT_DOUBLE_EQ(odometry.turn_rad_per_s, -0.5);
   // Turned by a quarter about y: the child's z axis is the parent's x.
-  const auto pose = std::get<RosPose>(
-      message_of(R"({"pose":{"position":{"x":1,"y":2,"z":3},)"
-                 R"("orientation":{"x":0,"y":0.70710678,"z":0,"w":0.70710678}}})")
-          .body);
+  const auto pose =
+      std::get<RosPose>(message_of(R"({"pose":{"position":{"x":1,"y":2,"z":3},)"
+                                   R"("orientation":{"x":0,"y":0.70710678,"z":0,"w":0.70710678}}})")
+                            .body);
   EXPECT_EQ(pose.position_m, (Vec3{1.0, 2.0, 3.0}));
   EXPECT_NEAR(pose.rotation[2], 1.0, 1e-12);
   EXPECT_NEAR(pose.rotation[6], -1.0, 1e-12);

@@ -11,7 +11,7 @@
 namespace palpable::study {
 namespace {
 
-constexpr double kTable_m = 0.72;
+constexpr double kTable_m = 0.50;
 /// From the robot's axis to the table's edge.
 constexpr double kEdge_m = 0.24;
 
@@ -30,7 +30,9 @@ Room make_near_room(std::uint64_t seed) {
   };
   Room room{{4.0, 4.0, 2.5}, finish(), finish(), finish(), {}};
   room.furniture.push_back(
-      {"table", finish(), {{Solid::Shape::box, {kEdge_m + 0.4, 0.0, kTable_m - 0.02}, {0.4, 0.6, 0.02}, 0.0}}});
+      {"table",
+       finish(),
+       {{Solid::Shape::box, {kEdge_m + 0.4, 0.0, kTable_m - 0.02}, {0.4, 0.6, 0.02}, 0.0}}});
   const auto count = 3 + random.below(4);
   for (std::uint64_t k = 0; k < count; ++k) {
     const double half_m = between(0.02, 0.05), height_m = between(0.04, 0.1);

@@ -111,8 +111,7 @@ void RobotWorld::step(double dt_s) {
 
 void RobotWorld::step_arm(double dt_s) {
   const bool is_old = time_s_ - arm_commanded_at_s_ > body_.command_lasts_s;
-  arm_m_per_s_ =
-      towards(arm_m_per_s_, is_old ? 0.0 : arm_command_m_per_s_, body_.arm.m_per_s2 * dt_s);
+  arm_m_per_s_ = towards(arm_m_per_s_, is_old ? 0.0 : arm_command_m_per_s_, body_.arm.m_per_s2 * dt_s);
   const double before_m = arm_m_;
   arm_m_ = std::clamp(arm_m_ + arm_m_per_s_ * dt_s, -body_.arm.reach_m, body_.arm.reach_m);
   if (distance_m(room_, {world_from_wrist().translation_m}) > body_.arm.radius_m) return;

@@ -28,7 +28,7 @@ struct WristArm {
   /// The camera in the middle of its way: from the robot's axis forward, above the floor, and how far below
   /// the horizontal it looks.
   double forward_m = 0.12;
-  double height_m = 1.02;
+  double height_m = 0.80;
   double down_rad = 0.75;
   /// Its way to either side.
   double reach_m = 0.08;

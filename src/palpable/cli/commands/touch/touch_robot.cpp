@@ -50,7 +50,9 @@ Result<SampleRobot> start_sample_robot(const std::string& address) {
   options.link.loss = url->take_number("loss", 0.0, 0.0, 1.0);
   // What is left is checked with the robot's address.
   options.has_sound = url->take_count("sound", 1, 0, 1) == 1;
-  for (const auto* other : {"mode", "speed", "turn", "reaction", "sound-marker", "sound-pull", "sweep", "arm-speed"}) url->take_text(other);
+  for (const auto* other :
+       {"mode", "speed", "turn", "reaction", "sound-marker", "sound-pull", "sweep", "arm-speed"})
+    url->take_text(other);
   if (auto finished = url->finish(); !finished) return std::move(finished).error();
   auto server = study::RobotServer::start(options);
   if (!server) return std::move(server).error();
@@ -115,7 +117,8 @@ void RobotTerminal::run(session::RobotControl& robot, Console& console) const {
         line += c;
         continue;
       }
-      if (!obey(line, robot)) console.note("The robot's words are start, stop, drive, look, touch, near and wide.");
+      if (!obey(line, robot))
+        console.note("The robot's words are start, stop, drive, look, touch, near and wide.");
       line.clear();
     }
   }
