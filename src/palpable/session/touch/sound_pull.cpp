@@ -39,8 +39,9 @@ std::shared_ptr<const models::RouteGuide> SoundPull::guide(const models::Scene& 
     pull_.end();
     words_ = "The pull has ended: the hand was moved away.";
   }
-  if (!is_heard) pull_.end();
-  if (is_heard && sounds > pulled_) {
+  // A new one begins when the scene has left the guide of the one before.
+  if (!is_heard || sounds > pulled_) pull_.end();
+  if (is_heard && sounds > pulled_ && !scene.guide) {
     pulled_ = sounds;
     const auto place = place_of(hand);
     auto begun = place ? pull_.begin(scene, device, hand, *place, kForce_N) : nullptr;

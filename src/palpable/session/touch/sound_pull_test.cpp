@@ -42,6 +42,8 @@ TEST(SoundPull, PullsOnceForEachSoundAndSaysSo) {
   EXPECT_EQ(pull.guide(scene, motors(), {0.0, 0.0}, 1, true, at_right), nullptr);
   EXPECT_EQ(pull.words(), "The pull has ended: the hand was moved away.");
   EXPECT_EQ(pull.guide(scene, motors(), {0.0, 0.0}, 1, true, at_right), nullptr);
+  EXPECT_EQ(pull.guide(scene, motors(), {0.0, 0.0}, 2, true, at_right), nullptr);
+  scene.guide = nullptr;
   EXPECT_NE(pull.guide(scene, motors(), {0.0, 0.0}, 2, true, at_right), nullptr);
   EXPECT_EQ(pull.guide(scene, motors(), {0.0, 0.0}, 2, false, at_right), nullptr);
 }

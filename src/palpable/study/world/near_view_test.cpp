@@ -80,7 +80,6 @@ TEST(WristSweep, GivesUpAnArmThatDoesOtherThanItIsTold) {
 
 TEST(NearDepth, IsMetric) {
   SweptRobot robot(1);
-  robot.camera = camera_of(160, 120, 0.96);
   const auto pictures = robot.swept();
   ASSERT_TRUE(pictures);
   const auto near = session::near_depth(*pictures, robot.camera, {}, {});

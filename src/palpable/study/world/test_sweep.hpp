@@ -6,8 +6,10 @@
 #include "palpable/study/world/near_scene.hpp"
 #include "palpable/study/world/robot_world.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <deque>
-#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -26,8 +28,11 @@ inline Image image_of(const Raster<Rgb8>& picture) {
 /// second, 0.1 s late.
 class SweptRobot {
  public:
-  explicit SweptRobot(std::uint64_t seed, const session::SweepOptions& options = {})
-      : world(make_near_room(seed), {}, {}, seed), sweep(options), seed_(seed) {
+  /// `width`: of the pictures, px.
+  explicit SweptRobot(std::uint64_t seed, int width = 160)
+      : camera(camera_of(width, width * 3 / 4, 0.96)),
+        world(make_near_room(seed), {}, {}, seed),
+        seed_(seed) {
     world.place(near_place());
     step();
   }
@@ -58,9 +63,9 @@ class SweptRobot {
     return sweep.take_pictures();
   }
 
-  Pinhole camera = camera_of(320, 240, 0.96);
+  Pinhole camera;
   RobotWorld world;
-  session::WristSweep sweep;
+  session::WristSweep sweep{{}};
   bool may_move = true, arm_speaks = true, arm_obeys = true;
   double command_m_per_s = 0.0, farthest_m = 0.0;
 
