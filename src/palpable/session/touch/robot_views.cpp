@@ -105,8 +105,8 @@ void RobotViews::go_wide() {
 }
 
 void RobotViews::end_sweep() {
-  if (sweep_.is_active()) sweep_.cancel();
-  client_.unsubscribe_from(places_.picture);
+  sweep_.cancel();
+  if (std::exchange(is_subscribed_, false)) client_.unsubscribe_from(places_.picture);
 }
 
 void RobotViews::follow_wish(const RobotNow& now) {
@@ -130,6 +130,7 @@ void RobotViews::begin_sweep(const RobotNow& now) {
   wanted_ = RobotView::wide;
   stood_ = now.pose;
   client_.subscribe_to(places_.picture);
+  is_subscribed_ = true;
   notices_.push_back(
       fmt::format("The arm moves its camera by {:.0f} cm to the right and to the left, at {:.0f} cm a "
                   "second: it must have "
@@ -165,7 +166,7 @@ void RobotViews::stop_arm() {
 }
 
 void RobotViews::compute(std::vector<WristPicture> pictures) {
-  client_.unsubscribe_from(places_.picture);
+  if (std::exchange(is_subscribed_, false)) client_.unsubscribe_from(places_.picture);
   if (!wrist_) {
     notices_.emplace_back("There is no near view: the wrist camera does not state its data (camera_info).");
     return;

@@ -92,6 +92,8 @@ class RobotViews {
   Asked asked_ = Asked::nothing;
   WristSweep sweep_;
   std::optional<Pinhole> wrist_;
+  /// To the wrist camera's pictures.
+  bool is_subscribed_ = false;
   /// Where the robot stood when the arm began.
   RobotPose stood_;
   std::optional<double> commanded_at_s_;
