@@ -9,20 +9,15 @@
 #include "palpable/models/relief/relief_dilation.hpp"
 #include "palpable/sculpt/relief/relief_in_window.hpp"
 #include "palpable/session/robot/view_shift.hpp"
-#include "palpable/session/touch/live_feed.hpp"
-#include "palpable/session/touch/touch_session.hpp"
 #include "palpable/study/world/sound_random.hpp"
 #include "palpable/study/world/test_sweep.hpp"
 #include "palpable/vision/depth_camera/clean_depth.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
@@ -132,38 +127,6 @@ void zoom(std::uint64_t seed, study::SweptRobot& robot, const session::NearView&
       quantile_of(height_mm, 1.0));
 }
 
-/// Records a touch of the wide view in whose middle a simulated hand rests, with the near view and the wide
-/// one again after 1.5 s each: `palpable export` then has every tick's force.
-bool record_zoom(const std::string& file, study::SweptRobot& robot, const session::NearView& near) {
-  using namespace session;
-  const Pinhole camera = study::camera_of(240, 180, 1.52);
-  const auto wide_depth =
-      vision::clean_depth(robot.world.view(camera, {vision::DepthNoise{}, 0.25, 6.0, 2.0, 1}).depth_m, {});
-  const auto wide_relief = relief_of_depth(wide_depth), near_relief = relief_of_depth(near.depth.depth_m);
-  const TouchedView wide{wide_relief, wide_depth, camera, robot.world.world_from_camera()};
-  const TouchedView close{near_relief, near.depth.depth_m, near.depth.camera, near.base_from_camera};
-  auto scene = std::make_shared<models::Scene>();
-  scene->model = std::make_shared<const models::Relief>(wide_relief);
-  SessionOptions options;
-  options.recording = file;
-  options.servo.tick.fade_s = LiveOptions{}.fade_s;
-  auto touch = TouchSession::open(scene, {}, "sim:?script=hold&press=1", options);
-  if (!touch) return false;
-  ViewShift shift;
-  for (const bool goes_near : {true, false}) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
-    const Vec3 hand = (*touch)->latest().position.v;
-    const auto zoomed = zoomed_shift(goes_near ? wide : close, shift, goes_near ? close : wide, hand,
-                                     (*touch)->radius_in_use_m());
-    shift = zoomed.shift;
-    auto next = std::make_shared<models::Scene>(*scene);
-    next->model = *shifted(goes_near ? near_relief : wide_relief, shift);
-    if (!(*touch)->change_surface(next)) return false;
-  }
-  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
-  return (*touch)->stop_recording().has_value();
-}
-
 void draw(const std::string& file, const Raster<float>& depth_m, double near_m, double far_m) {
   FILE* out = std::fopen(file.c_str(), "wb");
   if (out == nullptr) return;
@@ -213,7 +176,6 @@ int run(int count, const char* const* words) {
     zoom(seed, robot, *near);
     std::fflush(stdout);
     if (count <= 3) continue;
-    if (!record_zoom(fmt::format("{}/{}.palrec", words[3], seed), robot, *near)) return 1;
     const std::string base = fmt::format("{}/{}-", words[3], seed);
     draw(base + "near.ppm", near->colour);
     draw(base + "near.pgm", near->depth.depth_m, 0.25, 0.9);
