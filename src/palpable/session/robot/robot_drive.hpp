@@ -17,6 +17,9 @@ namespace palpable::session {
 /// the robot stands, and the hand touches what its camera sees.
 enum class RobotMode : std::uint8_t { drive, look, touch };
 
+/// What is touched in the mode touch: what the robot's first camera sees, or what its wrist camera saw near.
+enum class RobotView : std::uint8_t { wide, near };
+
 /// A robot's velocity: forward, and turning counter-clockwise from above.
 struct RobotVelocity {
   double forward_m_per_s = 0.0;

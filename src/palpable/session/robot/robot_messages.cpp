@@ -15,6 +15,11 @@ std::string twist_text(const RobotVelocity& velocity) {
       velocity.forward_m_per_s, velocity.turn_rad_per_s);
 }
 
+std::string arm_twist_text(double left_m_per_s) {
+  return fmt::format(R"({{"linear":{{"x":0.0,"y":{:.4f},"z":0.0}},"angular":{{"x":0.0,"y":0.0,"z":0.0}}}})",
+                     left_m_per_s);
+}
+
 std::string sentence_of(DriveLimit limit) {
   switch (limit) {
     case DriveLimit::picture_lost:

@@ -16,6 +16,9 @@ namespace palpable::session {
 /// A velocity as geometry_msgs/Twist, JSON.
 std::string twist_text(const RobotVelocity& velocity);
 
+/// An arm's speed to the left as geometry_msgs/Twist in the robot's frame, JSON.
+std::string arm_twist_text(double left_m_per_s);
+
 /// A sentence on why the robot stands or goes slowly; empty: nothing is to be said.
 std::string sentence_of(DriveLimit limit);
 

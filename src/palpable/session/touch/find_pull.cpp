@@ -13,13 +13,13 @@ double distance_m(Place a, Place b) { return std::hypot(a.x_m - b.x_m, a.y_m - b
 }  // namespace
 
 std::shared_ptr<const models::RouteGuide> FindPull::begin(const models::Scene& scene,
-                                                          const device::Traits& device, Place from,
-                                                          Place to) {
+                                                          const device::Traits& device, Place from, Place to,
+                                                          double force_N) {
   pulls_ = false;
   if (!device.pushes_back) return nullptr;
   models::RouteGuide guide;
   guide.line_m = {{from.x_m, from.y_m}, {to.x_m, to.y_m}};
-  guide.force_N = std::min(kForce_N, kShareOfDevice * device.max_force_N);
+  guide.force_N = std::min(force_N, kShareOfDevice * device.max_force_N);
   const Vec3 size = models::size_m(scene);
   const double side_m = std::max(size.x, size.y);
   guide.reach_m = std::clamp(0.08 * side_m, 0.001, 0.05);

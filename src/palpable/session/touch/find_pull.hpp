@@ -21,9 +21,10 @@ class FindPull {
   /// longer side.
   static constexpr double kPushedAway = 0.08;
 
-  /// The guide of a hand at `from`; null for a device without motors, and for a place that is here.
+  /// The guide of a hand at `from`, with at most `force_N`; null for a device without motors, and for a place
+  /// that is here.
   std::shared_ptr<const models::RouteGuide> begin(const models::Scene& scene, const device::Traits& device,
-                                                  Place from, Place to);
+                                                  Place from, Place to, double force_N = kForce_N);
   /// Whether the person has pushed the hand away from the place, which ends the pull. `from`: where it is.
   bool is_pushed_away(const models::Scene& scene, Place from);
   void end() { pulls_ = false; }

@@ -5,6 +5,7 @@
 #include "palpable/core/result.hpp"
 #include "palpable/core/sound/microphones.hpp"
 #include "palpable/session/robot/robot_drive.hpp"
+#include "palpable/session/robot/wrist_sweep.hpp"
 #include "palpable/sources/depth_camera/depth_camera.hpp"
 #include "palpable/sources/live/http_camera.hpp"
 #include "palpable/sources/live/video_device.hpp"
@@ -56,6 +57,16 @@ struct RosAddress {
   std::optional<double> metres_per_unit;
 };
 
+/// A camera on a robot's arm, and how the arm is told to move it.
+struct WristAddress {
+  std::string picture = "/wrist_camera/image_raw/compressed";
+  std::string info = "/wrist_camera/camera_info";
+  /// Where it is in the robot's frame.
+  std::string pose = "/wrist_camera/pose";
+  std::string arm;
+  SweepOptions sweep;
+};
+
 /// A robot of a rosbridge server.
 struct RobotAddress {
   /// Of the depth camera that looks ahead.
@@ -70,6 +81,10 @@ struct RobotAddress {
   std::optional<Microphones> microphones;
   /// The direction of a sound is marked in the touched picture.
   bool marks_sounds = true;
+  /// The hand is pulled faintly to where it is marked.
+  bool pulls_to_sounds = false;
+  /// None: there is no near view.
+  std::optional<WristAddress> wrist;
   DriveOptions drive;
   RobotMode mode = RobotMode::drive;
 };

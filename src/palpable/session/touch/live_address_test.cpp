@@ -122,7 +122,18 @@ TEST(LiveAddress, ReadsARobotAndItsCamera) {
   EXPECT_EQ(robot.drive.shape.radius_m, 0.2);
   EXPECT_NEAR(robot.drive.shape.camera_down_rad, 0.5236, 1e-4);
   EXPECT_EQ(robot.mode, RobotMode::look);
-  for (const char* wrong : {"robot:", "robot:a?radius=9", "robot:a?mode=fly", "robot:a?cmd=cmd", "robot:a:x"})
+  EXPECT_FALSE(robot.wrist || robot.pulls_to_sounds);
+  const auto armed =
+      parse_live_address("robot:turtle?arm=/servo/cmd&wrist=/hand/rgb&sweep=0.02&sound-pull=1");
+  ASSERT_TRUE(armed) << armed.error().sentence();
+  const auto& wrist = std::get<RobotAddress>(*armed).wrist;
+  ASSERT_TRUE(wrist);
+  EXPECT_EQ(wrist->arm, "/servo/cmd");
+  EXPECT_EQ(wrist->picture, "/hand/rgb");
+  EXPECT_EQ(wrist->sweep.half_m, 0.02);
+  EXPECT_TRUE(std::get<RobotAddress>(*armed).pulls_to_sounds);
+  for (const char* wrong : {"robot:", "robot:a?radius=9", "robot:a?mode=fly", "robot:a?cmd=cmd", "robot:a:x",
+                            "robot:a?arm=/a&sweep=0.2", "robot:a?sound-pull=2"})
     EXPECT_EQ(parse_live_address(wrong).error().code, ErrorCode::usage) << wrong;
 }
 

@@ -133,16 +133,18 @@ Result<LiveFeed::Surface> LiveFeed::surface_of(const LiveFrame& frame) {
   if (!range) return surface;
   auto relief = sculpt::relief_in_window(*depth_m, *range, options_.relief);
   if (!relief) return std::move(relief).error();
-  if (auto other = source_->surface(*relief)) {
+  std::optional<Pinhole> camera;
+  if (frame.depth.camera) camera = vision::reduced_camera(*frame.depth.camera, k);
+  if (auto other = source_->surface({*relief, *depth_m, memory_ ? std::nullopt : camera, options_.relief})) {
     surface = {std::move(other), {}};
     return surface;
   }
   surface.relief = std::make_shared<const models::Relief>(*std::move(relief));
-  if (source_->marks_sounds() && frame.depth.camera) {
+  if (source_->marks_sounds() && camera) {
     if (surface.labels.count() == 0)
       surface.labels = Raster<std::uint8_t>(depth_m->width(), depth_m->height(), 0);
     const auto label = static_cast<std::uint8_t>(memory_ ? memory_materials().size() : 1);
-    source_->mark_sound(surface.labels, label, vision::reduced_camera(*frame.depth.camera, k));
+    source_->mark_sound(surface.labels, label, *camera);
   }
   return surface;
 }
@@ -247,6 +249,7 @@ void LiveFeed::feel(TouchSession& session, const LiveFrame& frame) {
   scene->model = std::move(surface->relief);
   if (memory_ || source_->marks_sounds()) scene->labels = std::move(surface->labels);
   refresh_picture(*scene);
+  scene->guide = source_->guide(*scene);
   if (const auto changed = session.change_surface(std::move(scene)); !changed) return;
   if (!wait_until_felt(session, session.newest_scene_id(), ending_)) return;
   const auto now = Clock::now();

@@ -8,6 +8,8 @@
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/models/relief/relief.hpp"
+#include "palpable/models/scene/scene.hpp"
+#include "palpable/sculpt/relief/relief_in_window.hpp"
 #include "palpable/session/robot/robot_drive.hpp"
 #include "palpable/session/touch/touch_statistics.hpp"
 #include "palpable/sources/stereo/stereo_file.hpp"
@@ -33,6 +35,17 @@ struct LiveFrame {
   std::optional<Transform<WorldFrame, CameraFrame>> world_from_camera = {};
 };
 
+/// What a live source shows now.
+struct SeenView {
+  /// The surface, with one sample for each depth.
+  const models::Relief& relief;
+  const Raster<float>& depth_m;
+  /// The camera that sees it so; nullopt if it is not stated, or if the view is shown from elsewhere.
+  std::optional<Pinhole> camera;
+  /// How the relief was made.
+  const sculpt::WindowedReliefOptions& shape;
+};
+
 class TouchSession;
 
 /// The method (models::SceneSource) of a surface that live pictures show.
@@ -50,6 +63,8 @@ class RobotControl {
   virtual void request_start() = 0;
   virtual void request_stop() = 0;
   virtual void request_mode(RobotMode mode) = 0;
+  /// In the mode touch: what is touched. For `near` its arm moves, if it was started.
+  virtual void request_view(RobotView view) = 0;
   virtual RobotStatistics statistics() const = 0;
 };
 
@@ -82,8 +97,11 @@ class LiveSource {
                           const Pinhole& /*camera*/) {}
   /// The noise of its depth, after the first frame.
   virtual vision::DepthNoise noise() const { return {}; }
-  /// What is touched now instead of the surface that was seen last, of its size; null: that surface.
-  virtual std::shared_ptr<const models::Relief> surface(const models::Relief& /*seen*/) { return nullptr; }
+  /// What is touched now instead of the surface that was seen last, of its size in metres; null: that
+  /// surface.
+  virtual std::shared_ptr<const models::Relief> surface(const SeenView& /*seen*/) { return nullptr; }
+  /// The way along which the hand is pulled in a scene that is handed over next.
+  virtual std::shared_ptr<const models::RouteGuide> guide(const models::Scene& scene) { return scene.guide; }
   /// The robot whose camera this is; null: none.
   virtual RobotControl* robot() { return nullptr; }
   /// The touch that it feeds, until end().

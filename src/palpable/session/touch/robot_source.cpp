@@ -4,8 +4,9 @@
 
 #include "palpable/session/robot/drive_surface.hpp"
 #include "palpable/session/robot/motion_watch.hpp"
-#include "palpable/session/robot/robot_ears.hpp"
 #include "palpable/session/robot/robot_messages.hpp"
+#include "palpable/session/touch/robot_hearing.hpp"
+#include "palpable/session/touch/robot_views.hpp"
 #include "palpable/session/touch/touch_session.hpp"
 #include "palpable/sources/live/rosbridge_client.hpp"
 #include "palpable/sources/live/rosbridge_picture.hpp"
@@ -36,9 +37,7 @@ enum RobotTopic : std::size_t {
   kRobotInfo,
   kRobotOdometry,
   kRobotBattery,
-  kRobotContact,
-  kRobotSound,
-  kRobotSoundFormat
+  kRobotContact
 };
 
 constexpr auto kTick = std::chrono::milliseconds(20);
@@ -50,15 +49,16 @@ double seconds_of(RobotClock::time_point time) {
 class RobotSource final : public LiveSource, public RobotControl {
  public:
   RobotSource(std::unique_ptr<RosbridgeClient> client, const RobotAddress& address,
-              std::optional<RobotEars> ears)
+              const RobotViews::Places& wrist, std::optional<RobotEars> ears,
+              const RobotHearing::Options& hearing)
       : client_(std::move(client)),
         metres_per_unit_(address.pictures.metres_per_unit),
-        marks_sounds_(ears && address.marks_sounds),
-        camera_down_rad_(address.drive.shape.camera_down_rad),
-        ears_(std::move(ears)),
+        hearing_(std::move(ears), hearing),
         drive_(address.drive) {
     drive_.set_mode(address.mode);
     mode_ = address.mode;
+    if (address.wrist)
+      views_ = std::make_unique<RobotViews>(*client_, wrist, address.wrist->sweep, address.drive.shape);
     thread_ = std::thread([this] { run(); });
   }
   ~RobotSource() override {
@@ -75,6 +75,8 @@ class RobotSource final : public LiveSource, public RobotControl {
   }
   bool has_ended() const override { return false; }
   std::optional<Image> colour() override {
+    if (views_)
+      if (auto near = views_->colour()) return near;
     const auto newest = client_->take(kRobotColour);
     if (!newest) return std::nullopt;
     auto picture = sources::colour_of(newest->message.body);
@@ -83,6 +85,9 @@ class RobotSource final : public LiveSource, public RobotControl {
   std::optional<std::string> loss() override { return client_->loss(); }
   std::optional<std::string> notice() override {
     if (auto words = client_->notice()) return words;
+    if (views_)
+      if (auto words = views_->notice()) return words;
+    if (auto words = hearing_.notice()) return words;
     const std::lock_guard lock(mutex_);
     if (notices_.empty()) return std::nullopt;
     std::string first = std::move(notices_.front());
@@ -90,24 +95,28 @@ class RobotSource final : public LiveSource, public RobotControl {
     return first;
   }
   std::string_view kind() const override { return "robot"; }
-  std::shared_ptr<const models::Relief> surface(const models::Relief& seen) override {
-    if (mode() == RobotMode::touch) return nullptr;
+  std::shared_ptr<const models::Relief> surface(const SeenView& seen) override {
+    camera_seen_ = seen.camera;
+    if (mode() == RobotMode::touch) return touched_view(seen);
     const RobotDrive now = [&] {
       const std::lock_guard lock(mutex_);
       return drive_;
     }();
-    auto made = drive_surface(now, seen);
+    auto made = drive_surface(now, seen.relief);
     return made ? *std::move(made) : nullptr;
   }
   RobotControl* robot() override { return this; }
-  bool marks_sounds() const override { return marks_sounds_; }
+  bool marks_sounds() const override { return hearing_.marks(); }
   void mark_sound(Raster<std::uint8_t>& labels, std::uint8_t label, const Pinhole& camera) override {
-    const auto azimuth_rad = [&]() -> std::optional<double> {
-      const std::lock_guard lock(mutex_);
-      return ears_ ? ears_->azimuth_rad(seconds_of(RobotClock::now()), drive_.pose().heading_rad)
-                   : std::nullopt;
-    }();
-    if (azimuth_rad) mark_direction(labels, label, camera, camera_down_rad_, *azimuth_rad);
+    hearing_.mark(labels, label, camera, seconds_of(RobotClock::now()), pose().heading_rad);
+  }
+  std::shared_ptr<const models::RouteGuide> guide(const models::Scene& scene) override {
+    TouchSession* session = session_;
+    if (!hearing_.pulls() || session == nullptr) return scene.guide;
+    // A pull leads to a mark, and there is none in the other views.
+    const bool is_marked = mode() == RobotMode::touch && (!views_ || views_->is_plain());
+    return hearing_.guide(scene, *session, is_marked ? camera_seen_ : std::nullopt,
+                          seconds_of(RobotClock::now()), pose().heading_rad);
   }
   void begin(TouchSession& session) override {
     touch_law_ = session.settings().law;
@@ -130,11 +139,18 @@ class RobotSource final : public LiveSource, public RobotControl {
     drive_.set_mode(mode);
     law_is_set_ = false;
   }
+  void request_view(RobotView view) override {
+    if (views_) return views_->request(view);
+    const std::lock_guard lock(mutex_);
+    notices_.emplace_back("This robot has no near view: its address names no arm (arm=/TOPIC).");
+  }
   RobotStatistics statistics() const override {
     const std::lock_guard lock(mutex_);
     RobotStatistics statistics = statistics_;
     statistics.picture_age = picture_ages_.summary();
     statistics.is_started = drive_.is_started();
+    statistics.sounds = hearing_.sounds();
+    if (views_) statistics.arm = {views_->arm_commands(), views_->near_views()};
     return statistics;
   }
 
@@ -152,8 +168,20 @@ class RobotSource final : public LiveSource, public RobotControl {
       next = std::max(next, RobotClock::now() - kTick);
     }
     // Several, since one may be lost.
-    if (has_commanded_)
-      for (int n = 0; n < 3; ++n, std::this_thread::sleep_for(kTick)) client_->publish(0, twist_text({}));
+    for (int n = 0; n < 3; ++n, std::this_thread::sleep_for(kTick)) {
+      if (has_commanded_) client_->publish(0, twist_text({}));
+      if (views_) views_->stop_arm();
+    }
+  }
+
+  /// As surface(), in the mode touch.
+  std::shared_ptr<const models::Relief> touched_view(const SeenView& seen) {
+    TouchSession* session = session_;
+    return views_ && session != nullptr ? views_->surface(seen, *session) : nullptr;
+  }
+  RobotPose pose() const {
+    const std::lock_guard lock(mutex_);
+    return drive_.pose();
   }
 
   void fail(const Error& error) {
@@ -181,12 +209,19 @@ class RobotSource final : public LiveSource, public RobotControl {
 
   void tick(RobotClock::time_point now) {
     take_state();
-    const bool is_connected = client_->is_connected();
     // It may have come back since the last tick.
     const std::uint64_t losses = client_->losses();
-    const bool was_lost = std::exchange(losses_, losses) != losses || !is_connected;
+    const bool was_lost = std::exchange(losses_, losses) != losses || !client_->is_connected();
     follow_law();
     const auto [hand, is_released] = hand_now();
+    const RobotNow robot = follow(now, was_lost, hand, is_released);
+    if (views_) views_->tick(robot);
+  }
+
+  /// Commands the wheels, and says what the arm may do.
+  RobotNow follow(RobotClock::time_point now, bool was_lost, const std::optional<DriveHand>& hand,
+                  bool is_released) {
+    const bool is_connected = client_->is_connected();
     const std::lock_guard lock(mutex_);
     notice_stall(now);
     // The robot may still have the command of before the loss.
@@ -206,6 +241,9 @@ class RobotSource final : public LiveSource, public RobotControl {
     tell(command.limit, now);
     send(command.velocity, now);
     watch_motion(now);
+    // As the wheels in the other modes, the arm moves only while nothing else makes the robot stand.
+    return {seconds_of(now), mode_, drive_.is_started(), command.limit == DriveLimit::standing,
+            drive_.pose()};
   }
 
   /// A program that stood still must not go on by itself.
@@ -229,7 +267,7 @@ class RobotSource final : public LiveSource, public RobotControl {
     if (const auto newest = client_->take(kRobotContact))
       if (const auto* touches = std::get_if<sources::RosFlag>(&newest->message.body))
         take_contact(touches->value);
-    if (ears_) listen();
+    hearing_.listen(*client_, seconds_of(RobotClock::now()), pose().heading_rad);
     if (const auto newest = client_->take(kRobotBattery))
       if (const auto* battery = std::get_if<sources::RosBattery>(&newest->message.body))
         take_battery(battery->charge);
@@ -242,17 +280,6 @@ class RobotSource final : public LiveSource, public RobotControl {
       notices_.emplace_back("The robot touches something: it is stopped, and must be started again.");
     }
     touches_ = touches;
-  }
-
-  void listen() {
-    const std::lock_guard lock(mutex_);
-    ears_->turn(seconds_of(RobotClock::now()), drive_.pose().heading_rad);
-    const auto heard = take_sound(*client_, kRobotSound, kRobotSoundFormat, *ears_);
-    if (auto words = ears_->words()) notices_.push_back(*std::move(words));
-    statistics_.sounds = ears_->sounds();
-    if (heard) return;
-    notices_.push_back(fmt::format("The robot {}: it is not listened to.", heard.error().message));
-    ears_.reset();
   }
 
   void take_battery(double charge) {
@@ -344,14 +371,18 @@ class RobotSource final : public LiveSource, public RobotControl {
 
   std::unique_ptr<RosbridgeClient> client_;
   std::optional<double> metres_per_unit_;
-  bool marks_sounds_;
-  double camera_down_rad_;
+  RobotHearing hearing_;
   std::atomic<bool> ending_{false};
   std::atomic<Asked> asked_{Asked::nothing};
   std::atomic<bool> law_is_set_{true};
   std::mutex using_session_;
   std::atomic<TouchSession*> session_{nullptr};
   haptics::LawParameters touch_law_;
+  /// Null: there is no near view.
+  std::unique_ptr<RobotViews> views_;
+
+  /// The feed's thread's own: of the last surface().
+  std::optional<Pinhole> camera_seen_;
 
   // The thread's own.
   std::optional<Pinhole> camera_;
@@ -375,8 +406,6 @@ class RobotSource final : public LiveSource, public RobotControl {
   /// Guards what follows.
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  /// Changed by the thread alone, with the lock.
-  std::optional<RobotEars> ears_;
   RobotDrive drive_;
   RobotMode mode_ = RobotMode::drive;
   std::optional<LiveFrame> newest_;
@@ -396,19 +425,33 @@ Result<std::unique_ptr<LiveSource>> open_robot_source(const RobotAddress& addres
   options.port = address.pictures.port;
   options.topics = {address.pictures.depth, address.pictures.colour, address.pictures.info,
                     address.odometry,       address.battery,         address.contact};
+  options.publications = {{address.command, "geometry_msgs", "Twist"}};
+  RobotViews::Places places;
+  RobotHearing::Options hearing{address.marks_sounds, address.pulls_to_sounds,
+                                address.drive.shape.camera_down_rad};
+  const auto add = [&](const std::string& topic) {
+    options.topics.push_back(topic);
+    return options.topics.size() - 1;
+  };
+  if (const auto& wrist = address.wrist) {
+    if (auto valid = check(wrist->sweep); !valid) return std::move(valid).error();
+    places = {add(wrist->picture), add(wrist->info), add(wrist->pose), options.publications.size()};
+    options.on_demand = {places.picture};
+    options.publications.push_back({wrist->arm, "geometry_msgs", "Twist"});
+  }
   std::optional<RobotEars> ears;
   if (address.microphones) {
     auto made = RobotEars::create(*address.microphones, {});
     if (!made) return std::move(made).error();
     ears = *std::move(made);
-    options.topics.insert(options.topics.end(), {address.sound, address.sound_format});
-    options.kept_whole = {kRobotSound};
+    hearing.sound = add(address.sound);
+    hearing.sound_format = add(address.sound_format);
+    options.kept_whole = {hearing.sound};
   }
-  options.publications = {{address.command, "geometry_msgs", "Twist"}};
   auto client = RosbridgeClient::open(std::move(options));
   if (!client) return std::move(client).error();
   return std::unique_ptr<LiveSource>(
-      std::make_unique<RobotSource>(*std::move(client), address, std::move(ears)));
+      std::make_unique<RobotSource>(*std::move(client), address, places, std::move(ears), hearing));
 }
 
 }  // namespace palpable::session

@@ -35,6 +35,9 @@ Json live_json(const LiveStatistics& live) {
                      {"started", robot->is_started},
                      {"sounds", robot->sounds},
                      {"picture_age_ms", latency_json(robot->picture_age)}};
+  if (live.robot && live.robot->arm)
+    json["robot"]["arm"] = {{"commands", live.robot->arm->commands},
+                            {"near_views", live.robot->arm->near_views}};
   if (const auto& memory = live.memory)
     json["memory"] = {{"share", memory->share}, {"map_mib", memory->map_mib}, {"lost", memory->lost}};
   return json;

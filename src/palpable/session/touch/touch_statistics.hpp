@@ -13,6 +13,12 @@
 
 namespace palpable::session {
 
+/// What was done with a robot's arm.
+struct ArmStatistics {
+  std::uint64_t commands = 0;
+  std::uint64_t near_views = 0;
+};
+
 /// What was sent to a robot.
 struct RobotStatistics {
   std::uint64_t commands = 0;
@@ -23,6 +29,8 @@ struct RobotStatistics {
   std::uint64_t sounds = 0;
   /// From when a picture was taken to the newest odometry when it had arrived, both by the robot's clock.
   haptics::LatencySummary picture_age;
+  /// nullopt: it has none.
+  std::optional<ArmStatistics> arm = {};
 };
 
 /// What a live touch remembers (live_memory.hpp).

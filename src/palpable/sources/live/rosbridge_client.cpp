@@ -48,9 +48,11 @@ RosbridgeClient::RosbridgeClient(RosbridgeOptions options)
       name_("ros://" + options_.host + ":" + options_.port),
       advertised_(options_.publications.size(), false),
       untaken_(options_.topics.size()),
+      wanted_(options_.topics.size(), true),
       most_(options_.topics.size(), 1),
       count_(options_.topics.size(), 0) {
   for (const std::size_t k : options_.kept_whole) most_[k] = kMostKept;
+  for (const std::size_t k : options_.on_demand) wanted_[k] = false;
 }
 
 Result<std::unique_ptr<RosbridgeClient>> RosbridgeClient::open(RosbridgeOptions options) {
@@ -86,11 +88,31 @@ Result<std::shared_ptr<WebSocket>> RosbridgeClient::connect() const {
 void RosbridgeClient::subscribe(WebSocket& socket) const {
   const std::lock_guard lock(mutex_);
   for (std::size_t k = 0; k < options_.topics.size(); ++k) {
-    if (socket_ != nullptr && count_[k] > 0) continue;
-    const std::string& topic = options_.topics[k];
-    socket.send(rosbridge_text(
-        {{"op", "subscribe"}, {"id", "palpable:" + topic}, {"topic", topic}, {"queue_length", most_[k]}}));
+    if (!wanted_[k] || (socket_ != nullptr && count_[k] > 0)) continue;
+    socket.send(subscription(k));
   }
+}
+
+std::string RosbridgeClient::subscription(std::size_t k) const {
+  const std::string& topic = options_.topics[k];
+  return rosbridge_text(
+      {{"op", "subscribe"}, {"id", "palpable:" + topic}, {"topic", topic}, {"queue_length", most_[k]}});
+}
+
+void RosbridgeClient::subscribe_to(std::size_t k) {
+  const std::lock_guard lock(mutex_);
+  wanted_[k] = true;
+  untaken_[k].clear();
+  if (socket_) socket_->send(subscription(k));
+}
+
+void RosbridgeClient::unsubscribe_from(std::size_t k) {
+  const std::lock_guard lock(mutex_);
+  wanted_[k] = false;
+  untaken_[k].clear();
+  const std::string& topic = options_.topics[k];
+  if (socket_)
+    socket_->send(rosbridge_text({{"op", "unsubscribe"}, {"id", "palpable:" + topic}, {"topic", topic}}));
 }
 
 void RosbridgeClient::run(std::shared_ptr<WebSocket> socket) {

@@ -36,6 +36,8 @@ struct RosbridgeOptions {
   /// Of these topics (places in the list) every message is kept until it is taken, and not the newest alone:
   /// parts of a sound. At most kMostKept, then the oldest are lost.
   std::vector<std::size_t> kept_whole;
+  /// Of these topics (places in the list) nothing is asked for until subscribe_to().
+  std::vector<std::size_t> on_demand;
   std::vector<RosPublication> publications;
   /// The connection counts as lost if nothing comes for this time.
   std::chrono::milliseconds silence{5000};
@@ -71,6 +73,10 @@ class RosbridgeClient {
   /// As take(); waits for one until `deadline`. Errors: why the server was lost before its first message of
   /// any topic.
   Result<std::optional<Newest>> wait(std::size_t k, Clock::time_point deadline);
+  /// Asks for the messages of topic `k`, one of RosbridgeOptions::on_demand, also after a loss of the
+  /// connection, until unsubscribe_from(). What came before is forgotten.
+  void subscribe_to(std::size_t k);
+  void unsubscribe_from(std::size_t k);
   /// Sends a message (JSON) of publication `k`. False if it is not sent: the connection is lost, or earlier
   /// messages still wait for it.
   bool publish(std::size_t k, const std::string& message);
@@ -89,6 +95,7 @@ class RosbridgeClient {
   explicit RosbridgeClient(RosbridgeOptions options);
   Result<std::shared_ptr<WebSocket>> connect() const;
   void subscribe(WebSocket& socket) const;
+  std::string subscription(std::size_t k) const;
   void run(std::shared_ptr<WebSocket> socket);
   Error follow(WebSocket& socket);
   void take_in(const std::string& text);
@@ -109,6 +116,8 @@ class RosbridgeClient {
   RosVersion version_ = RosVersion::unknown;
   /// Of each topic.
   std::vector<std::deque<Newest>> untaken_;
+  /// Whether its messages are asked for.
+  std::vector<bool> wanted_;
   /// How many of them are kept.
   std::vector<std::size_t> most_;
   std::vector<std::uint64_t> count_;

@@ -51,6 +51,21 @@ TEST(RosbridgeClient, SubscribesAndKeepsTheNewestOfEachTopic) {
   EXPECT_FALSE((*client)->take(1));
 }
 
+TEST(RosbridgeClient, AsksForATopicOnDemandAlone) {
+  TestRosbridgeServer server;
+  auto options = options_for(server);
+  options.on_demand = {1};
+  const auto client = RosbridgeClient::open(std::move(options));
+  ASSERT_TRUE(client);
+  (*client)->subscribe_to(0);
+  EXPECT_TRUE(server.has_heard(R"("topic":"/battery")"));
+  EXPECT_FALSE(server.has_heard_by_now(R"("topic":"/depth")"));
+  (*client)->subscribe_to(1);
+  EXPECT_TRUE(server.has_heard(R"("topic":"/depth")"));
+  (*client)->unsubscribe_from(1);
+  EXPECT_TRUE(server.has_heard(R"("op":"unsubscribe","topic":"/depth")"));
+}
+
 TEST(RosbridgeClient, PublishesWithTheTypeNameOfTheServersVersion) {
   for (const bool is_ros2 : {false, true}) {
     TestRosbridgeServer server;

@@ -12,6 +12,7 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace palpable::sources {
@@ -166,28 +167,54 @@ Result<RosBody> cloud_in(const RosJson& message) {
                           *point_step, *row_step, *x, *y, *z, *std::move(data)});
 }
 
-/// The yaw of the quaternion, ROS' convention: z up.
-Result<RosBody> odometry_in(const RosJson& message) {
-  const auto& pose = ros_member(ros_member(message, "pose"), "pose");
-  const auto& twist = ros_member(ros_member(message, "twist"), "twist");
-  const auto& turn = ros_member(pose, "orientation");
-  const auto number = [](const RosJson& of, const char* name) { return ros_number(ros_member(of, name)); };
-  const auto px = number(ros_member(pose, "position"), "x"), py = number(ros_member(pose, "position"), "y");
-  const auto x = number(turn, "x"), y = number(turn, "y"), z = number(turn, "z"), w = number(turn, "w");
-  const auto forward = number(ros_member(twist, "linear"), "x");
-  const auto turning = number(ros_member(twist, "angular"), "z");
+/// The member of an object, a number of less than a million; nullopt for anything else.
+std::optional<double> plausible_number(const RosJson& of, const char* name) {
   constexpr double kMost = 1e6;
-  const auto is_plausible = [](const std::optional<double>& value) {
-    return value && std::abs(*value) < kMost;
-  };
-  for (const auto& value : {px, py, x, y, z, w, forward, turning})
-    if (!is_plausible(value)) return invalid_input("sends odometry that is none");
+  const auto value = ros_number(ros_member(of, name));
+  return value && std::abs(*value) < kMost ? value : std::nullopt;
+}
+
+/// geometry_msgs/Pose. `named`: what it is of, for errors. `usual_z_m`: where it states no z; nullopt: it
+/// must.
+Result<RosPose> pose_in(const RosJson& pose, const char* named, std::optional<double> usual_z_m) {
+  const auto& place = ros_member(pose, "position");
+  const auto& turn = ros_member(pose, "orientation");
+  const auto px = plausible_number(place, "x"), py = plausible_number(place, "y"),
+             pz = ros_member(place, "z").is_null() ? usual_z_m : plausible_number(place, "z");
+  const auto x = plausible_number(turn, "x"), y = plausible_number(turn, "y"),
+             z = plausible_number(turn, "z"), w = plausible_number(turn, "w");
+  for (const auto& value : {px, py, pz, x, y, z, w})
+    if (!value) return invalid_input(fmt::format("sends {} that is none", named));
   // Zeros of a robot that does not know how it stands are no turn.
   constexpr double kOff = 0.1;
-  if (std::abs(*x * *x + *y * *y + *z * *z + *w * *w - 1.0) > kOff)
-    return invalid_input("sends odometry with an orientation that is no unit quaternion");
-  const double yaw_rad = std::atan2(2.0 * (*w * *z + *x * *y), 1.0 - 2.0 * (*y * *y + *z * *z));
-  return RosBody(RosOdometry{*px, *py, yaw_rad, *forward, *turning});
+  const double size = *x * *x + *y * *y + *z * *z + *w * *w;
+  if (std::abs(size - 1.0) > kOff)
+    return invalid_input(fmt::format("sends {} with an orientation that is no unit quaternion", named));
+  const double s = 2.0 / size;
+  RosPose found{{*px, *py, *pz}};
+  found.rotation = {
+      1.0 - s * (*y * *y + *z * *z), s * (*x * *y - *w * *z),       s * (*x * *z + *w * *y),
+      s * (*x * *y + *w * *z),       1.0 - s * (*x * *x + *z * *z), s * (*y * *z - *w * *x),
+      s * (*x * *z - *w * *y),       s * (*y * *z + *w * *x),       1.0 - s * (*x * *x + *y * *y)};
+  return found;
+}
+
+/// The yaw of the quaternion, ROS' convention: z up.
+Result<RosBody> odometry_in(const RosJson& message) {
+  const auto pose = pose_in(ros_member(ros_member(message, "pose"), "pose"), "odometry", 0.0);
+  if (!pose) return pose.error();
+  const auto& twist = ros_member(ros_member(message, "twist"), "twist");
+  const auto forward = plausible_number(ros_member(twist, "linear"), "x");
+  const auto turning = plausible_number(ros_member(twist, "angular"), "z");
+  if (!forward || !turning) return invalid_input("sends odometry that is none");
+  const double yaw_rad = std::atan2(pose->rotation[3], pose->rotation[0]);
+  return RosBody(RosOdometry{pose->position_m.x, pose->position_m.y, yaw_rad, *forward, *turning});
+}
+
+Result<RosBody> stamped_pose_in(const RosJson& message) {
+  auto pose = pose_in(ros_member(message, "pose"), "a pose", std::nullopt);
+  if (!pose) return std::move(pose).error();
+  return RosBody(*std::move(pose));
 }
 
 Result<RosBody> sound_format_in(const RosJson& message) {
@@ -215,6 +242,7 @@ Result<RosBody> body_in(const RosJson& message) {
   if (message.contains("format")) return compressed_in(message);
   if (message.contains("point_step")) return cloud_in(message);
   if (message.contains("pose") && message.contains("twist")) return odometry_in(message);
+  if (message.contains("pose")) return stamped_pose_in(message);
   if (const auto charge = ros_number(ros_member(message, "percentage")); charge)
     return RosBody(RosBattery{std::clamp(*charge, 0.0, 1.0)});
   if (const auto& data = ros_member(message, "data"); data.is_boolean())

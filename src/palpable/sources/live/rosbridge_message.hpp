@@ -4,7 +4,9 @@
 
 #include "palpable/core/picture/camera.hpp"
 #include "palpable/core/result.hpp"
+#include "palpable/core/vec3.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -53,6 +55,13 @@ struct RosOdometry {
   double forward_m_per_s = 0.0, turn_rad_per_s = 0.0;
 };
 
+/// geometry_msgs/PoseStamped: a place and a turn, parent_from_child, of a frame in that of its header.
+struct RosPose {
+  Vec3 position_m;
+  /// A rotation matrix, row-major.
+  std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};
+};
+
 /// sensor_msgs/BatteryState.
 struct RosBattery {
   /// 0 ... 1.
@@ -81,8 +90,8 @@ struct RosSoundFormat {
 
 /// What a topic's message is, recognised by its members. sensor_msgs/CameraInfo is a Pinhole; its distortion
 /// is not used. All numbers are finite.
-using RosBody = std::variant<RosPicture, RosCompressed, Pinhole, RosCloud, RosOdometry, RosBattery, RosFlag,
-                             RosSound, RosSoundFormat>;
+using RosBody = std::variant<RosPicture, RosCompressed, Pinhole, RosCloud, RosOdometry, RosPose, RosBattery,
+                             RosFlag, RosSound, RosSoundFormat>;
 
 enum class RosVersion : std::uint8_t { unknown, ros1, ros2 };
 

@@ -124,6 +124,14 @@ TEST(RosbridgeMessage, HasOdometryAndABattery) {
   EXPECT_DOUBLE_EQ(odometry.y_m, -2.0);
   EXPECT_NEAR(odometry.yaw_rad, M_PI, 1e-12);
   EXPECT_DOUBLE_EQ(odometry.turn_rad_per_s, -0.5);
+  // Turned by a quarter about y: the child's z axis is the parent's x.
+  const auto pose =
+      std::get<RosPose>(message_of(R"({"pose":{"position":{"x":1,"y":2,"z":3},)"
+                                   R"("orientation":{"x":0,"y":0.70710678,"z":0,"w":0.70710678}}})")
+                            .body);
+  EXPECT_EQ(pose.position_m, (Vec3{1.0, 2.0, 3.0}));
+  EXPECT_NEAR(pose.rotation[2], 1.0, 1e-12);
+  EXPECT_NEAR(pose.rotation[6], -1.0, 1e-12);
   EXPECT_TRUE(std::get<RosFlag>(message_of(R"({"data":true})").body).value);
   EXPECT_FALSE(message.stamp_s);
   EXPECT_DOUBLE_EQ(*message_of(R"({"header":{"stamp":{"sec":5,"nanosec":500000000}},"data":true})").stamp_s,
@@ -156,6 +164,8 @@ TEST(RosbridgeMessage, IsRefusedInOneClauseIfItIsNone) {
       {picture("1", "3", flat.c_str()), "less of a picture"},
       {ros_published("/t", R"({"height":1,"width":1,"K":[0,0,0,0,0,0,0,0,1]})"), "a camera that is none"},
       {ros_published("/t", R"({"pose":1,"twist":{}})"), "odometry that is none"},
+      {ros_published("/t", R"({"pose":{"position":{"x":1,"y":2},"orientation":{"x":0,"y":0,"z":0,"w":1}}})"),
+       "a pose that is none"},
       {ros_published("/t",
                      R"({"pose":{"pose":{"position":{"x":1,"y":2},"orientation":{"x":0,"y":0,"z":0,"w":0}}},)"
                      R"("twist":{"twist":{"linear":{"x":0},"angular":{"z":0}}}})"),

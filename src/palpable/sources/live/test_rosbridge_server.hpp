@@ -5,6 +5,7 @@
 #include "palpable/core/net/tcp_stream.hpp"
 #include "palpable/core/net/web_socket.hpp"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -39,12 +40,14 @@ class TestRosbridgeServer {
   void hang_up() { hangs_up_ = true; }
   /// Whether a client has sent a text that contains this, within ten seconds.
   bool has_heard(const std::string& part) const {
-    for (int n = 0; n < 2000; ++n, std::this_thread::sleep_for(std::chrono::milliseconds(5))) {
-      const std::lock_guard lock(mutex_);
-      for (const auto& text : heard_)
-        if (text.find(part) != std::string::npos) return true;
-    }
+    for (int n = 0; n < 2000; ++n, std::this_thread::sleep_for(std::chrono::milliseconds(5)))
+      if (has_heard_by_now(part)) return true;
     return false;
+  }
+  bool has_heard_by_now(const std::string& part) const {
+    const std::lock_guard lock(mutex_);
+    return std::any_of(heard_.begin(), heard_.end(),
+                       [&](const auto& text) { return text.find(part) != std::string::npos; });
   }
 
  private:

@@ -33,6 +33,9 @@ using ServerClock = std::chrono::steady_clock;
 constexpr const char* kDepthTopic = "/camera/depth/image_rect_raw";
 constexpr const char* kColourTopic = "/camera/color/image_raw";
 constexpr const char* kInfoTopic = "/camera/depth/camera_info";
+constexpr const char* kWristTopic = "/wrist_camera/image_raw";
+constexpr const char* kWristInfoTopic = "/wrist_camera/camera_info";
+constexpr const char* kWristPoseTopic = "/wrist_camera/pose";
 
 /// Of simulated time.
 ServerJson header_of(double time_s, bool is_ros2) {
@@ -82,6 +85,28 @@ ServerJson odometry_of(ServerJson header, const FloorPose& pose, const WheelMoti
               {"angular", {{"x", 0.0}, {"y", 0.0}, {"z", motion.turn_rad_per_s}}}}}}}};
 }
 
+ServerJson camera_info_of(ServerJson header, const Pinhole& camera, bool is_ros2) {
+  return {{"header", std::move(header)},
+          {"width", camera.width},
+          {"height", camera.height},
+          {is_ros2 ? "k" : "K", {camera.fx, 0.0, camera.cx, 0.0, camera.fy, camera.cy, 0.0, 0.0, 1.0}}};
+}
+
+ServerJson pose_of(ServerJson header, const Transform<WorldFrame, CameraFrame>& pose) {
+  const auto& r = pose.rotation;
+  // Of a rotation by less than a half turn, as those of cameras that look ahead are.
+  const double w = 0.5 * std::sqrt(std::max(0.0, 1.0 + r[0] + r[4] + r[8]));
+  const Vec3 at = pose.translation_m;
+  return {{"header", std::move(header)},
+          {"pose",
+           {{"position", {{"x", at.x}, {"y", at.y}, {"z", at.z}}},
+            {"orientation",
+             {{"x", (r[7] - r[5]) / (4.0 * w)},
+              {"y", (r[2] - r[6]) / (4.0 * w)},
+              {"z", (r[3] - r[1]) / (4.0 * w)},
+              {"w", w}}}}}};
+}
+
 std::string sent_text(const char* topic, const ServerJson& message) {
   return ServerJson{{"op", "publish"}, {"topic", topic}, {"msg", message}}.dump();
 }
@@ -100,6 +125,7 @@ struct RobotServer::Impl {
       : options(wanted),
         link(wanted.link),
         camera(camera_of(wanted.width, wanted.height, wanted.field_of_view_rad)),
+        wrist(camera_of(wanted.wrist_width, wanted.wrist_height, wanted.wrist_field_of_view_rad)),
         world(make_room(wanted.seed), wanted.body, wanted.errors, wanted.seed),
         microphones(world.room(), square_array(kArray_m), wanted.body.camera_height_m, wanted.seed),
         random(wanted.seed),
@@ -143,6 +169,7 @@ struct RobotServer::Impl {
     if (*text) take(**text);
     if (followed_s >= next_picture_s) take_picture();
     if (followed_s >= next_state_s) send_state(socket);
+    if (followed_s >= next_wrist_s) send_wrist(socket);
     if (options.has_sound && followed_s >= next_sound_s) send_sound(socket);
     for (; !waiting.empty() && waiting.front().first <= followed_s; waiting.pop_front())
       for (std::string& message : waiting.front().second) socket.send(std::move(message));
@@ -155,11 +182,17 @@ struct RobotServer::Impl {
       return;
     const std::string topic = json["topic"];
     if (json["op"] == "subscribe") subscribed.insert(topic);
-    if (json["op"] != "publish" || topic != "/cmd_vel" || !json.contains("msg") || !json["msg"].is_object())
-      return;
+    if (json["op"] == "unsubscribe") subscribed.erase(topic);
+    if (json["op"] != "publish" || !json.contains("msg") || !json["msg"].is_object()) return;
+    const auto& message = json["msg"];
     const std::lock_guard lock(mutex);
+    if (topic == "/arm/cmd_vel") {
+      ++arm_commands;
+      world.command_arm(component(message, "linear", "y"));
+    }
+    if (topic != "/cmd_vel") return;
     ++commands;
-    world.command({component(json["msg"], "linear", "x"), component(json["msg"], "angular", "z")});
+    world.command({component(message, "linear", "x"), component(message, "angular", "z")});
   }
 
   void take_picture() {
@@ -180,11 +213,7 @@ struct RobotServer::Impl {
     const auto add = [&](const char* topic, const ServerJson& message) {
       if (subscribed.contains(topic)) messages.push_back(sent_text(topic, message));
     };
-    add(kInfoTopic, {{"header", header()},
-                     {"width", camera.width},
-                     {"height", camera.height},
-                     {options.is_ros2 ? "k" : "K",
-                      {camera.fx, 0.0, camera.cx, 0.0, camera.fy, camera.cy, 0.0, 0.0, 1.0}}});
+    add(kInfoTopic, camera_info_of(header(), camera, options.is_ros2));
     add(kColourTopic,
         picture_of<Rgb8>(header(), camera.width, camera.height, "rgb8", 3, view.colour.values()));
     add(kDepthTopic, picture_of<std::uint16_t>(header(), camera.width, camera.height, "16UC1", 2,
@@ -203,9 +232,22 @@ struct RobotServer::Impl {
     };
     add("/odom", odometry_of(header, world.odometry(), world.motion()));
     add("/contact", {{"data", world.has_touched()}});
+    add(kWristPoseTopic, pose_of(header, world.measured_base_from_wrist()));
     if (followed_s < next_battery_s) return;
     next_battery_s = followed_s + 1.0;
     add("/battery_state", {{"header", header}, {"percentage", 0.8}});
+  }
+
+  void send_wrist(WebSocket& socket) {
+    next_wrist_s = followed_s + 1.0 / options.wrist_rate_hz;
+    if (!subscribed.contains(kWristTopic)) return;
+    CameraNoise noise = options.noise;
+    noise.seed = random();
+    const RoomView view = world.wrist_view(wrist, noise);
+    const ServerJson header = header_of(world.time_s(), options.is_ros2);
+    socket.send(sent_text(kWristInfoTopic, camera_info_of(header, wrist, options.is_ros2)));
+    socket.send(sent_text(
+        kWristTopic, picture_of<Rgb8>(header, wrist.width, wrist.height, "rgb8", 3, view.colour.values())));
   }
 
   void send_sound(WebSocket& socket) {
@@ -229,7 +271,7 @@ struct RobotServer::Impl {
 
   RobotServerOptions options;
   RobotLink link;
-  Pinhole camera;
+  Pinhole camera, wrist;
   /// Guards changes of the world, the link and the count of commands.
   mutable std::mutex mutex;
   RobotWorld world;
@@ -242,8 +284,8 @@ struct RobotServer::Impl {
   ServerClock::time_point begin;
   double followed_s = 0.0;
   double next_picture_s = 0.0, next_state_s = 0.0, next_battery_s = 0.0, next_sound_s = 0.0,
-         next_format_s = 0.0;
-  std::uint64_t commands = 0;
+         next_format_s = 0.0, next_wrist_s = 0.0;
+  std::uint64_t commands = 0, arm_commands = 0;
   std::atomic<bool> hangs_up{false};
   std::atomic<bool> ending{false};
   std::thread thread;
@@ -279,6 +321,21 @@ WheelMotion RobotServer::commanded() const {
 bool RobotServer::has_touched() const {
   const std::lock_guard lock(impl_->mutex);
   return impl_->world.has_touched();
+}
+
+double RobotServer::arm_m() const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->world.base_from_wrist().translation_m.y;
+}
+
+double RobotServer::arm_m_per_s() const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->world.arm_m_per_s();
+}
+
+std::uint64_t RobotServer::arm_commands() const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->arm_commands;
 }
 
 std::uint64_t RobotServer::commands() const {

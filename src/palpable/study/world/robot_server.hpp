@@ -30,6 +30,10 @@ struct RobotServerOptions {
   double field_of_view_rad = 1.52;
   /// Of a structured-light camera.
   CameraNoise noise{vision::DepthNoise{}, 0.25, 6.0, 2.0, 1};
+  /// The wrist camera's, and its pictures a second.
+  int wrist_width = 320, wrist_height = 240;
+  double wrist_field_of_view_rad = 0.96;
+  double wrist_rate_hz = 5.0;
   /// Somebody speaks in the room, and four microphones on a level square with a radius of 0.1 m, about the
   /// robot's axis at the camera's height, hear it (RobotMicrophones).
   bool has_sound = true;
@@ -42,7 +46,9 @@ struct RobotServerOptions {
 /// A robot in a room (RobotWorld of make_room()) behind a rosbridge server on a real WebSocket, in real time,
 /// on a thread of its own. Topics that it sends: /camera/depth/image_rect_raw (16UC1),
 /// /camera/color/image_raw (rgb8), /camera/depth/camera_info, /odom, /battery_state, /contact, /audio (S16LE,
-/// 20 parts a second) and /audio_info; that it takes: /cmd_vel. One client at a time.
+/// 20 parts a second), /audio_info, and of the wrist camera /wrist_camera/image_raw (rgb8),
+/// /wrist_camera/camera_info and /wrist_camera/pose (PoseStamped, in the robot's frame); that it takes:
+/// /cmd_vel and /arm/cmd_vel (linear.y). One client at a time.
 class RobotServer {
  public:
   /// Errors: failed (the port is in use).
@@ -56,6 +62,11 @@ class RobotServer {
   FloorPose pose() const;
   WheelMotion commanded() const;
   bool has_touched() const;
+  /// How far its wrist camera is to the left of the middle of its way, and how fast it moves.
+  double arm_m() const;
+  double arm_m_per_s() const;
+  /// Commands to the arm that came.
+  std::uint64_t arm_commands() const;
   /// Where somebody speaks.
   Point<WorldFrame> sound_source() const;
   /// Commands that came, also those of 0.

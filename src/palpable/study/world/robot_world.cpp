@@ -59,6 +59,17 @@ void RobotWorld::command(const WheelMotion& wanted) {
   commanded_at_s_ = time_s_;
 }
 
+void RobotWorld::place(const FloorPose& pose) {
+  pose_ = pose;
+  motion_ = {};
+}
+
+void RobotWorld::command_arm(double left_m_per_s) {
+  if (!std::isfinite(left_m_per_s)) return;
+  arm_command_m_per_s_ = std::clamp(left_m_per_s, -body_.arm.max_m_per_s, body_.arm.max_m_per_s);
+  arm_commanded_at_s_ = time_s_;
+}
+
 WheelMotion RobotWorld::commanded() const {
   return time_s_ - commanded_at_s_ > body_.command_lasts_s ? WheelMotion{} : command_;
 }
@@ -82,6 +93,7 @@ void RobotWorld::step(double dt_s) {
     draw_errors();
     next_draw_s_ += kDraw_s;
   }
+  step_arm(dt_s);
   const WheelMotion wanted = commanded();
   motion_.forward_m_per_s =
       towards(motion_.forward_m_per_s, wanted.forward_m_per_s, body_.forward_m_per_s2 * dt_s);
@@ -97,11 +109,44 @@ void RobotWorld::step(double dt_s) {
   pose_ = next;
 }
 
-RoomView RobotWorld::view(const Pinhole& camera, const CameraNoise& noise) const {
+void RobotWorld::step_arm(double dt_s) {
+  const bool is_old = time_s_ - arm_commanded_at_s_ > body_.command_lasts_s;
+  arm_m_per_s_ = towards(arm_m_per_s_, is_old ? 0.0 : arm_command_m_per_s_, body_.arm.m_per_s2 * dt_s);
+  const double before_m = arm_m_;
+  arm_m_ = std::clamp(arm_m_ + arm_m_per_s_ * dt_s, -body_.arm.reach_m, body_.arm.reach_m);
+  if (distance_m(room_, {world_from_wrist().translation_m}) > body_.arm.radius_m) return;
+  has_touched_ = true;
+  arm_m_ = before_m;
+}
+
+Transform<WorldFrame, CameraFrame> RobotWorld::base_from_wrist() const {
+  return camera_pose({{body_.arm.forward_m, arm_m_, body_.arm.height_m}}, 0.0, body_.arm.down_rad);
+}
+
+Transform<WorldFrame, CameraFrame> RobotWorld::measured_base_from_wrist() {
+  auto measured = base_from_wrist();
+  measured.translation_m.y += body_.arm.error_m * normal(random_);
+  return measured;
+}
+
+Transform<WorldFrame, CameraFrame> RobotWorld::world_from_wrist() const {
+  const Vec3 at = base_from_wrist().translation_m;
+  const double c = std::cos(pose_.heading_rad), s = std::sin(pose_.heading_rad);
+  return camera_pose({{pose_.x_m + c * at.x - s * at.y, pose_.y_m + s * at.x + c * at.y, at.z}},
+                     pose_.heading_rad, body_.arm.down_rad);
+}
+
+Transform<WorldFrame, CameraFrame> RobotWorld::world_from_camera() const {
   const FloorPose at = moved(pose_, body_.camera_forward_m, 0.0);
-  const auto place = camera_pose(Point<WorldFrame>{{at.x_m, at.y_m, body_.camera_height_m}},
-                                 pose_.heading_rad, body_.camera_down_rad);
-  return render(room_, place, camera, noise);
+  return camera_pose({{at.x_m, at.y_m, body_.camera_height_m}}, pose_.heading_rad, body_.camera_down_rad);
+}
+
+RoomView RobotWorld::wrist_view(const Pinhole& camera, const CameraNoise& noise) const {
+  return render(room_, world_from_wrist(), camera, noise);
+}
+
+RoomView RobotWorld::view(const Pinhole& camera, const CameraNoise& noise) const {
+  return render(room_, world_from_camera(), camera, noise);
 }
 
 }  // namespace palpable::study

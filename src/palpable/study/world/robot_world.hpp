@@ -23,6 +23,23 @@ struct WheelMotion {
   bool operator==(const WheelMotion&) const = default;
 };
 
+/// An arm that carries a camera above a robot, and moves it sideways.
+struct WristArm {
+  /// The camera in the middle of its way: from the robot's axis forward, above the floor, and how far below
+  /// the horizontal it looks.
+  double forward_m = 0.12;
+  double height_m = 0.80;
+  double down_rad = 0.75;
+  /// Its way to either side.
+  double reach_m = 0.08;
+  double max_m_per_s = 0.06;
+  double m_per_s2 = 0.3;
+  /// How near to its centre the camera's body reaches.
+  double radius_m = 0.03;
+  /// Standard deviation of its measured position.
+  double error_m = 0.0001;
+};
+
 /// A robot with two driven wheels: an upright cylinder with a camera near its top.
 struct RobotBody {
   double radius_m = 0.2;
@@ -37,6 +54,7 @@ struct RobotBody {
   double turn_rad_per_s2 = 3.0;
   /// Without a command for this time the wheels brake, as the drivers of robots do.
   double command_lasts_s = 0.25;
+  WristArm arm;
 };
 
 /// Errors of wheels: standard deviations as shares of what a wheel turns by, drawn anew for each 0.1 s.
@@ -54,6 +72,10 @@ class RobotWorld {
   /// a place.
   RobotWorld(Room room, const RobotBody& body, const RobotErrors& errors, std::uint64_t seed);
 
+  /// Puts it there, at rest.
+  void place(const FloorPose& pose);
+  /// The arm's speed to the left; as command().
+  void command_arm(double left_m_per_s);
   /// Limited to what the wheels can do. A value that is not finite is none.
   void command(const WheelMotion& wanted);
   /// Moves by this time, in steps of 5 ms. A robot that touches something stops there.
@@ -66,7 +88,17 @@ class RobotWorld {
   const WheelMotion& motion() const { return motion_; }
   /// What the wheels follow now; 0 once the last command is too old.
   WheelMotion commanded() const;
-  /// Whether it ever touched anything.
+  /// Where the arm's camera is in the frame of the robot (x ahead, y left, z up, from the floor below its
+  /// axis), and where the arm says that it is.
+  Transform<WorldFrame, CameraFrame> base_from_wrist() const;
+  Transform<WorldFrame, CameraFrame> measured_base_from_wrist();
+  double arm_m_per_s() const { return arm_m_per_s_; }
+  /// What its wrist camera sees now.
+  RoomView wrist_view(const Pinhole& camera, const CameraNoise& noise) const;
+  /// Where its wrist camera and its first camera are in the room.
+  Transform<WorldFrame, CameraFrame> world_from_wrist() const;
+  Transform<WorldFrame, CameraFrame> world_from_camera() const;
+  /// Whether it ever touched anything, with its body or its arm.
   bool has_touched() const { return has_touched_; }
   const Room& room() const { return room_; }
   const RobotBody& body() const { return body_; }
@@ -75,6 +107,7 @@ class RobotWorld {
 
  private:
   void step(double dt_s);
+  void step_arm(double dt_s);
   void draw_errors();
 
   Room room_;
@@ -85,6 +118,10 @@ class RobotWorld {
   WheelMotion command_, motion_;
   double time_s_ = 0.0;
   double commanded_at_s_ = -1e9;
+  /// To the left of the middle of its way.
+  double arm_m_ = 0.0;
+  double arm_m_per_s_ = 0.0, arm_command_m_per_s_ = 0.0;
+  double arm_commanded_at_s_ = -1e9;
   double next_draw_s_ = 0.0;
   /// Factors of what the wheels do, of the floor and of the encoders.
   double slip_forward_ = 1.0, slip_turn_ = 1.0, odometry_forward_ = 1.0, odometry_turn_ = 1.0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/picture/camera.hpp"
+#include "palpable/core/picture/camera_pose.hpp"
 #include "palpable/core/picture/image.hpp"
 #include "palpable/study/world/room.hpp"
 #include "palpable/vision/depth_camera/depth_noise.hpp"
@@ -38,11 +39,6 @@ struct RoomView {
 /// on one core.
 RoomView render(const Room& room, const Transform<WorldFrame, CameraFrame>& world_from_camera,
                 const Pinhole& camera, const CameraNoise& noise = {});
-
-/// The pose of a camera at a position, that looks along `heading_rad` (counter-clockwise from the world's x
-/// axis), tilted down by `down_rad`, its x axis level.
-Transform<WorldFrame, CameraFrame> camera_pose(Point<WorldFrame> position, double heading_rad,
-                                               double down_rad);
 
 /// A camera of this size with square pixels, its axis in the middle, and this horizontal field of view.
 Pinhole camera_of(int width, int height, double field_of_view_rad);

@@ -99,7 +99,7 @@ void add_touch(Program& program) {
       "  palpable touch \"camera:0?size=1280x480\"    a stereo camera of this machine\n"
       "  palpable touch \"frames:folder?fps=30&loop=1\"    frames of a depth camera, live\n"
       "  palpable touch \"ros://robot.local:9090?depth=/depth\"    a depth camera of a rosbridge server\n"
-      "  palpable touch robot:sample    drive a simulated robot, and touch what it sees\n"
+      "  palpable touch robot:sample    drive a simulated robot, and touch what it sees, wide or near\n"
       "  palpable touch left.png right.png --headless --seconds 10 --json",
       [arguments](Console& console) { return touch(*arguments, console); });
   add_make_options(options, arguments->scene.make);
@@ -158,7 +158,7 @@ void add_touch(Program& program) {
   options.flag(
       "--start-robot", arguments->start_robot,
       "Start the robot of robot:HOST:PORT at once; without it, only the word start at the terminal does, and "
-      "nothing is sent to it before");
+      "nothing is sent to it before. Further words: stop, drive, look, touch, near, wide");
   options.output_folder("--record-frames", arguments->frames_recording,
                         "Record the pairs of a live stereo camera into this folder, for frames:FOLDER");
   options.flag("--memory", arguments->memory,

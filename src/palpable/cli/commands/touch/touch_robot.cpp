@@ -50,7 +50,9 @@ Result<SampleRobot> start_sample_robot(const std::string& address) {
   options.link.loss = url->take_number("loss", 0.0, 0.0, 1.0);
   // What is left is checked with the robot's address.
   options.has_sound = url->take_count("sound", 1, 0, 1) == 1;
-  for (const auto* other : {"mode", "speed", "turn", "reaction", "sound-marker"}) url->take_text(other);
+  for (const auto* other :
+       {"mode", "speed", "turn", "reaction", "sound-marker", "sound-pull", "sweep", "arm-speed"})
+    url->take_text(other);
   if (auto finished = url->finish(); !finished) return std::move(finished).error();
   auto server = study::RobotServer::start(options);
   if (!server) return std::move(server).error();
@@ -59,7 +61,7 @@ Result<SampleRobot> start_sample_robot(const std::string& address) {
   const std::string there = fmt::format(
       "robot:127.0.0.1:{}?color=/camera/color/"
       "image_raw&radius={}&height={}&camera-height={}&camera-forward={}&camera-down={}&microphones=square:0."
-      "1",
+      "1&arm=/arm/cmd_vel&wrist=/wrist_camera/image_raw",
       (*server)->port(), body.radius_m, body.height_m, body.camera_height_m, body.camera_forward_m,
       body.camera_down_rad / kDegree);
   return SampleRobot{*std::move(server), there + further_options(address)};
@@ -67,6 +69,7 @@ Result<SampleRobot> start_sample_robot(const std::string& address) {
 
 bool obey(std::string_view line, session::RobotControl& robot) {
   using session::RobotMode;
+  using session::RobotView;
   if (line == "start")
     robot.request_start();
   else if (line == "stop" || line.empty())
@@ -77,6 +80,10 @@ bool obey(std::string_view line, session::RobotControl& robot) {
     robot.request_mode(RobotMode::look);
   else if (line == "touch")
     robot.request_mode(RobotMode::touch);
+  else if (line == "near")
+    robot.request_view(RobotView::near);
+  else if (line == "wide")
+    robot.request_view(RobotView::wide);
   else
     return false;
   return true;
@@ -86,7 +93,7 @@ RobotTerminal::RobotTerminal(session::RobotControl* robot, Console& console) {
   if (robot == nullptr || ::isatty(STDIN_FILENO) != 1) return;
   console.note(
       "Type start and Enter to start the robot; Enter alone, or stop, stops it; drive, look and touch change "
-      "the mode.");
+      "the mode, near and wide the view that is touched.");
   thread_ = std::thread([this, robot, &console] { run(*robot, console); });
 }
 
@@ -110,7 +117,8 @@ void RobotTerminal::run(session::RobotControl& robot, Console& console) const {
         line += c;
         continue;
       }
-      if (!obey(line, robot)) console.note("The robot's words are start, stop, drive, look and touch.");
+      if (!obey(line, robot))
+        console.note("The robot's words are start, stop, drive, look, touch, near and wide.");
       line.clear();
     }
   }

@@ -28,7 +28,7 @@ bool is_sample_robot(std::string_view address);
 Result<SampleRobot> start_sample_robot(const std::string& address);
 
 /// Whether a line that a person typed is a word for the robot, which is then obeyed: start, stop (also an
-/// empty line), drive, look, touch.
+/// empty line), drive, look, touch, near, wide.
 bool obey(std::string_view line, session::RobotControl& robot);
 
 /// Obeys the lines of a terminal for as long as it lives; does nothing where standard input is none.

@@ -65,6 +65,16 @@ class RobotTouch : public testing::Test {
     return said_;
   }
   bool says(std::string_view words) const { return said().find(words) != std::string::npos; }
+  /// The robot is started, and asked for the near view, until its arm moves: on a machine that stands still
+  /// now and then, the robot is stopped again.
+  bool arm_moves() {
+    return held_at({}, [&] {
+      auto& robot = *feed_->robot();
+      if (!robot.statistics().is_started) robot.request_start();
+      robot.request_view(session::RobotView::near);
+      return robot_.server->arm_m_per_s() != 0.0;
+    });
+  }
   bool moves() const { return robot_.server->commanded() != study::WheelMotion{}; }
   /// Pictures come; starts it, again where a busy machine has stopped it, and holds the pointer there until
   /// it turns.
@@ -146,6 +156,23 @@ TEST_F(RobotTouch, CanLeaveTheMarkAndTheSoundOut) {
   for (const auto& material : session_->scene()->materials)
     EXPECT_NE(material.name, "a sound comes from here");
   EXPECT_EQ(feed_->robot()->statistics().sounds, 0U);
+}
+
+TEST_F(RobotTouch, SweepsItsArmForTheNearViewAfterAStartOnly) {
+  open("robot:sample?fps=20&mode=touch&sound=0");
+  EXPECT_TRUE(obey("near", *feed_->robot()));
+  EXPECT_TRUE(held_at({}, [&] { return says("start the robot first"); })) << said();
+  EXPECT_EQ(robot_.server->arm_commands(), 0U);
+  // Where this program stands still for 0.1 s again and again, the arm does not move, as it shall.
+  if (!arm_moves()) GTEST_SKIP() << "the machine is too busy: " << said();
+  // Nobody moves the pointer any more.
+  EXPECT_TRUE(comes_true([&] { return robot_.server->arm_m_per_s() == 0.0; }));
+  if (!arm_moves()) GTEST_SKIP() << "the machine is too busy: " << said();
+  robot_.server->hang_up();
+  EXPECT_TRUE(held_at({}, [&] { return says("its connection was lost"); })) << said();
+  EXPECT_TRUE(held_at({}, [&] { return robot_.server->arm_m_per_s() == 0.0; }));
+  EXPECT_LT(std::abs(robot_.server->arm_m()), 0.035);
+  EXPECT_FALSE(robot_.server->has_touched());
 }
 
 TEST_F(RobotTouch, IsTouchedWithTheLawOfPicturesInTheModeTouch) {
