@@ -238,6 +238,7 @@ std::vector<Parameter> parameters_of(FastOptions& o) {
       {"medians", &o.medians, {0, 10}, "", "3 x 3 medians at the end"}};
   append_parameters(all, "cost", parameters_of(o.cost));
   append_parameters(all, "steps", parameters_of(o.steps));
+  append_parameters(all, "plain_steps", parameters_of(o.plain_steps));
   return all;
 }
 
@@ -277,6 +278,7 @@ Result<MatchOutput> match_fast(const MatchInput& input, const FastOptions& optio
   fill_from_background(trusted, out.disparity_px);
   for (int pass = 0; pass < options.medians; ++pass) out.disparity_px = median_3x3(out.disparity_px, work);
   median_at_steps(costs.left_colour(), options.steps, out.disparity_px, work);
+  move_steps_in_plain_surfaces(costs.left_colour(), options.plain_steps, out.disparity_px, work);
   if (work.cancelled()) return Work::interrupted();
   return out;
 }

@@ -7,6 +7,7 @@
 #include "palpable/core/work.hpp"
 #include "palpable/vision/stereo/cost/matching_cost.hpp"
 #include "palpable/vision/stereo/occlusion/step_median.hpp"
+#include "palpable/vision/stereo/planes/plain_steps.hpp"
 #include "palpable/vision/stereo/problem/match_input.hpp"
 
 #include <vector>
@@ -41,6 +42,8 @@ struct FastOptions {
   int medians = 2;
   /// The large windows of the costs carry nearer surfaces beyond their edges: steps are moved back.
   StepMedianOptions steps = {};
+  /// In plain surfaces beside colour edges they are moved farther.
+  PlainStepOptions plain_steps = {};
 };
 std::vector<Parameter> parameters_of(FastOptions& options);
 /// Errors: usage, for a parameter out of its range or a cost that could exceed 127.

@@ -7,6 +7,7 @@
 #include "palpable/vision/stereo/problem/epipolar_pictures.hpp"
 #include "palpable/vision/stereo/problem/match_input.hpp"
 #include "palpable/vision/stereo/problem/prepare_pictures.hpp"
+#include "palpable/vision/stereo/problem/undefined_pixels.hpp"
 #include "palpable/vision/stereo/range/disparity_range.hpp"
 #include "palpable/vision/stereo/range/pair_check.hpp"
 
@@ -133,10 +134,12 @@ Result<StereoMatch> match_prepared(const StereoPair& pair, const MethodEntry& me
       exchanged ? match_mirrored(input, method, options, work) : method.function(input, options, work);
   if (!output) return output.error();
   for (float& d : output->disparity_px.values()) d += static_cast<float>(range.min_px);
-  return StereoMatch{{std::move(output->disparity_px), pair.rig},
-                     std::move(output->confidence),
-                     std::move(notes),
-                     exchanged};
+  StereoMatch found{{std::move(output->disparity_px), pair.rig},
+                    std::move(output->confidence),
+                    std::move(notes),
+                    exchanged};
+  forget_undefined(pair, found);
+  return found;
 }
 
 }  // namespace
@@ -179,6 +182,7 @@ Result<StereoMatch> match(const StereoPair& pair, StereoMethod method, const Ste
   for (const Image* picture : {&pair.left, &pair.right})
     if (const auto valid = palpable::check(*picture); !valid) return valid.error();
   if (const auto sizes = check_sizes(pair); !sizes) return sizes.error();
+  if (const auto defined = check_any_defined(pair); !defined) return defined.error();
   if (pair.frame) {
     auto found = match(in_epipolar_frame(pair), method, options, work);
     return found ? in_left_picture(std::move(*found), pair) : found;

@@ -11,20 +11,23 @@ namespace {
 /// and sharpened pixels lie between.
 constexpr int kFromEdge_px = 2, kBeyondEdge_px = 3;
 
-/// Whether a plain surface ends at an edge; x is its last column, `away` (1 or -1) leads into it.
-bool is_plain_up_to_edge(const ColourPlanes& colour, int x, int y, int away,
+}  // namespace
+
+bool is_plain_up_to_edge(const ColourPlanes& colour, const SurfaceEnd& end,
                          const EdgeEvidenceOptions& options) {
-  const int first = x + away * kFromEdge_px, last = first + away * (options.plain_px - 1);
-  const int beyond = x - away * kFromEdge_px, farthest = beyond - away * (options.beyond_px - 1);
-  if (!colour.r.contains(last, y) || !colour.r.contains(farthest, y)) return false;
-  for (int i = beyond; i != farthest - away; i -= away)
-    if (colour.difference(first, y, i, y) <= options.edge_levels) return false;
-  for (int i = first; i != last + away; i += away)
-    if (colour.difference(first, y, i, y) > options.plain_levels) return false;
+  const auto x = [&](int away) { return end.x + away * end.dx; };
+  const auto y = [&](int away) { return end.y + away * end.dy; };
+  const int last = kFromEdge_px + options.plain_px - 1, farthest = -(kFromEdge_px + options.beyond_px - 1);
+  if (!colour.r.contains(x(last), y(last)) || !colour.r.contains(x(farthest), y(farthest))) return false;
+  const auto differs = [&](int away) {
+    return colour.difference(x(kFromEdge_px), y(kFromEdge_px), x(away), y(away));
+  };
+  for (int i = -kFromEdge_px; i >= farthest; --i)
+    if (differs(i) <= options.edge_levels) return false;
+  for (int i = kFromEdge_px; i <= last; ++i)
+    if (differs(i) > options.plain_levels) return false;
   return true;
 }
-
-}  // namespace
 
 std::vector<Parameter> parameters_of(EdgeEvidenceOptions& o) {
   return {{"reach_px", &o.reach_px, {0, 20}, "px", "Columns of a plain surface beside a colour edge"},
@@ -45,7 +48,7 @@ Raster<float> nearer_beyond_edges(const ColourPlanes& colour, const Raster<float
   if (options.reach_px == 0) return out;
   // x is the last column before the edge; `away` leads from the edge into the surface.
   const auto mark = [&](int x, int y, int away) {
-    if (!is_plain_up_to_edge(colour, x, y, away, options)) return;
+    if (!is_plain_up_to_edge(colour, {x, y, away, 0}, options)) return;
     const float beyond = disparity_px(x - away * kBeyondEdge_px, y);
     if (beyond < disparity_px(x, y) - options.farther_px) return;
     for (int i = 0; i < options.reach_px; ++i)

@@ -27,6 +27,17 @@ struct EdgeEvidenceOptions {
 };
 std::vector<Parameter> parameters_of(EdgeEvidenceOptions& options);
 
+/// The last pixel of a surface before a colour edge; (dx, dy), a unit step along the row or column, leads
+/// from the edge into the surface.
+struct SurfaceEnd {
+  int x = 0, y = 0;
+  int dx = 0, dy = 0;
+};
+
+/// Whether a plain surface ends at an edge there; false near the picture's border.
+bool is_plain_up_to_edge(const ColourPlanes& colour, const SurfaceEnd& end,
+                         const EdgeEvidenceOptions& options);
+
 /// Where the matching cost favours a nearer surface than a pixel's own: that surface's disparity; NaN
 /// elsewhere. The outline between two surfaces moves with the nearer one. Mixed and sharpened pixels, and
 /// windows that contain them, match at its disparity, too; beside it some pixels of the farther surface are

@@ -156,23 +156,24 @@ using StepCosts = std::int16_t __attribute__((vector_size(sizeof(std::int16_t) *
 /// scalars.
 using Half = float __attribute__((vector_size(sizeof(float) * kCount / 2)));
 using HalfMasks = int __attribute__((vector_size(sizeof(int) * kCount / 2)));
+using HalfSteps = std::int16_t __attribute__((vector_size(sizeof(std::int16_t) * kCount / 2)));
 
-/// Rounded to integers from 0 to `largest`.
+/// Rounded to integers from 0 to `largest`. The halves are joined in registers: a vector that is read from
+/// memory just after its halves were written there waits until both are in the cache.
 inline __attribute__((always_inline)) void round_to(float largest, const Lanes& values, StepCosts& out) {
   const Half zero = {};
   const Half most = zero + largest;
   Half halves[2];
   std::memcpy(halves, &values, sizeof halves);
-  HalfMasks whole[2];
+  HalfSteps whole[2];
   for (int k = 0; k < 2; ++k) {
     Half value = halves[k] + 0.5F;
     value = value > zero ? value : zero;
     value = value < most ? value : most;
-    whole[k] = __builtin_convertvector(value, HalfMasks);
+    whole[k] = __builtin_convertvector(__builtin_convertvector(value, HalfMasks), HalfSteps);
   }
-  LaneMasks all;
-  std::memcpy(&all, whole, sizeof all);
-  out = __builtin_convertvector(all, StepCosts);
+  static_assert(kCount == 16);
+  out = __builtin_shufflevector(whole[0], whole[1], 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
 }
 
 /// A step from a pixel's predecessor to it.
