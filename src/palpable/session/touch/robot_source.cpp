@@ -5,6 +5,7 @@
 #include "palpable/session/robot/drive_surface.hpp"
 #include "palpable/session/robot/motion_watch.hpp"
 #include "palpable/session/robot/robot_messages.hpp"
+#include "palpable/session/touch/robot_hand.hpp"
 #include "palpable/session/touch/robot_hearing.hpp"
 #include "palpable/session/touch/robot_views.hpp"
 #include "palpable/session/touch/touch_session.hpp"
@@ -57,6 +58,7 @@ class RobotSource final : public LiveSource, public RobotControl {
         drive_(address.drive) {
     drive_.set_mode(address.mode);
     mode_ = address.mode;
+    hand_.change_mode(address.mode);
     if (address.wrist)
       views_ = std::make_unique<RobotViews>(*client_, wrist, address.wrist->sweep, address.drive.shape);
     thread_ = std::thread([this] { run(); });
@@ -111,23 +113,17 @@ class RobotSource final : public LiveSource, public RobotControl {
     hearing_.mark(labels, label, camera, seconds_of(RobotClock::now()), pose().heading_rad);
   }
   std::shared_ptr<const models::RouteGuide> guide(const models::Scene& scene) override {
-    TouchSession* session = session_;
+    const TouchSession* session = hand_.touch();
     if (!hearing_.pulls() || session == nullptr) return scene.guide;
     // A pull leads to a mark, and there is none in the other views.
     const bool is_marked = mode() == RobotMode::touch && (!views_ || views_->is_plain());
     return hearing_.guide(scene, *session, is_marked ? camera_seen_ : std::nullopt,
                           seconds_of(RobotClock::now()), pose().heading_rad);
   }
-  void begin(TouchSession& session) override {
-    touch_law_ = session.settings().law;
-    session_ = &session;
-    law_is_set_ = false;
-  }
+  void begin(TouchSession& session) override { hand_.begin(session); }
   void end() override {
     request_stop();
-    // The thread no longer uses the session once it has seen this.
-    session_ = nullptr;
-    const std::lock_guard lock(using_session_);
+    hand_.end();
   }
 
   // RobotControl
@@ -137,7 +133,7 @@ class RobotSource final : public LiveSource, public RobotControl {
     const std::lock_guard lock(mutex_);
     mode_ = mode;
     drive_.set_mode(mode);
-    law_is_set_ = false;
+    hand_.change_mode(mode);
   }
   void request_view(RobotView view) override {
     if (views_) return views_->request(view);
@@ -176,7 +172,7 @@ class RobotSource final : public LiveSource, public RobotControl {
 
   /// As surface(), in the mode touch.
   std::shared_ptr<const models::Relief> touched_view(const SeenView& seen) {
-    TouchSession* session = session_;
+    TouchSession* session = hand_.touch();
     return views_ && session != nullptr ? views_->surface(seen, *session) : nullptr;
   }
   RobotPose pose() const {
@@ -212,15 +208,13 @@ class RobotSource final : public LiveSource, public RobotControl {
     // It may have come back since the last tick.
     const std::uint64_t losses = client_->losses();
     const bool was_lost = std::exchange(losses_, losses) != losses || !client_->is_connected();
-    follow_law();
-    const auto [hand, is_released] = hand_now();
-    const RobotNow robot = follow(now, was_lost, hand, is_released);
+    hand_.follow_law();
+    const RobotNow robot = follow(now, was_lost, hand_.now());
     if (views_) views_->tick(robot);
   }
 
   /// Commands the wheels, and says what the arm may do.
-  RobotNow follow(RobotClock::time_point now, bool was_lost, const std::optional<DriveHand>& hand,
-                  bool is_released) {
+  RobotNow follow(RobotClock::time_point now, bool was_lost, const RobotHand::Now& hand) {
     const bool is_connected = client_->is_connected();
     const std::lock_guard lock(mutex_);
     notice_stall(now);
@@ -235,8 +229,8 @@ class RobotSource final : public LiveSource, public RobotControl {
       drive_.lose_link();
     }
     follow_wishes(seconds_of(now));
-    if (is_released) drive_.release_hand();
-    if (hand) drive_.take_hand(seconds_of(now), *hand);
+    if (hand.is_released) drive_.release_hand();
+    if (hand.at) drive_.take_hand(seconds_of(now), *hand.at);
     const auto command = drive_.command(seconds_of(now));
     tell(command.limit, now);
     send(command.velocity, now);
@@ -289,17 +283,6 @@ class RobotSource final : public LiveSource, public RobotControl {
       notices_.push_back(fmt::format("The robot's battery is at {:.0f} %.", 100.0 * charge));
   }
 
-  /// The law of the mode, once after each change of mode.
-  void follow_law() {
-    const RobotMode now = mode();
-    const std::lock_guard use(using_session_);
-    TouchSession* session = session_;
-    if (session == nullptr || law_is_set_.exchange(true)) return;
-    TouchSettings settings = session->settings();
-    settings.law = touch_law_;
-    if (now != RobotMode::touch) (settings.law = {}).law = haptics::Law::rolling;
-    static_cast<void>(session->change_settings(settings));
-  }
   RobotMode mode() const {
     const std::lock_guard lock(mutex_);
     return mode_;
@@ -318,21 +301,6 @@ class RobotSource final : public LiveSource, public RobotControl {
                       "see, must be free.",
                       drive_.vouched_m()));
     }
-  }
-
-  /// Where the hand is now, if a tick of the servo says so that was not seen before; the second: nobody holds
-  /// it.
-  std::pair<std::optional<DriveHand>, bool> hand_now() {
-    const std::lock_guard use(using_session_);
-    TouchSession* session = session_;
-    if (session == nullptr || session->paused()) return {std::nullopt, true};
-    const auto sample = session->latest();
-    if (sample.status != device::Status::ok) return {std::nullopt, true};
-    // A servo that stands still says nothing of the hand.
-    if (std::exchange(last_tick_, sample.tick) == sample.tick) return {std::nullopt, false};
-    const auto scene = session->scene();
-    const Vec3 at = sample.position.v;
-    return {drive_hand_at(at.x, at.y, *models::relief_of(*scene)), false};
   }
 
   void tell(DriveLimit limit, RobotClock::time_point now) {
@@ -374,10 +342,7 @@ class RobotSource final : public LiveSource, public RobotControl {
   RobotHearing hearing_;
   std::atomic<bool> ending_{false};
   std::atomic<Asked> asked_{Asked::nothing};
-  std::atomic<bool> law_is_set_{true};
-  std::mutex using_session_;
-  std::atomic<TouchSession*> session_{nullptr};
-  haptics::LawParameters touch_law_;
+  RobotHand hand_;
   /// Null: there is no near view.
   std::unique_ptr<RobotViews> views_;
 
@@ -391,7 +356,6 @@ class RobotSource final : public LiveSource, public RobotControl {
   bool touches_ = false;
   bool said_battery_ = false;
   bool limit_is_said_ = false;
-  std::uint64_t last_tick_ = 0;
   DriveLimit limit_ = DriveLimit::none;
   RobotClock::time_point limit_since_;
   std::optional<RobotClock::time_point> started_at_, ticked_at_;
