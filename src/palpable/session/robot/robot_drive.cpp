@@ -61,7 +61,7 @@ RobotDrive::RobotDrive(const DriveOptions& options)
     : options_(options), map_(options.shape), vouched_m_(options.shape.radius_m + options.margin_m) {}
 
 bool RobotDrive::start(double t_s) {
-  if (is_old(odometry_at_s_, t_s) || is_old(picture_at_s_, t_s)) return false;
+  if (is_old(odometry_at_s_, t_s) || is_picture_old(t_s)) return false;
   map_.begin(pose_, vouched_m_);
   last_ = {};
   started_ = true;
@@ -109,6 +109,9 @@ void RobotDrive::take_picture(double t_s, const DepthMap& depth, std::optional<d
   if (share_known(depth.depth_m) < kLeastKnown || is_frozen(depth.depth_m)) return;
   vouched_m_ = std::max(vouched_m_, map_.nearest_floor_m(*depth.camera));
   map_.add(depth, pose_at(stamp_s));
+  constexpr std::size_t kIntervals = 9;
+  if (picture_at_s_) picture_intervals_s_.push_back(t_s - *picture_at_s_);
+  if (picture_intervals_s_.size() > kIntervals) picture_intervals_s_.pop_front();
   picture_at_s_ = t_s;
 }
 
@@ -121,10 +124,20 @@ bool RobotDrive::is_old(const std::optional<double>& at_s, double t_s) const {
   return !at_s || t_s - *at_s > options_.lost_s;
 }
 
+bool RobotDrive::is_picture_old(double t_s) const {
+  constexpr double kIntervals = 2.5, kOldest_s = 0.4;
+  if (!is_old(picture_at_s_, t_s)) return false;
+  if (!picture_at_s_ || picture_intervals_s_.empty()) return true;
+  auto sorted = picture_intervals_s_;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  return t_s - *picture_at_s_ > std::min(kIntervals * *middle, kOldest_s);
+}
+
 std::optional<DriveLimit> RobotDrive::reason_to_stand(double t_s) const {
   if (!started_) return DriveLimit::not_started;
   if (is_old(odometry_at_s_, t_s)) return DriveLimit::link_lost;
-  if (is_old(picture_at_s_, t_s)) return DriveLimit::picture_lost;
+  if (is_picture_old(t_s)) return DriveLimit::picture_lost;
   if (is_old(hand_at_s_, t_s) || !std::isfinite(hand_.right) || !std::isfinite(hand_.ahead))
     return DriveLimit::released;
   if (mode_ == RobotMode::touch) return DriveLimit::standing;

@@ -42,7 +42,8 @@ struct DriveOptions {
   double reaction_s = 0.5;
   /// Kept from everything that is not known to be free: odometry drifts.
   double margin_m = 0.1;
-  /// A picture, a message of odometry, or a hand that is older makes the command zero.
+  /// A message of odometry, or a hand that is older makes the command zero. So does a picture that is older
+  /// than this and than 2.5 times what is usual between two, or than 0.4 s.
   double lost_s = 0.1;
 };
 
@@ -79,7 +80,7 @@ class RobotDrive {
   explicit RobotDrive(const DriveOptions& options);
 
   /// A person starts; until then, and after stop(), the command is zero. Without odometry and pictures that
-  /// are not older than DriveOptions::lost_s it does not start.
+  /// are newer than DriveOptions::lost_s says it does not start.
   bool start(double t_s);
   void stop() { started_ = false; }
   bool is_started() const { return started_; }
@@ -117,6 +118,7 @@ class RobotDrive {
 
  private:
   bool is_old(const std::optional<double>& at_s, double t_s) const;
+  bool is_picture_old(double t_s) const;
   RobotPose pose_at(std::optional<double> stamp_s) const;
   bool is_frozen(const Raster<float>& depth_m);
   std::optional<DriveLimit> reason_to_stand(double t_s) const;
@@ -129,6 +131,8 @@ class RobotDrive {
   /// Of the last two seconds, by the robot's clock.
   std::deque<std::pair<double, RobotPose>> past_;
   double vouched_m_ = 0.0;
+  /// Between the last pictures.
+  std::deque<double> picture_intervals_s_;
   /// The last picture, and where the robot was when it came first.
   Raster<float> last_depth_m_;
   RobotPose last_depth_pose_;

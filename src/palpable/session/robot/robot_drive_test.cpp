@@ -136,6 +136,33 @@ TEST(RobotDrive, IsZeroBeforeTheStartAndWithoutPicturesOdometryOrHand) {
   EXPECT_EQ(at(3.04, true, true, true), DriveLimit::not_started);
 }
 
+TEST(RobotDrive, WaitsForTheNextPictureOfASlowCamera) {
+  for (const double interval_s : {0.12, 0.2, 0.6}) {
+    RobotDrive drive(options_of_shape());
+    int stood = 0;
+    double longest_s = 0.0, since_s = 0.0;
+    // Then no pictures come any more.
+    for (double t_s = 0.0; t_s < 6.0; t_s += 0.02) {
+      drive.take_odometry(t_s, {}, t_s);
+      if (t_s < 5.0 && t_s >= since_s + interval_s - 1e-9) {
+        since_s = t_s;
+        // Its noise makes each picture another one.
+        DepthMap picture = floor_and_wall(2.4);
+        picture.depth_m(0, 0) += static_cast<float>(1e-4 * t_s);
+        drive.take_picture(t_s, picture, t_s);
+      }
+      drive.take_hand(t_s, {0.0, 1.0});
+      if (!drive.is_started()) drive.start(t_s);
+      const auto limit = drive.command(t_s).limit;
+      if (t_s > 3.0 && t_s < 5.0) stood += limit == DriveLimit::picture_lost ? 1 : 0;
+      if (limit != DriveLimit::picture_lost) longest_s = t_s - since_s;
+    }
+    // One of 0.6 s is too slow for driving.
+    EXPECT_EQ(stood > 0, interval_s > 0.4) << interval_s;
+    EXPECT_LT(longest_s, 0.42) << interval_s;
+  }
+}
+
 TEST(RobotDrive, DoesNotUsePicturesThatWereTakenLongAgo) {
   RobotDrive drive = started_before(2.4);
   drive.take_odometry(3.0, {}, 3.0);
