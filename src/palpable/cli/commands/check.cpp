@@ -210,7 +210,9 @@ std::string text_of(const CheckReport& report, const CheckArguments& arguments) 
                                                       : 0);
   if (rest > 0) text += fmt::format("        and {} more (--list N, --json).\n", rest);
   if (!is_judged(report) && report.is_clean())
-    text += "Not judged: no force could be recomputed; name the scene that was touched.\n";
+    text +=
+        "Not judged: no force could be recomputed; name the scene that was touched, if it was one of a "
+        "file.\n";
   else if (!is_clean(report, arguments))
     text += "Not clean.\n";
   else

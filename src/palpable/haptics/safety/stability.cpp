@@ -36,7 +36,7 @@ double hold_s(const device::Traits& device, double rate_hz) {
 
 /// Beyond which a damper whose velocity comes from a very slow sensor no longer holds the device's mass.
 double most_by_mass(const device::Traits& device) {
-  if (device.sensor_period_s <= kSlowest_s || !std::isfinite(device.mass_kg))
+  if (device.sensor_period_s < kSlowest_s || !std::isfinite(device.mass_kg))
     return std::numeric_limits<double>::infinity();
   const double fastest_rad_per_s = kSlowestPhase / device.sensor_period_s;
   return device.mass_kg * fastest_rad_per_s * fastest_rad_per_s;

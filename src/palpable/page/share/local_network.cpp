@@ -135,6 +135,8 @@ Result<std::vector<std::string>> addresses_in_network() {
 
 Result<IpAddress> ip_address(std::string_view text) {
   IpAddress address = version_4(0, 0, 0, 0);
+  // As in a link.
+  if (text.size() > 2 && text.front() == '[' && text.back() == ']') text = text.substr(1, text.size() - 2);
   if (inet_pton(AF_INET, std::string(text).c_str(), address.data() + 12) == 1) return address;
   if (inet_pton(AF_INET6, std::string(text.substr(0, text.find('%'))).c_str(), address.data()) == 1)
     return address;

@@ -13,6 +13,7 @@ TEST(LocalNetwork, ReadsAndWritesAddresses) {
   EXPECT_EQ(text_of(ip_address("192.168.1.20").value()), "192.168.1.20");
   EXPECT_EQ(text_of(ip_address("2001:0DB8:0:0:0:0:0:1").value()), "2001:db8::1");
   EXPECT_EQ(text_of(ip_address("fe80::1%eth0").value()), "fe80::1");
+  EXPECT_EQ(text_of(ip_address("[fd00::2]").value()), "fd00::2");
   EXPECT_EQ(ip_address("::ffff:10.1.2.3").value(), ip_address("10.1.2.3").value());
   for (const char* text :
        {"", "192.168.1", "192.168.1.256", "example.org", "1.2.3.4 ", ":::", "2001:db8::1::"})

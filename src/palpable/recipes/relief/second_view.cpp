@@ -3,9 +3,11 @@
 #include "palpable/recipes/relief/second_view.hpp"
 
 #include "palpable/sculpt/relief/holes.hpp"
+#include "palpable/vision/stereo/problem/exposure_match.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
@@ -20,9 +22,20 @@ std::uint16_t packed(double share) {
   return static_cast<std::uint16_t>(std::lround(std::clamp(models::kShiftScale * (1.0 + share), 0.0, kMost)));
 }
 
+/// A picture whose exposure differs, with the levels of the other one: two eyes see one brightness.
+Image exposed_as(const Image& left, Image right) {
+  const auto match = vision::match_exposures(left, right, {});
+  if (!match.exposure.differs) return right;
+  const auto channels = static_cast<std::size_t>(right.channels);
+  for (std::size_t k = 0; k < right.samples.size(); ++k)
+    if (const std::size_t c = k % channels; c < match.curves.size())
+      right.samples[k] = match.curves[c](right.samples[k]);
+  return right;
+}
+
 }  // namespace
 
-models::SecondView second_view(const Image& right, Raster<float> disparity_px) {
+models::SecondView second_view(const Image& left, const Image& right, Raster<float> disparity_px) {
   sculpt::fill_unknown_heights(disparity_px);
   const int width = disparity_px.width(), height = disparity_px.height();
   const double shrink = std::min(1.0, 1.0 * kLongestSide / std::max(width, height));
@@ -38,7 +51,7 @@ models::SecondView second_view(const Image& right, Raster<float> disparity_px) {
       shift(i, j) = packed(sum / ((x1 - x0) * (y1 - y0)) / width);
     }
   }
-  return {rgb8(right), std::move(shift)};
+  return {rgb8(exposed_as(left, right)), std::move(shift)};
 }
 
 }  // namespace palpable::recipes

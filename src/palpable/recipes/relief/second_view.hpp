@@ -8,9 +8,10 @@
 
 namespace palpable::recipes {
 
-/// The right picture of a rectified pair as the right eye's view of the relief of its left one.
+/// The right picture of a rectified pair as the right eye's view of the relief of its left one, with the left
+/// one's levels if the exposures differ.
 /// `disparity_px`: of the left picture, x_left - x_right; NaN where it is unknown. Known at one pixel at
 /// least.
-models::SecondView second_view(const Image& right, Raster<float> disparity_px);
+models::SecondView second_view(const Image& left, const Image& right, Raster<float> disparity_px);
 
 }  // namespace palpable::recipes

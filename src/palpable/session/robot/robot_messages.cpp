@@ -38,6 +38,18 @@ std::string sentence_of(DriveLimit limit) {
   return {};
 }
 
+std::string sentence_of(RobotMode mode) {
+  switch (mode) {
+    case RobotMode::drive:
+      return "Drive: up drives the robot, right and left turn it.";
+    case RobotMode::look:
+      return "Look: right and left turn the robot.";
+    case RobotMode::touch:
+      break;
+  }
+  return "Touch: the robot stands, and the hand touches what its camera sees.";
+}
+
 Result<void> take_sound(sources::RosbridgeClient& client, std::size_t sound, std::size_t format,
                         RobotEars& ears) {
   if (const auto newest = client.take(format))

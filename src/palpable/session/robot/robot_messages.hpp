@@ -21,6 +21,8 @@ std::string arm_twist_text(double left_m_per_s);
 
 /// A sentence on why the robot stands or goes slowly; empty: nothing is to be said.
 std::string sentence_of(DriveLimit limit);
+/// What the hand does in this mode.
+std::string sentence_of(RobotMode mode);
 
 /// Gives the ears all parts of the sound that came, and the format that the robot states. `sound`, `format`:
 /// places in the client's list of topics. Errors: RobotEars::take_format().

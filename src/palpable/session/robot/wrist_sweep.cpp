@@ -14,6 +14,8 @@ constexpr double kReached_m = 0.002;
 /// For this time it stands before a picture counts.
 constexpr double kStanding_s = 0.25;
 constexpr double kStill_m = 0.0008;
+constexpr const char* kMovesUnasked =
+    "The arm moves, though it is told to stand: use the robot's own emergency stop.";
 
 }  // namespace
 
@@ -60,7 +62,9 @@ bool WristSweep::begin(double t_s) {
   failure_.reset();
   command_m_per_s_ = 0.0;
   commanded_at_s_ = allowed_at_s_ = obeyed_at_s_ = t_s;
-  obeyed_at_m_ = left_m();
+  told_at_s_ = t_s;
+  obeyed_at_m_ = stood_at_m_ = left_m();
+  said_unasked_ = false;
   return true;
 }
 
@@ -107,8 +111,8 @@ void WristSweep::give_up(std::string sentence) {
 }
 
 std::optional<std::string> WristSweep::fault(double t_s) {
-  constexpr double kLost_s = 2.0, kWaiting_s = 10.0, kBlocked_s = 2.0, kUnasked_s = 1.0, kMoved_m = 0.001,
-                   kUnasked_m = 0.004, kTurned = 0.035, kStandingAtMost_s = 10.0;
+  constexpr double kLost_s = 2.0, kWaiting_s = 10.0, kBlocked_s = 2.0, kMoved_m = 0.001, kTurned = 0.035,
+                   kStandingAtMost_s = 10.0;
   if (t_s - poses_.back().t_s > kLost_s) return "The arm is stopped: it does not say where it is.";
   const Pose& pose = poses_.back().pose;
   const Vec3 off = pose.translation_m - home_->translation_m;
@@ -125,18 +129,31 @@ std::optional<std::string> WristSweep::fault(double t_s) {
     if (way_m > kMoved_m) obeyed_at_s_ = t_s, obeyed_at_m_ = left_m();
     if (t_s - obeyed_at_s_ > kBlocked_s)
       return "The arm is stopped: it was told to move, and it stands. It may be blocked.";
-  } else if (t_s - obeyed_at_s_ > kUnasked_s && way_m > kUnasked_m) {
-    return "The arm moves, though it is told to stand: use the robot's own emergency stop.";
   }
+  if (moves_unasked(t_s)) return kMovesUnasked;
   if (stage_ == Stage::standing && t_s - standing_since_s_ > kStandingAtMost_s)
     return "The near view is given up: no picture of the wrist camera came.";
   return std::nullopt;
 }
 
+/// Whether it goes on for more than 1.5 s after it was told to stand: commands and poses may be late.
+bool WristSweep::moves_unasked(double t_s) {
+  constexpr double kBraking_s = 1.5, kMoved_m = 0.01;
+  const double left_m = (standing_pose().translation_m - home_->translation_m).y;
+  if (command_m_per_s_ != 0.0) told_at_s_ = t_s;
+  if (t_s - told_at_s_ <= kBraking_s) stood_at_m_ = left_m;
+  return std::abs(left_m - stood_at_m_) > kMoved_m && !std::exchange(said_unasked_, true);
+}
+
 double WristSweep::command(double t_s, bool may_move) {
+  constexpr double kWatched_s = 10.0;
   const double dt_s = std::clamp(t_s - commanded_at_s_, 0.0, options_.lost_s);
   commanded_at_s_ = t_s;
-  if (stage_ == Stage::idle) return command_m_per_s_ = 0.0;
+  if (stage_ == Stage::idle) {
+    if (is_watched(t_s) && moves_unasked(t_s)) failure_ = kMovesUnasked;
+    return command_m_per_s_ = 0.0;
+  }
+  watched_until_s_ = t_s + kWatched_s;
   if (may_move) allowed_at_s_ = t_s;
   if (auto sentence = fault(t_s)) {
     give_up(*std::move(sentence));

@@ -51,6 +51,8 @@ class WristSweep {
   /// Ends it where it is.
   void cancel() { stage_ = Stage::idle; }
   bool is_active() const { return stage_ != Stage::idle; }
+  /// In a sweep, and for ten seconds after it: it is told to stand, and a failure says if it does not.
+  bool is_watched(double t_s) const { return t_s < watched_until_s_; }
   /// The camera's speed to the left, m/s; call it at least ten times a second. `may_move`: a person wants it
   /// to, and nothing is lost; otherwise it waits, for ten seconds at most. 0 if there is no sweep.
   double command(double t_s, bool may_move);
@@ -72,6 +74,7 @@ class WristSweep {
   bool stands() const;
   Pose standing_pose() const;
   std::optional<std::string> fault(double t_s);
+  bool moves_unasked(double t_s);
   void give_up(std::string sentence);
   double towards_target(double t_s);
 
@@ -91,6 +94,10 @@ class WristSweep {
   std::optional<Measured> still_since_;
   /// When it was last allowed to move; when, and where, it last obeyed.
   double allowed_at_s_ = 0.0, obeyed_at_s_ = 0.0, obeyed_at_m_ = 0.0;
+  /// When it was last told to move, and where it stood 1.5 s after that.
+  double told_at_s_ = 0.0, stood_at_m_ = 0.0;
+  double watched_until_s_ = 0.0;
+  bool said_unasked_ = false;
 };
 
 }  // namespace palpable::session

@@ -34,7 +34,7 @@ Result<Microphones> microphones_of(const std::string& text) {
 }
 
 /// The wrist camera of a robot whose address names its arm.
-Result<std::optional<WristAddress>> take_wrist(device::DeviceUrl& url) {
+Result<std::optional<WristAddress>> take_wrist(device::DeviceUrl& url, const std::string& command) {
   WristAddress wrist;
   if (auto taken = take_topics(url, {{"arm", &wrist.arm},
                                      {"wrist", &wrist.picture},
@@ -44,6 +44,8 @@ Result<std::optional<WristAddress>> take_wrist(device::DeviceUrl& url) {
     return std::move(taken).error();
   wrist.sweep.half_m = url.take_number("sweep", wrist.sweep.half_m, 0.005, 0.1);
   wrist.sweep.speed_m_per_s = url.take_number("arm-speed", wrist.sweep.speed_m_per_s, 0.005, 0.1);
+  if (!wrist.arm.empty() && wrist.arm == command)
+    return Error{ErrorCode::usage, "the arm's topic is that of the robot's own commands", "arm"};
   return wrist.arm.empty() ? std::nullopt : std::optional(std::move(wrist));
 }
 
@@ -87,7 +89,7 @@ Result<RobotAddress> take_robot_options(device::DeviceUrl& url, RosAddress pictu
   drive.reaction_s = url.take_number("reaction", drive.reaction_s, 0.0, 2.0);
   address.marks_sounds = url.take_count("sound-marker", 1, 0, 1) == 1;
   address.pulls_to_sounds = url.take_count("sound-pull", 0, 0, 1) == 1;
-  auto wrist = take_wrist(url);
+  auto wrist = take_wrist(url, address.command);
   if (!wrist) return std::move(wrist).error();
   address.wrist = *std::move(wrist);
   if (const auto text = url.take_text("microphones"); !text.empty()) {

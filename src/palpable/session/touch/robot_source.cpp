@@ -87,14 +87,11 @@ class RobotSource final : public LiveSource, public RobotControl {
   std::optional<std::string> loss() override { return client_->loss(); }
   std::optional<std::string> notice() override {
     if (auto words = client_->notice()) return words;
+    // Before what follows from it.
+    if (auto words = own_notice()) return words;
     if (views_)
       if (auto words = views_->notice()) return words;
-    if (auto words = hearing_.notice()) return words;
-    const std::lock_guard lock(mutex_);
-    if (notices_.empty()) return std::nullopt;
-    std::string first = std::move(notices_.front());
-    notices_.pop_front();
-    return first;
+    return hearing_.notice();
   }
   std::string_view kind() const override { return "robot"; }
   std::shared_ptr<const models::Relief> surface(const SeenView& seen) override {
@@ -134,6 +131,7 @@ class RobotSource final : public LiveSource, public RobotControl {
     mode_ = mode;
     drive_.set_mode(mode);
     hand_.change_mode(mode);
+    notices_.emplace_back(sentence_of(mode));
   }
   void request_view(RobotView view) override {
     if (views_) return views_->request(view);
@@ -163,11 +161,21 @@ class RobotSource final : public LiveSource, public RobotControl {
       std::this_thread::sleep_until(std::min(next, RobotClock::now() + kTick));
       next = std::max(next, RobotClock::now() - kTick);
     }
-    // Several, since one may be lost.
-    for (int n = 0; n < 3; ++n, std::this_thread::sleep_for(kTick)) {
-      if (has_commanded_) client_->publish(0, twist_text({}));
-      if (views_) views_->stop_arm();
+    // Several, since one may be lost; none leaves while the connection is busy.
+    constexpr int kZeros = 3, kTries = 25;
+    for (int tries = 0, sent = 0; tries < kTries && sent < kZeros;
+         ++tries, std::this_thread::sleep_for(kTick)) {
+      const bool stands = !has_commanded_ || client_->publish(0, twist_text({}));
+      const bool arm_stands = !views_ || views_->stop_arm();
+      sent += stands && arm_stands ? 1 : 0;
     }
+  }
+  std::optional<std::string> own_notice() {
+    const std::lock_guard lock(mutex_);
+    if (notices_.empty()) return std::nullopt;
+    std::string first = std::move(notices_.front());
+    notices_.pop_front();
+    return first;
   }
 
   /// As surface(), in the mode touch.
@@ -294,6 +302,15 @@ class RobotSource final : public LiveSource, public RobotControl {
       if (drive_.is_started()) notices_.emplace_back("The robot is stopped.");
       drive_.stop();
     }
+    constexpr double kPatience_s = 2.0;
+    const bool is_asked = asked_ == Asked::start && !drive_.is_started();
+    if (!is_asked || !start_asked_at_s_) start_asked_at_s_ = now_s;
+    if (is_asked && now_s - *start_asked_at_s_ > kPatience_s) {
+      asked_ = Asked::nothing;
+      notices_.emplace_back(
+          "The robot is not started: its odometry, or pictures of its camera with their data and depth, do "
+          "not come.");
+    }
     if (asked_ == Asked::start && (drive_.is_started() || drive_.start(now_s))) {
       asked_ = Asked::nothing;
       notices_.push_back(
@@ -321,7 +338,7 @@ class RobotSource final : public LiveSource, public RobotControl {
     // For a second after the end, since a zero that is sent once may be lost.
     constexpr auto kAfter = std::chrono::seconds(1);
     if (drive_.is_started()) started_at_ = now;
-    if (!started_at_ || now - *started_at_ > kAfter) return;
+    if (!started_at_ || (now - *started_at_ > kAfter && published_ == RobotVelocity{})) return;
     has_commanded_ = true;
     if (!client_->publish(0, twist_text(velocity))) return;
     published_ = velocity;
@@ -359,6 +376,7 @@ class RobotSource final : public LiveSource, public RobotControl {
   DriveLimit limit_ = DriveLimit::none;
   RobotClock::time_point limit_since_;
   std::optional<RobotClock::time_point> started_at_, ticked_at_;
+  std::optional<double> start_asked_at_s_;
   bool was_lost_ = false;
   std::uint64_t losses_ = 0;
   /// The command that was sent last.

@@ -7,9 +7,13 @@
 #include "palpable/session/touch/touch_session.hpp"
 #include "palpable/sources/live/rosbridge_picture.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -22,6 +26,17 @@ bool has_moved(const RobotPose& from, const RobotPose& to) {
   constexpr double kMoved_m = 0.01, kMoved_rad = 0.01;
   return std::hypot(to.x_m - from.x_m, to.y_m - from.y_m) > kMoved_m ||
          std::abs(std::remainder(to.heading_rad - from.heading_rad, 2.0 * M_PI)) > kMoved_rad;
+}
+
+/// The median of what is known; a map of which nothing is known has none.
+double middle_depth_m(const Raster<float>& depth_m) {
+  std::vector<float> known;
+  std::copy_if(depth_m.values().begin(), depth_m.values().end(), std::back_inserter(known),
+               [](float z) { return std::isfinite(z); });
+  if (known.empty()) return 0.0;
+  const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
+  std::nth_element(known.begin(), middle, known.end());
+  return *middle;
 }
 
 }  // namespace
@@ -111,7 +126,10 @@ void RobotViews::end_sweep() {
 
 void RobotViews::follow_wish(const RobotNow& now) {
   const Asked asked = std::exchange(asked_, Asked::nothing);
-  if (asked == Asked::wide) go_wide();
+  if (asked == Asked::wide) {
+    if (sweep_.is_active() || is_computing_) notices_.emplace_back("The near view is given up.");
+    go_wide();
+  }
   if (asked == Asked::near) begin_sweep(now);
 }
 
@@ -153,19 +171,20 @@ void RobotViews::take_wrist(double t_s) {
 
 void RobotViews::command_arm(const RobotNow& now) {
   const double left_m_per_s = sweep_.command(now.t_s, now.may_move);
-  // For a second after the end, since a zero that is sent once may be lost.
-  constexpr double kAfter_s = 1.0;
-  if (sweep_.is_active()) commanded_at_s_ = now.t_s;
-  if (!commanded_at_s_ || now.t_s - *commanded_at_s_ > kAfter_s) return;
-  if (client_.publish(places_.arm, arm_twist_text(left_m_per_s))) ++arm_commands_;
+  // Also after the end, since a zero that is sent once may be lost, until one was sent.
+  if (!sweep_.is_active() && !sweep_.is_watched(now.t_s) && published_m_per_s_ == 0.0) return;
+  if (!client_.publish(places_.arm, arm_twist_text(left_m_per_s))) return;
+  published_m_per_s_ = left_m_per_s;
+  ++arm_commands_;
 }
 
-void RobotViews::stop_arm() {
+bool RobotViews::stop_arm() {
   const std::lock_guard lock(mutex_);
-  if (arm_commands_ > 0) client_.publish(places_.arm, arm_twist_text(0.0));
+  return arm_commands_ == 0 || client_.publish(places_.arm, arm_twist_text(0.0));
 }
 
 void RobotViews::compute(std::vector<WristPicture> pictures) {
+  notices_.emplace_back("The pictures are taken: the arm goes back, and their depth is computed.");
   if (std::exchange(is_subscribed_, false)) client_.unsubscribe_from(places_.picture);
   if (!wrist_) {
     notices_.emplace_back("There is no near view: the wrist camera does not state its data (camera_info).");
@@ -255,7 +274,11 @@ void RobotViews::zoom(const TouchedView& wide, TouchSession& session) {
   }
   ++near_views_;
   if (!zoomed.point) {
-    notices_.emplace_back("The near view; what was under the hand is not in it.");
+    const double z_m = middle_depth_m(near.depth_m);
+    notices_.push_back(fmt::format(
+        "The near view: most of it is {:.2f} m from the wrist camera, and it is {:.0f} cm wide there. What "
+        "was under the hand is not in it.",
+        z_m, 100.0 * z_m * near.camera->width / near.camera->fx));
     return;
   }
   const double z_m = (near.base_from_camera.inverse() * *zoomed.point).v.z;

@@ -52,7 +52,7 @@ class RobotViews {
   /// At least ten times a second, by one thread: takes what came, and commands the arm.
   void tick(const RobotNow& now);
   /// Tells the arm to stand, if it was ever told to move.
-  void stop_arm();
+  bool stop_arm();
   /// As LiveSource::surface(), of the view that is touched; begins a zoom that is due.
   std::shared_ptr<const models::Relief> surface(const SeenView& seen, TouchSession& session);
   /// The near view's colours while that is touched.
@@ -96,7 +96,8 @@ class RobotViews {
   bool is_subscribed_ = false;
   /// Where the robot stood when the arm began.
   RobotPose stood_;
-  std::optional<double> commanded_at_s_;
+  /// The command that was sent last.
+  double published_m_per_s_ = 0.0;
   /// What the computing thread leaves.
   std::optional<Result<NearView>> computed_;
   bool is_computing_ = false;

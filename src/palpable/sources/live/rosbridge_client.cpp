@@ -242,8 +242,9 @@ Result<std::optional<RosbridgeClient::Newest>> RosbridgeClient::wait(std::size_t
 
 bool RosbridgeClient::publish(std::size_t k, const std::string& message) {
   const std::lock_guard lock(mutex_);
-  // A command behind others would arrive late.
-  if (!socket_ || socket_->unsent_bytes() > 0) return false;
+  // Behind the commands of the same moment it is in time; behind more it would arrive late.
+  constexpr std::size_t kMostUnsent = 512;
+  if (!socket_ || socket_->unsent_bytes() > kMostUnsent) return false;
   const RosPublication& to = options_.publications[k];
   if (!advertised_[k])
     socket_->send(

@@ -76,6 +76,12 @@ TEST(WristSweep, GivesUpAnArmThatDoesOtherThanItIsTold) {
     runaway.step();
   }
   EXPECT_NE(failure_of(runaway, 0.1).find("left the way"), std::string::npos);
+  // And it still does.
+  for (int k = 0; k < 150; ++k) {
+    runaway.world.command_arm(0.03);
+    runaway.step();
+  }
+  EXPECT_NE(failure_of(runaway, 0.1).find("emergency stop"), std::string::npos);
 }
 
 TEST(NearDepth, IsMetric) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/commands/touch/touch_headless.hpp"
 
+#include "palpable/cli/commands/touch/touch_robot.hpp"
 #include "palpable/cli/keys/touch_by_keys.hpp"
 #include "palpable/cli/say_aloud.hpp"
 #include "palpable/voice/voice.hpp"
@@ -72,6 +73,7 @@ Result<Answer> touch_without_page(const TouchArguments& arguments, const TouchPl
   };
   if (arguments.speak) let_speak(headless, console);
   const auto notes = [&console](const Note& note) { console.note(note); };
+  const RobotTerminal terminal(plan.live ? plan.live->robot() : nullptr, console);
   const auto statistics = session::touch_headless(maker_of(plan, notes), headless, console.work());
   if (!statistics) {
     if (arguments.speak && statistics.error().code != ErrorCode::interrupted)

@@ -5,6 +5,7 @@
 #include "palpable/cli/commands/touch/open_browser.hpp"
 #include "palpable/cli/commands/touch/touch_robot.hpp"
 #include "palpable/page/server.hpp"
+#include "palpable/page/share/local_network.hpp"
 #include "palpable/page/share/sharing.hpp"
 #include "palpable/page/touch_host.hpp"
 
@@ -44,11 +45,26 @@ class NoteBox {
   std::vector<Note> kept_;
 };
 
+/// Without the brackets that it has in a link.
+Result<std::string> shared_address(const std::string& text) {
+  const auto address = page::ip_address(text);
+  if (!address) return Error{ErrorCode::usage, "\"" + text + "\" is not an IP address", "--share-address"};
+  const bool is_link_local = (*address)[0] == 0xFE && ((*address)[1] & 0xC0U) == 0x80;
+  if (is_link_local)
+    return Error{ErrorCode::usage, "browsers cannot be sent to a link-local address (fe80::)",
+                 "--share-address"};
+  return page::text_of(*address);
+}
+
 /// Null if the touch is not shared.
 Result<std::unique_ptr<page::Sharing>> open_sharing(const TouchArguments& arguments, Console& console) {
   if (!arguments.share) return std::unique_ptr<page::Sharing>();
   page::Sharing::Options options;
-  if (!arguments.share_address.empty()) options.addresses = {arguments.share_address};
+  if (!arguments.share_address.empty()) {
+    auto address = shared_address(arguments.share_address);
+    if (!address) return std::move(address).error();
+    options.addresses = {*std::move(address)};
+  }
   options.port = static_cast<std::uint16_t>(arguments.share_port);
   options.on_link = [&console](const page::protocol::Invitation& link, const std::string& code) {
     console.draw(code);
