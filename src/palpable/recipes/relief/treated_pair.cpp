@@ -58,8 +58,8 @@ Result<TreatedPair> treated_pair(const vision::StereoPair& given, const StereoRe
     if (const auto moved = move_to_front_view(pair, match->disparity, work); !moved) return moved.error();
   std::shared_ptr<const models::SecondView> second;
   if (recipe.texture == Texture::left && !given.frame && !match->exchanged)
-    second =
-        std::make_shared<const models::SecondView>(second_view(pair.left, pair.right, match->disparity.disparity_px));
+    second = std::make_shared<const models::SecondView>(
+        second_view(pair.left, pair.right, match->disparity.disparity_px));
   auto disparity = with_regions_treated(match->disparity, {rgb8(pair.left)}, recipe, work, regions, notes);
   return TreatedPair{std::move(pair.left), std::move(disparity),
                      std::move(second),    std::move(regions),
