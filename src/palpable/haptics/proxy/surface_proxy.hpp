@@ -215,6 +215,9 @@ class ProxyFollower {
   /// Whether a proxy without friction slides, without climbing over a wall, to where it sees a hand in the
   /// air: then no wall is between both, only the edge over which the hand slipped.
   bool slides_to_hand(const SurfaceProxy& proxy, Vec3 hand_m) const noexcept {
+    // Steps by pixels could pass over a wall that rises above both.
+    const double top_m = std::max(proxy.place_m.z, hand_m.z) + kBump_pixels * surface_.pixel_m();
+    if (!is_clear({proxy.place_m.x, proxy.place_m.y, top_m}, {hand_m.x, hand_m.y, top_m})) return false;
     SurfaceProxy slid = proxy;
     int evaluations = kMaxEvaluations;
     SlideEnd end;
@@ -303,6 +306,9 @@ class ProxyFollower {
       proxy.phase = SurfaceProxy::Phase::free;
     }
   }
+
+  /// What rises less above a proxy, in pixels, is no wall.
+  static constexpr double kBump_pixels = 0.1;
 
   bool is_below(Vec3 p) const noexcept { return p.z < surface_.sample(p.x, p.y).z_m; }
 
