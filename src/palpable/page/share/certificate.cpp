@@ -103,7 +103,7 @@ Result<ServerCertificate> make_certificate(const std::vector<std::string>& addre
     // They become a part of an extension's text, in which a comma would begin another name.
     const auto known = ip_address(address);
     if (!known) return known.error();
-    names += (names.empty() ? "IP:" : ",IP:") + text_of(*known);
+    names += (names.empty() ? "IP:" : ",IP:") + known->to_string();
   }
   if (addresses.empty()) return no_certificate();
   const Key key(EVP_EC_gen("P-256"));

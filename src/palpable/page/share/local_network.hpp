@@ -4,21 +4,20 @@
 
 #include "palpable/core/result.hpp"
 
-#include <array>
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <boost/asio/ip/address.hpp>
+
 namespace palpable::page {
 
-/// An address of the internet protocol, versions 4 and 6; those of version 4 as ::ffff:a.b.c.d (RFC 4291,
-/// 2.5.5.2).
-using IpAddress = std::array<std::uint8_t, 16>;
+/// Of version 4 or 6; those of version 4 are never mapped to version 6.
+using IpAddress = boost::asio::ip::address;
 
 /// An address of this computer, and how many of its first bits are those of its network.
 struct NetworkAddress {
-  IpAddress address{};
+  IpAddress address;
   int prefix = 0;
 };
 
@@ -30,11 +29,12 @@ std::vector<NetworkAddress> network_addresses();
 /// version 6, link-local (browsers cannot be sent there). Sends nothing. Errors: failed, if there is none.
 Result<std::vector<std::string>> addresses_in_network();
 
-/// An address in the usual notation, with or without a zone ("fe80::1%eth0"). Errors: invalid_input.
+/// An address in the usual notation, with or without brackets and a zone ("[fd00::2]", "fe80::1%eth0").
+/// Errors: invalid_input.
 Result<IpAddress> ip_address(std::string_view text);
 
-/// As browsers write it (RFC 5952), without brackets.
-std::string text_of(const IpAddress& address);
+/// Of version 6 (fe80::/10): browsers cannot be sent there.
+bool is_link_local(const IpAddress& address);
 
 /// Whether a device may be in the local network: its address is private (RFC 1918, RFC 4193), link-local,
 /// loopback's, or in the network of one of `own`.

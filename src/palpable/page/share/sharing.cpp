@@ -26,7 +26,7 @@ Result<std::unique_ptr<Sharing>> Sharing::open(Options options) {
     if (std::none_of(networks.begin(), networks.end(),
                      [&](const NetworkAddress& own) { return own.address == *address; }))
       return invalid_input("is no address of this computer", text);
-    text = text_of(*address);
+    text = address->to_string();
   }
   auto certificate = make_certificate(options.addresses);
   if (!certificate) return certificate.error();

@@ -49,11 +49,10 @@ class NoteBox {
 Result<std::string> shared_address(const std::string& text) {
   const auto address = page::ip_address(text);
   if (!address) return Error{ErrorCode::usage, "\"" + text + "\" is not an IP address", "--share-address"};
-  const bool is_link_local = (*address)[0] == 0xFE && ((*address)[1] & 0xC0U) == 0x80;
-  if (is_link_local)
+  if (page::is_link_local(*address))
     return Error{ErrorCode::usage, "browsers cannot be sent to a link-local address (fe80::)",
                  "--share-address"};
-  return page::text_of(*address);
+  return address->to_string();
 }
 
 /// Null if the touch is not shared.
