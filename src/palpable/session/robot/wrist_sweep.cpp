@@ -50,11 +50,16 @@ double WristSweep::target_m() const {
 
 bool WristSweep::begin(double t_s) {
   if (poses_.empty() || t_s - poses_.back().t_s > options_.lost_s) return false;
-  // Who moved it elsewhere since then has another place in mind.
-  if (home_ &&
-      norm(poses_.back().pose.translation_m - home_->translation_m) > options_.half_m + options_.margin_m)
+  const Pose& now = poses_.back().pose;
+  // Who moved it elsewhere since it was watched has another place in mind; not so an arm whose own driver
+  // stopped it after its connection was lost.
+  constexpr double kOwnStop_s = 1.0;
+  if (left_at_ && !is_watched(t_s) &&
+      norm(now.translation_m - left_at_->translation_m) >
+          options_.speed_m_per_s * kOwnStop_s + options_.margin_m)
     home_.reset();
-  if (!home_) home_ = poses_.back().pose;
+  if (!home_) home_ = now;
+  farthest_m_ = std::max(options_.half_m, std::abs(left_m())) + options_.margin_m;
   stage_ = Stage::moving;
   place_ = 0;
   taken_.clear();
@@ -119,8 +124,7 @@ std::optional<std::string> WristSweep::fault(double t_s) {
   double turned = 0.0;
   for (std::size_t k = 0; k < pose.rotation.size(); ++k)
     turned = std::max(turned, std::abs(pose.rotation[k] - home_->rotation[k]));
-  if (std::abs(off.y) > options_.half_m + options_.margin_m || std::hypot(off.x, off.z) > options_.margin_m ||
-      turned > kTurned)
+  if (std::abs(off.y) > farthest_m_ || std::hypot(off.x, off.z) > options_.margin_m || turned > kTurned)
     return "The arm is stopped: it left the way on which it shall move sideways.";
   if (t_s - allowed_at_s_ > kWaiting_s)
     return "The near view is given up: the hand, the robot or its pictures were away for ten seconds.";
@@ -149,11 +153,12 @@ double WristSweep::command(double t_s, bool may_move) {
   constexpr double kWatched_s = 10.0;
   const double dt_s = std::clamp(t_s - commanded_at_s_, 0.0, options_.lost_s);
   commanded_at_s_ = t_s;
+  if (stage_ != Stage::idle) watched_until_s_ = t_s + kWatched_s;
+  if (is_watched(t_s)) left_at_ = poses_.back().pose;
   if (stage_ == Stage::idle) {
     if (is_watched(t_s) && moves_unasked(t_s)) failure_ = kMovesUnasked;
     return command_m_per_s_ = 0.0;
   }
-  watched_until_s_ = t_s + kWatched_s;
   if (may_move) allowed_at_s_ = t_s;
   if (auto sentence = fault(t_s)) {
     give_up(*std::move(sentence));

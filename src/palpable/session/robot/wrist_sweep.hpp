@@ -35,8 +35,8 @@ Result<void> check(const SweepOptions& options);
 /// Moves a wrist camera sideways (along the y axis of the robot's frame) by velocity commands, lets it stand
 /// for a picture at each of some places, and brings it back. It never leaves its way by more than a margin,
 /// counted from where it was when it was first moved, and gives up when the arm does not do what it is told.
-/// Times are of any steady clock, in seconds; stamps of the robot's clock. One thread; no clock, thread or
-/// connection of its own.
+/// An arm that a lost connection left beyond that is only led back. Times are of any steady clock, in
+/// seconds; stamps of the robot's clock. One thread; no clock, thread or connection of its own.
 class WristSweep {
  public:
   explicit WristSweep(const SweepOptions& options) : options_(options) {}
@@ -82,8 +82,10 @@ class WristSweep {
   Stage stage_ = Stage::idle;
   /// Of the last quarter of a second.
   std::deque<Measured> poses_;
-  /// Where it was first.
-  std::optional<Pose> home_;
+  /// Where it was first; where it was last while it was watched.
+  std::optional<Pose> home_, left_at_;
+  /// How far from home sideways it may be.
+  double farthest_m_ = 0.0;
   int place_ = 0;
   std::vector<WristPicture> taken_;
   std::optional<std::vector<WristPicture>> done_;

@@ -84,6 +84,27 @@ TEST(WristSweep, GivesUpAnArmThatDoesOtherThanItIsTold) {
   EXPECT_NE(failure_of(runaway, 0.1).find("emergency stop"), std::string::npos);
 }
 
+TEST(WristSweep, DoesNotWanderWhereConnectionsAreLostAgainAndAgain) {
+  SweptRobot robot(1);
+  for (int k = 0; k < 6; ++k) {
+    ASSERT_TRUE(robot.sweep.begin(robot.world.time_s()));
+    run_for(robot, 1.2);
+    // Its driver goes on for a second; then somebody waits, now and then.
+    robot.arm_obeys = false;
+    robot.sweep.cancel();
+    for (int n = 0; n < 50; ++n) {
+      robot.world.command_arm(-0.03);
+      robot.step();
+    }
+    run_for(robot, k % 3 == 0 ? 12.0 : 1.0);
+    robot.arm_obeys = true;
+  }
+  EXPECT_LT(robot.farthest_m, 0.07);
+  const auto pictures = robot.swept();
+  ASSERT_TRUE(pictures) << robot.sweep.take_failure().value_or("");
+  EXPECT_NEAR(robot.world.base_from_wrist().translation_m.y, 0.0, 0.0035);
+}
+
 TEST(NearDepth, IsMetric) {
   SweptRobot robot(1);
   const auto pictures = robot.swept();
