@@ -10,8 +10,7 @@ interface Exports {
   palpable_allocate(bytes: number): number;
   palpable_release(memory: number): void;
   palpable_sentence(): number;
-  palpable_second(rgbx: number, width: number, height: number): void;
-  palpable_open(bytes: number, size: number, rgbx: number, width: number, height: number): number;
+  palpable_open(bytes: number, size: number, rgbx: number, width: number, height: number, rightRgbx: number, rightWidth: number, rightHeight: number): number;
   palpable_receive(text: number, size: number): void;
   palpable_advance(seconds: number): number;
   palpable_take_frame(): number;
@@ -71,9 +70,16 @@ export class TouchModule {
 
   /** Throws the sentence if the scene cannot be touched. */
   open(scene: Uint8Array, picture: Pixels | null, second: Pixels | null): void {
-    if (second !== null) this.with(second.rgba, (pixels) => this.exports.palpable_second(pixels, second.width, second.height));
-    const { width, height, rgba } = picture ?? { width: 0, height: 0, rgba: new Uint8ClampedArray(0) };
-    const opened = this.with(scene, (at) => this.with(rgba, (pixels) => this.exports.palpable_open(at, scene.length, pixels, width, height)));
+    const none: Pixels = { width: 0, height: 0, rgba: new Uint8ClampedArray(0) };
+    const left = picture ?? none;
+    const right = second ?? none;
+    const opened = this.with(scene, (at) =>
+      this.with(left.rgba, (pixels) =>
+        this.with(right.rgba, (rightPixels) =>
+          this.exports.palpable_open(at, scene.length, pixels, left.width, left.height, rightPixels, right.width, right.height),
+        ),
+      ),
+    );
     if (opened === 0) throw new Error(this.sentence());
   }
 

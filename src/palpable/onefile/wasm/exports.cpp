@@ -63,12 +63,6 @@ Raster<Rgb8> picture_of(const std::uint8_t* rgbx, int width, int height) {
   return picture;
 }
 
-/// The picture for the right eye of the scene that is opened next.
-Raster<Rgb8>& next_second() {
-  static Raster<Rgb8> second;
-  return second;
-}
-
 }  // namespace
 }  // namespace palpable::onefile
 
@@ -86,18 +80,14 @@ PALPABLE_EXPORT(palpable_release) void palpable_release(void* memory) { std::fre
 /// The sentence of the last error.
 PALPABLE_EXPORT(palpable_sentence) const char* palpable_sentence() { return open_page().sentence.c_str(); }
 
-/// Gives the picture for the right eye, before the scene is opened whose bytes ask for it.
-PALPABLE_EXPORT(palpable_second) void palpable_second(const std::uint8_t* rgbx, int width, int height) {
-  palpable::onefile::next_second() = palpable::onefile::picture_of(rgbx, width, height);
-}
-
-/// Opens the scene of these bytes with its picture, `width` x `height` pixels of four bytes (red, green,
-/// blue, unused), or none (0 x 0). 1, or 0 and a sentence.
+/// Opens the scene of these bytes with its picture, and that for the right eye: `width` x `height` pixels of
+/// four bytes (red, green, blue, unused), or none (0 x 0). 1, or 0 and a sentence.
 PALPABLE_EXPORT(palpable_open)
-int palpable_open(const std::byte* bytes, std::size_t size, const std::uint8_t* rgbx, int width, int height) {
-  const auto opened =
-      palpable::onefile::open({bytes, size}, palpable::onefile::picture_of(rgbx, width, height),
-                              std::exchange(palpable::onefile::next_second(), {}));
+int palpable_open(const std::byte* bytes, std::size_t size, const std::uint8_t* rgbx, int width, int height,
+                  const std::uint8_t* right_rgbx, int right_width, int right_height) {
+  using palpable::onefile::picture_of;
+  const auto opened = palpable::onefile::open({bytes, size}, picture_of(rgbx, width, height),
+                                              picture_of(right_rgbx, right_width, right_height));
   if (!opened) open_page().sentence = opened.error().sentence();
   return opened ? 1 : 0;
 }

@@ -2,19 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/touch/find_pull.hpp"
 
-#include <memory>
+#include "palpable/session/touch/test_session.hpp"
 
 #include <gtest/gtest.h>
 
 namespace palpable::session {
 namespace {
-
-models::Scene plate() {
-  models::Scene scene;
-  scene.model = std::make_shared<const models::Relief>(
-      *models::Relief::from_samples(Raster<float>(100, 100, 0.001F), 0.001));
-  return scene;
-}
 
 device::Traits motors(double max_force_N) {
   device::Traits traits;
@@ -25,26 +18,26 @@ device::Traits motors(double max_force_N) {
 
 TEST(FindPull, LeadsStraightToThePlaceWithAGentleForce) {
   FindPull pull;
-  const auto guide = pull.begin(plate(), motors(8.0), {0.0, 0.0}, {0.03, 0.01});
+  const auto guide = pull.begin(flat_scene(100, 100), motors(8.0), {0.0, 0.0}, {0.03, 0.01});
   ASSERT_NE(guide, nullptr);
   EXPECT_TRUE(models::is_valid(*guide));
   EXPECT_EQ(guide->line_m.back(), (std::array{0.03, 0.01}));
   EXPECT_DOUBLE_EQ(guide->force_N, FindPull::kForce_N);
   // A weak device gives a fifth of its force.
-  EXPECT_DOUBLE_EQ(pull.begin(plate(), motors(1.0), {}, {0.03, 0.01})->force_N, 0.2);
+  EXPECT_DOUBLE_EQ(pull.begin(flat_scene(100, 100), motors(1.0), {}, {0.03, 0.01})->force_N, 0.2);
 }
 
 TEST(FindPull, IsNoneWithoutMotors) {
   FindPull pull;
   device::Traits pointer = motors(8.0);
   pointer.pushes_back = false;
-  EXPECT_EQ(pull.begin(plate(), pointer, {}, {0.03, 0.01}), nullptr);
+  EXPECT_EQ(pull.begin(flat_scene(100, 100), pointer, {}, {0.03, 0.01}), nullptr);
   EXPECT_FALSE(pull.pulls());
 }
 
 TEST(FindPull, IsEndedByAHandThatMovesAway) {
   FindPull pull;
-  const auto scene = plate();
+  const auto scene = flat_scene(100, 100);
   ASSERT_NE(pull.begin(scene, motors(8.0), {}, {0.03, 0.0}), nullptr);
   EXPECT_FALSE(pull.is_pushed_away(scene, {-0.007, 0.0}));
   EXPECT_FALSE(pull.is_pushed_away(scene, {0.02, 0.0}));

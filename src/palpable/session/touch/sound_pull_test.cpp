@@ -3,6 +3,7 @@
 #include "palpable/session/touch/sound_pull.hpp"
 
 #include "palpable/haptics/effect/route_pull.hpp"
+#include "palpable/session/touch/test_session.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +13,6 @@
 
 namespace palpable::session {
 namespace {
-
-models::Scene plate() {
-  models::Scene scene;
-  scene.model = std::make_shared<const models::Relief>(
-      *models::Relief::from_samples(Raster<float>(100, 75, 0.001F), 0.001));
-  return scene;
-}
 
 device::Traits motors() {
   device::Traits traits;
@@ -30,7 +24,7 @@ std::optional<Place> at_right(Place hand) { return Place{0.04, hand.y_m}; }
 
 TEST(SoundPull, PullsOnceForEachSoundAndSaysSo) {
   SoundPull pull;
-  auto scene = plate();
+  auto scene = flat_scene(100, 75);
   EXPECT_EQ(pull.guide(scene, motors(), {}, 0, false, at_right), nullptr);
   const auto guide = pull.guide(scene, motors(), {}, 1, true, at_right);
   ASSERT_NE(guide, nullptr);
@@ -50,14 +44,14 @@ TEST(SoundPull, PullsOnceForEachSoundAndSaysSo) {
 
 TEST(SoundPull, LeavesTheGuideOfAnother) {
   SoundPull pull;
-  auto scene = plate();
+  auto scene = flat_scene(100, 75);
   scene.guide = std::make_shared<const models::RouteGuide>();
   EXPECT_EQ(pull.guide(scene, motors(), {}, 1, true, at_right), scene.guide);
   EXPECT_FALSE(pull.words());
 }
 
 TEST(SoundPull, LeadsToTheNearestPlaceOfTheDirection) {
-  const auto scene = plate();
+  const auto scene = flat_scene(100, 75);
   const Pinhole camera{60.0, 60.0, 49.5, 37.0, 100, 75};
   const auto place = sound_place(*models::relief_of(scene), camera, 0.0, std::atan(0.5), {0.0, 0.01});
   ASSERT_TRUE(place);
@@ -70,7 +64,7 @@ TEST(SoundPull, LeadsToTheNearestPlaceOfTheDirection) {
 /// A hand of 0.1 kg with a damper of 1 N·s/m that follows the pull gives back what the pull's reserve bounds.
 TEST(SoundPull, GivesAHandLessThanItsReserve) {
   SoundPull pull;
-  const auto guide = pull.guide(plate(), motors(), {}, 1, true, at_right);
+  const auto guide = pull.guide(flat_scene(100, 75), motors(), {}, 1, true, at_right);
   ASSERT_NE(guide, nullptr);
   const haptics::RoutePull force(*guide, {0.05, 0.0375, 0.01});
   haptics::PullTouch state{};

@@ -23,6 +23,14 @@ inline models::Scene hilly_scene(double height_m) {
   return scene;
 }
 
+/// A relief of samples 1 mm apart and 1 mm high.
+inline models::Scene flat_scene(int columns, int rows) {
+  models::Scene scene;
+  scene.model = std::make_shared<const models::Relief>(
+      *models::Relief::from_samples(Raster<float>(columns, rows, 0.001F), 0.001));
+  return scene;
+}
+
 /// Options that need no privileges: no real-time priority, no locked memory.
 inline HeadlessOptions unprivileged(double seconds) {
   HeadlessOptions options;
