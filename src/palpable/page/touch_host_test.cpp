@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/touch_host.hpp"
 
+#include "palpable/core/test_comes_true.hpp"
 #include "palpable/device/recording/recording.hpp"
 #include "palpable/formats/scene/scene_file.hpp"
 
@@ -12,7 +13,6 @@
 #include <memory>
 #include <set>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -54,15 +54,12 @@ class HostOnATouch : public ::testing::Test {
 
   protocol::ProbeState first() const { return host->state().probes.front(); }
 
-  // Updates as the server does until `condition` holds, for ten seconds at most.
+  // Updates as the server does until `condition` holds.
   bool comes_true(const std::function<bool()>& condition) const {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-    while (std::chrono::steady_clock::now() < end) {
+    return palpable::comes_true([&] {
       host->update();
-      if (condition()) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return false;
+      return condition();
+    });
   }
 
   std::filesystem::path file =

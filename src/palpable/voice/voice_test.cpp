@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/voice/voice.hpp"
 
+#include "palpable/core/test_comes_true.hpp"
+
 #include <atomic>
 #include <filesystem>
 #include <fstream>
@@ -37,13 +39,6 @@ class FakeSpeaker final : public Speaker {
  private:
   Said& said_;
 };
-
-template <class Condition>
-bool comes_true(Condition condition) {
-  for (int i = 0; i < 1000; ++i, std::this_thread::sleep_for(10ms))
-    if (condition()) return true;
-  return false;
-}
 
 TEST(Voice, SpeaksTheFirstAtOnceAndThenTheNewestOfEqualImportance) {
   Said said;

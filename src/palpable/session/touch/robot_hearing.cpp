@@ -22,10 +22,10 @@ void RobotHearing::listen(sources::RosbridgeClient& client, double t_s, double h
   if (!ears_) return;
   ears_->turn(t_s, heading_rad);
   const auto heard = take_sound(client, options_.sound, options_.sound_format, *ears_);
-  if (auto words = ears_->words()) notices_.push_back(*std::move(words));
+  if (auto words = ears_->words()) notices_.put(*std::move(words));
   sounds_ = ears_->sounds();
   if (heard) return;
-  notices_.push_back(fmt::format("The robot {}: it is not listened to.", heard.error().message));
+  notices_.put(fmt::format("The robot {}: it is not listened to.", heard.error().message));
   ears_.reset();
 }
 
@@ -56,11 +56,7 @@ std::shared_ptr<const models::RouteGuide> RobotHearing::guide(const models::Scen
 
 std::optional<std::string> RobotHearing::notice() {
   if (auto words = pull_.words()) return words;
-  const std::lock_guard lock(mutex_);
-  if (notices_.empty()) return std::nullopt;
-  std::string first = std::move(notices_.front());
-  notices_.pop_front();
-  return first;
+  return notices_.take();
 }
 
 std::uint64_t RobotHearing::sounds() const {

@@ -3,12 +3,12 @@
 #pragma once
 
 #include "palpable/session/robot/robot_ears.hpp"
+#include "palpable/session/touch/notices.hpp"
 #include "palpable/session/touch/sound_pull.hpp"
 #include "palpable/sources/live/rosbridge_client.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -54,10 +54,10 @@ class RobotHearing {
   bool marks_, pulls_;
   /// The feed's thread's own.
   SoundPull pull_;
+  Notices notices_;
   mutable std::mutex mutex_;
   std::optional<RobotEars> ears_;
   std::uint64_t sounds_ = 0;
-  std::deque<std::string> notices_;
 };
 
 }  // namespace palpable::session

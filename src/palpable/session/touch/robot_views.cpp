@@ -66,14 +66,6 @@ bool RobotViews::is_plain() const {
   return shown_ == RobotView::wide && shift_ == ViewShift{};
 }
 
-std::optional<std::string> RobotViews::notice() {
-  const std::lock_guard lock(mutex_);
-  if (notices_.empty()) return std::nullopt;
-  std::string first = std::move(notices_.front());
-  notices_.pop_front();
-  return first;
-}
-
 std::optional<Image> RobotViews::colour() const {
   const std::lock_guard lock(mutex_);
   if (shown_ != RobotView::near) return std::nullopt;
@@ -88,7 +80,7 @@ void RobotViews::tick(const RobotNow& now) {
   command_arm(now);
   if (auto failure = sweep_.take_failure()) {
     end_sweep();
-    notices_.push_back(*std::move(failure));
+    notices_.put(*std::move(failure));
   }
   if (auto pictures = sweep_.take_pictures()) compute(*std::move(pictures));
   take_computed();
@@ -106,10 +98,10 @@ void RobotViews::leave(const RobotNow& now) {
   }
   if (sweep_.is_active() && !now.is_started) {
     go_wide();
-    notices_.emplace_back("The near view is given up: the robot is not started any more.");
+    notices_.put("The near view is given up: the robot is not started any more.");
   } else if ((is_busy || wanted_ == RobotView::near) && has_moved(stood_, now.pose)) {
     go_wide();
-    notices_.emplace_back("The near view is left: the robot does not stand where it was.");
+    notices_.put("The near view is left: the robot does not stand where it was.");
   }
 }
 
@@ -127,7 +119,7 @@ void RobotViews::end_sweep() {
 void RobotViews::follow_wish(const RobotNow& now) {
   const Asked asked = std::exchange(asked_, Asked::nothing);
   if (asked == Asked::wide) {
-    if (sweep_.is_active() || is_computing_) notices_.emplace_back("The near view is given up.");
+    if (sweep_.is_active() || is_computing_) notices_.put("The near view is given up.");
     go_wide();
   }
   if (asked == Asked::near) begin_sweep(now);
@@ -136,12 +128,11 @@ void RobotViews::follow_wish(const RobotNow& now) {
 void RobotViews::begin_sweep(const RobotNow& now) {
   if (sweep_.is_active() || is_computing_) return;
   if (now.mode != RobotMode::touch || !now.is_started) {
-    notices_.emplace_back(
-        "For the near view the robot's arm moves: start the robot first, in the mode touch.");
+    notices_.put("For the near view the robot's arm moves: start the robot first, in the mode touch.");
     return;
   }
   if (!sweep_.begin(now.t_s)) {
-    notices_.emplace_back("There is no near view: the arm does not say where its camera is.");
+    notices_.put("There is no near view: the arm does not say where its camera is.");
     return;
   }
   // Another one begins from the wide view again, which what is under the hand is taken from.
@@ -149,7 +140,7 @@ void RobotViews::begin_sweep(const RobotNow& now) {
   stood_ = now.pose;
   client_.subscribe_to(places_.picture);
   is_subscribed_ = true;
-  notices_.push_back(
+  notices_.put(
       fmt::format("The arm moves its camera by {:.0f} cm to the right and to the left, at {:.0f} cm a "
                   "second: it must have "
                   "room there.",
@@ -184,10 +175,10 @@ bool RobotViews::stop_arm() {
 }
 
 void RobotViews::compute(std::vector<WristPicture> pictures) {
-  notices_.emplace_back("The pictures are taken: the arm goes back, and their depth is computed.");
+  notices_.put("The pictures are taken: the arm goes back, and their depth is computed.");
   if (std::exchange(is_subscribed_, false)) client_.unsubscribe_from(places_.picture);
   if (!wrist_) {
-    notices_.emplace_back("There is no near view: the wrist camera does not state its data (camera_info).");
+    notices_.put("There is no near view: the wrist camera does not state its data (camera_info).");
     return;
   }
   if (computing_.joinable()) computing_.join();
@@ -210,11 +201,11 @@ void RobotViews::take_computed() {
   is_computing_ = false;
   if (cancelled_) return;
   if (!made) {
-    notices_.push_back(fmt::format("There is no near view: {}.", made.error().message));
+    notices_.put(fmt::format("There is no near view: {}.", made.error().message));
     return;
   }
   if (!vision::range_of_depths(made->depth.depth_m)) {
-    notices_.emplace_back("There is no near view: the wrist camera's pictures show no depth.");
+    notices_.put("There is no near view: the wrist camera's pictures show no depth.");
     return;
   }
   // The zoom begins with the next picture.
@@ -268,21 +259,20 @@ void RobotViews::zoom(const TouchedView& wide, TouchSession& session) {
                           session.radius_in_use_m());
   shift_ = zoomed.shift;
   if (!goes_near) {
-    notices_.emplace_back(zoomed.point ? "The wide view."
-                                       : "The wide view; what was under the hand is not in it.");
+    notices_.put(zoomed.point ? "The wide view." : "The wide view; what was under the hand is not in it.");
     return;
   }
   ++near_views_;
   if (!zoomed.point) {
     const double z_m = middle_depth_m(near.depth_m);
-    notices_.push_back(fmt::format(
+    notices_.put(fmt::format(
         "The near view: most of it is {:.2f} m from the wrist camera, and it is {:.0f} cm wide there. What "
         "was under the hand is not in it.",
         z_m, 100.0 * z_m * near.camera->width / near.camera->fx));
     return;
   }
   const double z_m = (near.base_from_camera.inverse() * *zoomed.point).v.z;
-  notices_.push_back(fmt::format(
+  notices_.put(fmt::format(
       "The near view: under the hand it is {:.2f} m from the wrist camera, and {:.0f} cm wide there.", z_m,
       100.0 * z_m * near.camera->width / near.camera->fx));
 }

@@ -6,12 +6,13 @@
 #include "palpable/session/robot/wrist_sweep.hpp"
 #include "palpable/session/touch/live_address.hpp"
 #include "palpable/session/touch/live_source.hpp"
+#include "palpable/session/touch/notices.hpp"
+#include "palpable/session/touch/robot_wheels.hpp"
 #include "palpable/sources/live/rosbridge_client.hpp"
 
 #include <array>
 #include <atomic>
 #include <cstddef>
-#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -19,16 +20,6 @@
 #include <thread>
 
 namespace palpable::session {
-
-/// What a robot's thread knows when its arm is told what to do.
-struct RobotNow {
-  double t_s = 0.0;
-  RobotMode mode = RobotMode::drive;
-  bool is_started = false;
-  /// A person holds the hand, and pictures, odometry and connection are there.
-  bool may_move = false;
-  RobotPose pose;
-};
 
 /// The two views of a robot that are touched in the mode touch, and the zoom between them (Park & Howard
 /// 2012, section 4: "multi-scale"): the wide one of its first camera, which is live, and the near one of its
@@ -59,7 +50,7 @@ class RobotViews {
   std::optional<Image> colour() const;
   /// The wide view is shown, at its own place.
   bool is_plain() const;
-  std::optional<std::string> notice();
+  std::optional<std::string> notice() { return notices_.take(); }
 
   // Counts of commands to the arm, and of near views.
   std::uint64_t arm_commands() const { return arm_commands_; }
@@ -86,6 +77,7 @@ class RobotViews {
   Transform<WorldFrame, CameraFrame> base_from_wide_;
   std::atomic<std::uint64_t> arm_commands_{0}, near_views_{0};
   std::atomic<bool> cancelled_{false};
+  Notices notices_;
 
   /// Guards what follows.
   mutable std::mutex mutex_;
@@ -108,7 +100,6 @@ class RobotViews {
   RobotView wanted_ = RobotView::wide, shown_ = RobotView::wide;
   ViewShift shift_;
   std::optional<std::chrono::steady_clock::time_point> surfaced_at_;
-  std::deque<std::string> notices_;
   std::thread computing_;
 };
 

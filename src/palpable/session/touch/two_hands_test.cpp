@@ -1,5 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include "palpable/core/test_comes_true.hpp"
 #include "palpable/device/recording/recording.hpp"
 #include "palpable/device/virtual/virtual_two_diy.hpp"
 #include "palpable/session/check/check_recording.hpp"
@@ -26,15 +27,6 @@ std::shared_ptr<const models::Scene> hills() {
 Result<void> one_scene(const DeliverScene& deliver, const Work&) {
   deliver(hills());
   return {};
-}
-
-bool comes_true(const std::function<bool()>& condition, double longest_s = 10.0) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(longest_s);
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > end) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return true;
 }
 
 double force_N(const TouchSession& session, std::size_t probe) {

@@ -3,6 +3,7 @@
 // A simulated robot on a real WebSocket, its live source, and a touch.
 #include "palpable/cli/commands/touch/touch_robot.hpp"
 
+#include "palpable/core/test_comes_true.hpp"
 #include "palpable/describe/sound_words.hpp"
 #include "palpable/session/touch/live_feed.hpp"
 #include "palpable/session/touch/touch_session.hpp"
@@ -15,18 +16,11 @@
 #include <numbers>
 #include <string>
 #include <string_view>
-#include <thread>
 
 #include <gtest/gtest.h>
 
 namespace palpable::cli {
 namespace {
-
-bool comes_true(const std::function<bool()>& condition, int looks = 1000) {
-  for (int k = 0; k < looks; ++k, std::this_thread::sleep_for(std::chrono::milliseconds(20)))
-    if (condition()) return true;
-  return false;
-}
 
 constexpr Vec3 kLeft{-0.03, 0.0, 0.0};
 
@@ -93,7 +87,8 @@ class RobotTouch : public testing::Test {
       if (!turns_at(kLeft)) return false;
       act();
       if (!held_at(kLeft, [&] { return !feed_->robot()->statistics().is_started; })) return false;
-      if (comes_true([&] { return says(words); }, 50)) return held_at(kLeft, [&] { return !moves(); });
+      if (comes_true([&] { return says(words); }, std::chrono::seconds(1)))
+        return held_at(kLeft, [&] { return !moves(); });
     }
     return false;
   }
@@ -163,15 +158,15 @@ TEST_F(RobotTouch, SweepsItsArmForTheNearViewAfterAStartOnly) {
   EXPECT_TRUE(obey("near", *feed_->robot()));
   EXPECT_TRUE(held_at({}, [&] { return says("start the robot first"); })) << said();
   EXPECT_EQ(robot_.server->arm_commands(), 0U);
-  // Where this program stands still for 0.1 s again and again, the arm does not move, as it shall.
-  if (!arm_moves()) GTEST_SKIP() << "the machine is too busy: " << said();
+  ASSERT_TRUE(arm_moves()) << said();
   // Nobody moves the pointer any more.
   EXPECT_TRUE(comes_true([&] { return robot_.server->arm_m_per_s() == 0.0; }));
-  if (!arm_moves()) GTEST_SKIP() << "the machine is too busy: " << said();
+  ASSERT_TRUE(arm_moves()) << said();
   robot_.server->hang_up();
   EXPECT_TRUE(held_at({}, [&] { return says("its connection was lost"); })) << said();
   EXPECT_TRUE(held_at({}, [&] { return robot_.server->arm_m_per_s() == 0.0; }));
-  EXPECT_LT(std::abs(robot_.server->arm_m()), 0.035);
+  // 3 cm, and what its own driver lets it go on for after a lost connection.
+  EXPECT_LT(std::abs(robot_.server->arm_m()), 0.055);
   EXPECT_FALSE(robot_.server->has_touched());
 }
 
