@@ -69,7 +69,9 @@ class RobotTouch : public testing::Test {
       return robot_.server->arm_m_per_s() != 0.0;
     });
   }
-  bool moves() const { return robot_.server->commanded() != study::WheelMotion{}; }
+  bool moves() const {
+    return robot_.server->commanded() != study::WheelMotion{} || robot_.server->arm_m_per_s() != 0.0;
+  }
   /// Pictures come; starts it, again where a busy machine has stopped it, and holds the pointer there until
   /// it turns.
   bool turns_at(Vec3 place_m) {
@@ -80,15 +82,16 @@ class RobotTouch : public testing::Test {
       return is_started && robot_.server->commanded().turn_rad_per_s * place_m.x < 0.0;
     });
   }
-  /// Whether a robot that turns is stopped by that, with these words. Tried again where a busy machine
-  /// stopped it for another reason just before.
-  bool is_stopped_by(const std::function<void()>& act, std::string_view words) {
+  /// Whether a robot that turns, or whose arm moves, is stopped by that, with these words. Tried again where
+  /// a busy machine stopped it for another reason just before.
+  bool is_stopped_by(const std::function<void()>& act, std::string_view words, bool by_arm = false) {
+    const Vec3 place_m = by_arm ? Vec3{} : kLeft;
     for (int attempt = 0; attempt < 5; ++attempt) {
-      if (!turns_at(kLeft)) return false;
+      if (!(by_arm ? arm_moves() : turns_at(kLeft))) return false;
       act();
-      if (!held_at(kLeft, [&] { return !feed_->robot()->statistics().is_started; })) return false;
+      if (!held_at(place_m, [&] { return !feed_->robot()->statistics().is_started; })) return false;
       if (comes_true([&] { return says(words); }, std::chrono::seconds(1)))
-        return held_at(kLeft, [&] { return !moves(); });
+        return held_at(place_m, [&] { return !moves(); });
     }
     return false;
   }
@@ -161,10 +164,7 @@ TEST_F(RobotTouch, SweepsItsArmForTheNearViewAfterAStartOnly) {
   ASSERT_TRUE(arm_moves()) << said();
   // Nobody moves the pointer any more.
   EXPECT_TRUE(comes_true([&] { return robot_.server->arm_m_per_s() == 0.0; }));
-  ASSERT_TRUE(arm_moves()) << said();
-  robot_.server->hang_up();
-  EXPECT_TRUE(held_at({}, [&] { return says("its connection was lost"); })) << said();
-  EXPECT_TRUE(held_at({}, [&] { return robot_.server->arm_m_per_s() == 0.0; }));
+  EXPECT_TRUE(is_stopped_by([&] { robot_.server->hang_up(); }, "its connection was lost", true)) << said();
   // 3 cm, and what its own driver lets it go on for after a lost connection.
   EXPECT_LT(std::abs(robot_.server->arm_m()), 0.055);
   EXPECT_FALSE(robot_.server->has_touched());
