@@ -3,6 +3,7 @@
 #include "palpable/study/world/robot_server.hpp"
 
 #include "palpable/core/net/web_socket.hpp"
+#include "palpable/core/test_comes_true.hpp"
 #include "palpable/study/world/robot_world.hpp"
 
 #include <chrono>
@@ -65,7 +66,8 @@ TEST(RobotServer, SendsWhatIsSubscribedToAndTakesCommands) {
   EXPECT_GE(heard["16UC1"], 2);
   EXPECT_GE(heard["/odom"], 2);
   EXPECT_EQ(heard["rgb8"], 0);
-  EXPECT_EQ((*server)->commands(), 1U);
+  // Pictures may overtake the command on a busy machine.
+  EXPECT_TRUE(comes_true([&] { return (*server)->commands() == 1U; }));
 }
 
 }  // namespace
