@@ -88,7 +88,8 @@ TEST(WristSweep, DoesNotWanderWhereConnectionsAreLostAgainAndAgain) {
   SweptRobot robot(1);
   for (int k = 0; k < 6; ++k) {
     ASSERT_TRUE(robot.sweep.begin(robot.world.time_s()));
-    run_for(robot, 1.2);
+    // Long enough to be led back to its way.
+    run_for(robot, 2.0);
     // Its driver goes on for a second; then somebody waits, now and then.
     robot.arm_obeys = false;
     robot.sweep.cancel();
@@ -99,7 +100,8 @@ TEST(WristSweep, DoesNotWanderWhereConnectionsAreLostAgainAndAgain) {
     run_for(robot, k % 3 == 0 ? 12.0 : 1.0);
     robot.arm_obeys = true;
   }
-  EXPECT_LT(robot.farthest_m, 0.07);
+  // Half of its way, and what its driver goes on for.
+  EXPECT_LT(robot.farthest_m, 0.03 + 0.04);
   const auto pictures = robot.swept();
   ASSERT_TRUE(pictures) << robot.sweep.take_failure().value_or("");
   EXPECT_NEAR(robot.world.base_from_wrist().translation_m.y, 0.0, 0.0035);
