@@ -47,6 +47,8 @@ std::vector<SharedFrame> HostChanges::everything(std::int64_t page,
   frames.push_back(text_frame(sent_settings_));
   sent_materials_ = host_.materials();
   frames.push_back(text_frame(sent_materials_));
+  sent_robot_ = host_.robot();
+  if (sent_robot_) frames.push_back(text_frame(*sent_robot_));
   return frames;
 }
 
@@ -70,6 +72,10 @@ std::vector<SharedFrame> HostChanges::changes() {
   if (auto materials = host_.materials(); materials != sent_materials_) {
     sent_materials_ = std::move(materials);
     frames.push_back(text_frame(sent_materials_));
+  }
+  if (auto robot = host_.robot(); robot && robot != sent_robot_) {
+    sent_robot_ = std::move(robot);
+    frames.push_back(text_frame(*sent_robot_));
   }
   return frames;
 }

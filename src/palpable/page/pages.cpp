@@ -72,6 +72,7 @@ void Pages::close_page_of(std::int64_t guest, const char* reason) {
 }
 
 void Pages::on_closed(Client& client) {
+  let_go(client);
   release_probes(client);
   std::erase_if(clients_,
                 [&](const auto& other) { return other.expired() || other.lock().get() == &client; });
@@ -199,6 +200,11 @@ void Pages::release_probes(const Client& client) {
     if (mover == client.page) mover.reset();
 }
 
+// Nobody sees what the first probe drives, or could stop it.
+void Pages::let_go(const Client& client) {
+  if (host_ != nullptr && movers_.front() == client.page) host_->let_go();
+}
+
 // Iterates over a copy, since a disconnected client is removed from the list.
 template <class Do>
 void Pages::for_each_client(Do act) {
@@ -243,6 +249,7 @@ void Pages::handle(Client& client, const protocol::LookAround& question) {
 void Pages::handle(Client& client, const protocol::Visible& visible) {
   client.visible = visible.visible;
   client.is_behind = true;
+  if (!visible.visible) let_go(client);
   if (!client.guest) return;
   // A phone that sleeps, or shows something else, leaves no probe on the surface.
   if (!visible.visible) {

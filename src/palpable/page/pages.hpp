@@ -56,6 +56,7 @@ class Pages {
   void pass(Client& client, const protocol::FromPage& message);
   void send_state();
   void release_probes(const Client& client);
+  void let_go(const Client& client);
   template <class Do>
   void for_each_client(Do act);
   void broadcast(const SharedFrame& frame);
@@ -69,6 +70,7 @@ class Pages {
   void handle(Client&, const protocol::Save&) { host_->save(); }
   void handle(Client&, const protocol::Pause& pause) { host_->pause(pause.paused); }
   void handle(Client&, const protocol::Recentre&) { host_->recentre(); }
+  void handle(Client&, const protocol::RobotOrder& order) { host_->order(order); }
   void handle(Client&, const protocol::MoveExplorer& pose) { host_->move_explorer(pose); }
   void handle(Client& client, const protocol::Ask& ask);
   void handle(Client& client, const protocol::LookAround& question);

@@ -73,6 +73,33 @@ TEST(PageServer, ReportsWhichPageMovedAProbe) {
   EXPECT_TRUE(comes(second, one));
 }
 
+/// Reads states until one says that this page moved the first probe.
+void wait_until_moved(TestPage& client, const Json& mover) {
+  while (client.read_until("state")["probes"][0]["page"] != mover) {
+  }
+}
+
+TEST(PageServer, TellsOfARobotAndStopsItWhenThePageThatDrivesItIsHiddenOrClosed) {
+  ServedPage page;
+  page.host.has_robot = true;
+  const std::string cookie = cookie_of(page);
+  TestPage stays(page, cookie);
+  EXPECT_EQ(stays.read_until("robot")["events"], 0);
+  {
+    TestPage drives(page, cookie);
+    const Json number = drives.read_until("hello")["page"];
+    stays.send(R"({"type":"visible","visible":false})");
+    stays.send(R"({"type":"visible","visible":true})");
+    drives.send(R"({"type":"pointer","probe":0,"x_m":0.01,"y_m":0,"press_m":0})");
+    wait_until_moved(stays, number);
+    EXPECT_EQ(page.host.robot_stops, 0) << "the page that was hidden does not drive it";
+    drives.send(R"({"type":"visible","visible":false})");
+    EXPECT_EQ(stays.read_until("robot")["events"], 1);
+  }
+  EXPECT_EQ(stays.read_until("robot")["events"], 2);
+  EXPECT_EQ(page.host.commands, 0) << "a page that comes or goes starts nothing";
+}
+
 /// Waits until exactly these probes have been removed.
 void wait_until_lifted(const FakeHost& host, int wanted) {
   for (int now = host.lifted; now != wanted; now = host.lifted) host.lifted.wait(now);

@@ -85,7 +85,7 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
     for (const std::string& sentence : session.notices()) options.on_notice(sentence);
   };
   report_notices();
-  auto feeding = std::make_unique<Feeding>(options.live, session, [&options](const std::string& sentence) {
+  auto feeding = std::make_unique<Feeding>(options.live, session, [&options](const std::string& sentence, LiveSubject) {
     if (options.on_notice) options.on_notice(sentence);
   });
   const auto guide = [&] {
