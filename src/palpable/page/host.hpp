@@ -51,6 +51,8 @@ class PageHost {
   virtual protocol::Materials materials() = 0;
   /// The robot whose camera is touched; nullopt: there is none.
   virtual std::optional<protocol::Robot> robot() { return std::nullopt; }
+  /// What it has seen of the floor; nullopt: nothing yet.
+  virtual std::optional<protocol::RobotFloor> robot_floor() { return std::nullopt; }
   /// The newest tick. The server fills in which page moved each probe.
   virtual protocol::State state() = 0;
 

@@ -25,6 +25,7 @@ template <class Message>
 SharedFrame text_frame(const Message& message) {
   return std::make_shared<const Frame>(Frame{protocol::write_message(message), false});
 }
+template SharedFrame text_frame(const protocol::RobotFloor&);
 template SharedFrame text_frame(const protocol::State&);
 template SharedFrame text_frame(const protocol::Words&);
 template SharedFrame text_frame(const protocol::Around&);

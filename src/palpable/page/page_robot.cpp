@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <string>
 
 namespace palpable::page {
@@ -19,8 +20,12 @@ constexpr std::array kViews{"wide", "near"};
 constexpr std::array kLimits{"none",         "not_started", "released", "link_lost",
                              "picture_lost", "standing",    "obstacle"};
 constexpr std::array kLacks{"nothing", "link", "odometry", "picture"};
-constexpr std::array kEvents{"none",          "started",      "not_ready", "stopped",       "touched", "link_lost",
-                             "odometry_lost", "picture_lost", "stalled",   "moved_unasked", "stays"};
+constexpr std::array kEvents{"none",    "started",       "not_ready",     "stopped",
+                             "touched", "link_lost",     "odometry_lost", "picture_lost",
+                             "stalled", "moved_unasked", "stays"};
+
+constexpr std::array kEnds{"unknown", "free", "blocked"};
+constexpr std::array kCells{'0', '1', '2'};
 
 template <class Names, class Value>
 std::string named(const Names& names, Value value) {
@@ -48,6 +53,24 @@ protocol::Robot page_robot(const RobotState& state) {
   robot.low_battery = state.battery && *state.battery < session::kLowBattery;
   if (state.picture_age_s) robot.picture_age_s = readable_age_s(*state.picture_age_s);
   return robot;
+}
+
+protocol::RobotFloor page_floor(const session::RobotFloor& floor) {
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  protocol::RobotFloor shown;
+  shown.x_m = floor.pose.x_m;
+  shown.y_m = floor.pose.y_m;
+  shown.heading_deg = std::remainder(floor.pose.heading_rad, 2.0 * std::numbers::pi) / kDegree;
+  shown.radius_m = floor.shape.radius_m;
+  shown.cell_m = session::RobotMap::kCell_m;
+  shown.side = floor.cells.width();
+  for (const auto cell : floor.cells.values())
+    shown.cells.push_back(kCells.at(static_cast<std::size_t>(cell)));
+  shown.ahead_m = floor.ahead_m;
+  shown.ahead_ends = named(kEnds, floor.ahead_ends);
+  shown.left_m = floor.left_m;
+  shown.right_m = floor.right_m;
+  return shown;
 }
 
 const protocol::Robot& RobotNews::take(const protocol::Robot& newest,

@@ -13,6 +13,8 @@ namespace palpable::page {
 /// A robot's state as the pages are told of it.
 protocol::Robot page_robot(const session::RobotState& state);
 
+protocol::RobotFloor page_floor(const session::RobotFloor& floor);
+
 /// Keeps the messages on a robot few: a change is told at once, figures that go on changing (battery, age of
 /// the picture) at most twice a second. One thread.
 class RobotNews {

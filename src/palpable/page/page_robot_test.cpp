@@ -32,6 +32,24 @@ TEST(PageRobot, IsToldInTheWordsOfTheProtocol) {
   EXPECT_FALSE(page_robot({}).low_battery);
 }
 
+TEST(PageRobot, ShowsTheFloorCellByCell) {
+  using session::FloorCell;
+  session::RobotFloor floor;
+  floor.pose = {1.0, 2.0, 7.0};
+  floor.cells = Raster<FloorCell>(2, 2, FloorCell::unknown);
+  floor.cells(1, 0) = FloorCell::blocked;
+  floor.cells(0, 1) = FloorCell::free;
+  floor.ahead_ends = FloorCell::blocked;
+  floor.left_m = 0.4;
+  const auto shown = page_floor(floor);
+  EXPECT_EQ(shown.cells, "0210");
+  EXPECT_EQ(shown.side, 2);
+  EXPECT_EQ(shown.ahead_ends, "blocked");
+  EXPECT_NEAR(shown.heading_deg, 41.07, 0.01);
+  EXPECT_EQ(shown.left_m, 0.4);
+  EXPECT_FALSE(shown.right_m);
+}
+
 TEST(PageRobot, IsToldAtOnceOfAStopAndTwiceASecondOfFigures) {
   RobotNews news;
   std::chrono::steady_clock::time_point now;

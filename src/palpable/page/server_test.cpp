@@ -98,6 +98,35 @@ TEST(PageServer, TellsOfARobotAndStopsItWhenThePageThatDrivesItIsHiddenOrClosed)
   }
   EXPECT_EQ(stays.read_until("robot")["events"], 2);
   EXPECT_EQ(page.host.commands, 0) << "a page that comes or goes starts nothing";
+  {
+    TestPage starts(page, cookie);
+    starts.send(R"({"type":"robot_order","word":"start"})");
+    starts.send(R"({"type":"visible","visible":false})");
+    EXPECT_EQ(stays.read_until("robot")["events"], 3);
+  }
+}
+
+TEST(PageServer, SendsWhatARobotSawTwiceASecondToPagesThatAreVisible) {
+  ServedPage page;
+  page.host.has_robot = true;
+  const std::string cookie = cookie_of(page);
+  TestPage sees(page, cookie);
+  TestPage hidden(page, cookie);
+  hidden.send(R"({"type":"visible","visible":false})");
+  hidden.send(
+      R"({"type":"ask","serial":1,"what":"position","probe":0,"x_m":0,"y_m":0,"press_m":0,"part":0})");
+  EXPECT_EQ(hidden.read_until("words")["serial"], 1);
+  int floors = 0;
+  const int begin = page.host.floors;
+  for (int k = 0; k < 3; ++k) floors += sees.read_until("robot_floor").empty() ? 0 : 1;
+  EXPECT_EQ(floors, 3);
+  EXPECT_LE(page.host.floors - begin, 4);
+  hidden.send(
+      R"({"type":"ask","serial":2,"what":"position","probe":0,"x_m":0,"y_m":0,"press_m":0,"part":0})");
+  for (std::string frame = hidden.read(); !frame.empty(); frame = hidden.read()) {
+    EXPECT_EQ(frame.find("robot_floor"), std::string::npos);
+    if (frame.find(R"("serial":2)") != std::string::npos) break;
+  }
 }
 
 /// Waits until exactly these probes have been removed.

@@ -96,7 +96,15 @@ class FakeHost final : public PageHost {
     robot.events = robot_stops;
     return robot;
   }
-  void order(const protocol::RobotOrder& order) override { ++(order.word == "stop" ? robot_stops : commands); }
+  std::optional<protocol::RobotFloor> robot_floor() override {
+    if (!has_robot) return std::nullopt;
+    protocol::RobotFloor floor;
+    floor.x_m = 0.01 * ++floors;
+    return floor;
+  }
+  void order(const protocol::RobotOrder& order) override {
+    ++(order.word == "stop" ? robot_stops : commands);
+  }
   void let_go() override { ++robot_stops; }
   protocol::Words answer(const protocol::Ask& ask) override {
     asked = ask.probe;
@@ -129,6 +137,8 @@ class FakeHost final : public PageHost {
   std::atomic<int> commands = 0;
   /// Before a page is opened.
   std::atomic<bool> has_robot = false;
+  /// How often its floor was asked for.
+  std::atomic<int> floors = 0;
   /// Orders to stop it, and pages that drove it and let go.
   std::atomic<int> robot_stops = 0;
   /// How often state() was called.

@@ -179,6 +179,11 @@ std::optional<protocol::Robot> TouchHost::robot() {
   return robot_news_.take(page_robot(options_.robot->state()), std::chrono::steady_clock::now());
 }
 
+std::optional<protocol::RobotFloor> TouchHost::robot_floor() {
+  const auto floor = options_.robot != nullptr ? options_.robot->floor() : nullptr;
+  return floor ? std::optional(page_floor(*floor)) : std::nullopt;
+}
+
 void TouchHost::order(const protocol::RobotOrder& order) {
   if (options_.robot == nullptr) return;
   // The page's pointer may rest anywhere, and would drive the robot at once.

@@ -62,6 +62,7 @@ class TouchHost final : public PageHost {
   protocol::Settings settings() override;
   protocol::Materials materials() override;
   std::optional<protocol::Robot> robot() override;
+  std::optional<protocol::RobotFloor> robot_floor() override;
   protocol::State state() override;
   void update() override;
   void move(const protocol::Pointer& pointer) override;

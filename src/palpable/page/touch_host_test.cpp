@@ -223,6 +223,7 @@ class FakeRobot final : public session::RobotControl {
   }
   session::RobotStatistics statistics() const override { return {}; }
   session::RobotState state() const override { return {}; }
+  std::shared_ptr<const session::RobotFloor> floor() const override { return nullptr; }
   std::optional<std::string> state_notice() override { return std::nullopt; }
 
   std::string asked;

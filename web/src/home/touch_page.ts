@@ -365,6 +365,8 @@ export class TouchPage {
         return this.share.show(message);
       case 'robot':
         return this.robot.show(message);
+      case 'robot_floor':
+        return this.robot.showFloor(message);
       case 'notice':
         if (message.level === 'fault') return this.alert(message.text);
         if (message.level === 'recovered') this.readouts.allWell();

@@ -4,7 +4,8 @@ import { readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
-import type { Robot } from '../generated/protocol';
+import type { Robot, RobotFloor } from '../generated/protocol';
+import { floorWords, placeWords } from './floor_picture';
 import { eventWords, figureWords, isUrgent, stateWords } from './words';
 
 const robot: Robot = {
@@ -39,6 +40,12 @@ describe('the words on a robot', () => {
     expect(figureWords(robot)).toBe('Battery 80 % · Newest picture less than half a second old');
     expect(figureWords({ ...robot, battery: null, picture_age_s: 1.25 })).toMatch(/^Newest picture 1\.[23] s old$/);
     expect(figureWords({ ...robot, battery: null, picture_age_s: null })).toBe('No picture yet');
+  });
+  it('tell the floor and the place', () => {
+    const floor: RobotFloor = { type: 'robot_floor', x_m: 1.26, y_m: -0.5, heading_deg: 12.4, radius_m: 0.2, cell_m: 0.05, side: 1, cells: '1', ahead_m: 1.24, ahead_ends: 'blocked', left_m: 0.4, right_m: null };
+    expect(floorWords(floor)).toBe('Free for 1.2 m ahead, then blocked. Blocked to the left at 0.4 m.');
+    expect(floorWords({ ...floor, ahead_ends: 'unknown', left_m: null })).toBe('Free for 1.2 m ahead, then not seen. Nothing is known to be in the way at its sides.');
+    expect(placeWords(floor)).toBe('Place by odometry: 1.3, -0.5 m, heading 12°');
   });
   it('interrupt for a stop, and for nothing else', () => {
     expect(isUrgent({ ...robot, event: 'stopped' })).toBe(true);

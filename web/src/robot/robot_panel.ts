@@ -3,7 +3,8 @@
 // The robot whose camera is touched: its buttons, modes and state. Shown only if there is one.
 import { t } from '../language';
 import { element } from '../dom';
-import type { FromPage, Robot } from '../generated/protocol';
+import type { FromPage, Robot, RobotFloor } from '../generated/protocol';
+import { drawFloor, floorWords, placeWords } from './floor_picture';
 import { batteryWords, eventWords, figureWords, isUrgent, limitWords, modeWords, stateWords } from './words';
 
 export interface RobotTarget {
@@ -58,7 +59,7 @@ export class RobotPanel {
   show(robot: Robot): void {
     const before = this.robot;
     this.robot = robot;
-    this.panel.hidden = false;
+    this.panel.hidden = element('robot-seen').hidden = false;
     this.check('robot-mode', robot.mode);
     element('robot-view').hidden = robot.view === null;
     if (robot.view !== null) this.check('robot-view', robot.view);
@@ -68,6 +69,16 @@ export class RobotPanel {
     write('robot-mode-words', modeWords(robot));
     write('robot-figures', figureWords(robot));
     if (before !== null) this.announce(robot, before);
+  }
+
+  showFloor(floor: RobotFloor): void {
+    const picture = element<HTMLCanvasElement>('robot-floor');
+    const words = floorWords(floor);
+    element('robot-floor-frame').hidden = false;
+    drawFloor(picture, floor);
+    picture.setAttribute('aria-label', t('Floor around the robot. {words}', { words }));
+    write('robot-floor-words', words);
+    write('robot-place', placeWords(floor));
   }
 
   private announce(robot: Robot, before: Robot): void {

@@ -27,7 +27,9 @@ constexpr double kStep_s = 0.15;
 /// Whether the pose went on from each step to the next, in one direction. A pose that is corrected by a jump
 /// changes between two or three steps only; one that trembles returns.
 bool MotionWatch::goes_on(double t_s) const {
-  constexpr double kMoved_m = 0.02, kMoved_rad = 0.03, kStraight = 0.7;
+  constexpr double kMoved_m = 0.02, kMoved_rad = 0.03;
+  // Each of the five steps adds at least this share of the whole.
+  constexpr double kLeast = 0.05;
   struct Mean {
     double x_m = 0.0, y_m = 0.0, turn_rad = 0.0, count = 0.0;
   };
@@ -44,21 +46,18 @@ bool MotionWatch::goes_on(double t_s) const {
     if (step.count == 0.0) return false;
     step = {step.x_m / step.count, step.y_m / step.count, step.turn_rad / step.count, step.count};
   }
-  double way_m = 0.0, least_m = INFINITY, least_rad = INFINITY;
-  const double turned_rad = steps.back().turn_rad - steps.front().turn_rad;
+  const double x_m = steps.back().x_m - steps.front().x_m, y_m = steps.back().y_m - steps.front().y_m;
+  const double moved_m = std::hypot(x_m, y_m), turned_rad = steps.back().turn_rad - steps.front().turn_rad;
+  // What each step adds, in the direction of the whole.
+  double least_m = INFINITY, least_rad = INFINITY;
   for (std::size_t k = 1; k < kSteps; ++k) {
-    const double step_m = std::hypot(steps[k].x_m - steps[k - 1].x_m, steps[k].y_m - steps[k - 1].y_m);
-    way_m += step_m;
-    least_m = std::min(least_m, step_m);
-    least_rad =
-        std::min(least_rad, std::copysign(1.0, turned_rad) * (steps[k].turn_rad - steps[k - 1].turn_rad));
+    const Mean &from = steps[k - 1], &to = steps[k];
+    least_m = std::min(least_m, ((to.x_m - from.x_m) * x_m + (to.y_m - from.y_m) * y_m) / moved_m);
+    least_rad = std::min(least_rad, std::copysign(1.0, turned_rad) * (to.turn_rad - from.turn_rad));
   }
-  const double moved_m =
-      std::hypot(steps.back().x_m - steps.front().x_m, steps.back().y_m - steps.front().y_m);
-  // A step is at least half of what is usual for the least movement.
-  constexpr double kShare = 0.5 / (kSteps - 1);
-  return (moved_m > kMoved_m && moved_m > kStraight * way_m && least_m > kShare * kMoved_m) ||
-         (std::abs(turned_rad) > kMoved_rad && least_rad > kShare * kMoved_rad);
+  return (moved_m > kMoved_m && least_m > kLeast * std::max(moved_m, 2.0 * kMoved_m)) ||
+         (std::abs(turned_rad) > kMoved_rad &&
+          least_rad > kLeast * std::max(std::abs(turned_rad), 2.0 * kMoved_rad));
 }
 
 bool MotionWatch::moves_unasked(double t_s, double measured_m_per_s, const RobotPose& pose) {

@@ -55,8 +55,8 @@ TEST(MotionWatch, SaysOnceThatARobotMovesThoughItIsToldToStand) {
   EXPECT_EQ(said_at(kUnasked, [](double) { return WatchedRobot{{}, 0.2, {}, false}; }), "");
 }
 
-/// When a robot that stands, whose speed says 0 and whose odometry is read `rate_hz` times a second, is said to
-/// move unasked, within 20 s; NaN: not at all. Its noise has these standard deviations.
+/// When a robot that stands, whose speed says 0 and whose odometry is read `rate_hz` times a second, is said
+/// to move unasked, within 20 s; NaN: not at all. Its noise has these standard deviations.
 double noticed_at_s(double rate_hz, double noise_m, double noise_rad,
                     const std::function<RobotPose(double)>& pose_at) {
   MotionWatch watch;

@@ -94,6 +94,8 @@ class RobotDrive {
 
   /// By its odometry.
   const RobotPose& pose() const { return pose_; }
+  /// The floor around it, as far as it was seen.
+  RobotFloor floor() const { return map_.floor(pose_); }
   /// Since the newest picture that is used; nullopt: none came.
   std::optional<double> picture_age_s(double t_s) const;
 

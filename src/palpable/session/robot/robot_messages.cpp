@@ -28,7 +28,8 @@ std::string sentence_of(RobotEvent event, double vouched_m) {
           "free.",
           vouched_m);
     case RobotEvent::not_ready:
-      return "The robot is not started: its odometry, or pictures of its camera with their data and depth, do "
+      return "The robot is not started: its odometry, or pictures of its camera with their data and depth, "
+             "do "
              "not come.";
     case RobotEvent::stopped:
       return "The robot is stopped.";

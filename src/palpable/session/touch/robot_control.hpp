@@ -5,6 +5,7 @@
 #include "palpable/session/robot/robot_state.hpp"
 #include "palpable/session/touch/touch_statistics.hpp"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,12 +29,15 @@ class RobotControl {
   virtual RobotStatistics statistics() const = 0;
   /// As it was at the last tick of its thread, which comes 50 times a second. Does not wait for the robot.
   virtual RobotState state() const = 0;
+  /// The floor around it, as it was seen at most half a second ago; null before any picture. Does not wait
+  /// for the robot.
+  virtual std::shared_ptr<const RobotFloor> floor() const = 0;
   /// The next sentence on what state() tells as well, if there is a new one.
   virtual std::optional<std::string> state_notice() = 0;
 };
 
-/// Whether a word is one for the robot, which is then obeyed: start, stop, drive, look, touch, near, wide. The
-/// words of terminal and page.
+/// Whether a word is one for the robot, which is then obeyed: start, stop, drive, look, touch, near, wide.
+/// The words of terminal and page.
 bool obey(std::string_view word, RobotControl& robot);
 
 }  // namespace palpable::session

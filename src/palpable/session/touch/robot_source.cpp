@@ -115,6 +115,7 @@ class RobotSource final : public LiveSource, public RobotControl {
     if (views_) state.view = view_;
     return state;
   }
+  std::shared_ptr<const RobotFloor> floor() const override { return wheels_.floor(); }
   std::optional<std::string> state_notice() override { return wheels_.notice(); }
   void request_start() override { wheels_.request_start(); }
   void request_stop() override { wheels_.request_stop(); }

@@ -66,6 +66,24 @@ RobotState RobotWheels::state() const {
   return state_;
 }
 
+std::shared_ptr<const RobotFloor> RobotWheels::floor() const {
+  const std::lock_guard lock(state_mutex_);
+  return floor_;
+}
+
+void RobotWheels::publish_state(Clock::time_point now) {
+  constexpr auto kFloorPeriod = std::chrono::milliseconds(500);
+  const RobotState state = state_now(seconds_of(now));
+  std::shared_ptr<const RobotFloor> floor;
+  if (state.picture_age_s && now - floor_at_ >= kFloorPeriod) {
+    floor = std::make_shared<const RobotFloor>(drive_.floor());
+    floor_at_ = now;
+  }
+  const std::lock_guard lock(state_mutex_);
+  state_ = state;
+  if (floor) floor_ = std::move(floor);
+}
+
 RobotState RobotWheels::state_now(double now_s) const {
   const auto lack = drive_.obstacle_to_start(now_s);
   RobotState state;
@@ -118,10 +136,7 @@ RobotNow RobotWheels::tick(Clock::time_point now, const RobotHand::Now& hand) {
   tell(command.limit, now);
   send(command.velocity, now);
   watch_motion(now);
-  {
-    const std::lock_guard state_lock(state_mutex_);
-    state_ = state_now(seconds_of(now));
-  }
+  publish_state(now);
   // As the wheels in the other modes, the arm moves only while nothing else makes the robot stand.
   return {seconds_of(now), drive_.mode(), drive_.is_started(), command.limit == DriveLimit::standing,
           drive_.pose()};

@@ -14,6 +14,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -65,6 +66,8 @@ class RobotWheels {
   RobotStatistics statistics() const;
   /// As it was at the end of the last tick, without the view.
   RobotState state() const;
+  /// RobotControl::floor().
+  std::shared_ptr<const RobotFloor> floor() const;
   std::optional<std::string> notice() { return notices_.take(); }
 
  private:
@@ -73,6 +76,7 @@ class RobotWheels {
   // With the lock.
   void report(RobotEvent event);
   RobotState state_now(double now_s) const;
+  void publish_state(Clock::time_point now);
   void take_state();
   void take_contact(bool touches);
   void take_battery(double charge);
@@ -113,10 +117,13 @@ class RobotWheels {
   MotionWatch watch_;
   RobotStatistics statistics_;
   haptics::LatencyRecorder picture_ages_;
+  /// When the floor was last published.
+  Clock::time_point floor_at_;
 
   mutable std::mutex state_mutex_;
-  /// Guarded by state_mutex_, which is held for a copy only.
+  // Guarded by state_mutex_, which is held for a copy only.
   RobotState state_;
+  std::shared_ptr<const RobotFloor> floor_;
 };
 
 }  // namespace palpable::session

@@ -4,7 +4,6 @@
 #include "palpable/session/robot/robot_drive.hpp"
 
 #include "palpable/session/robot/motion_watch.hpp"
-
 #include "palpable/study/world/robot_world.hpp"
 
 #include <algorithm>

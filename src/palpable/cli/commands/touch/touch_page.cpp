@@ -135,9 +135,8 @@ Result<Answer> touch_with_page(const TouchArguments& arguments, const TouchPlan&
       options, plan.begin_ns);
   if (!opened) return opened.error();
   session::TouchSession& session = **opened;
-  auto feeding =
-      std::make_unique<session::Feeding>(plan.live.get(), session, [&](const std::string& sentence,
-                                                                       session::LiveSubject subject) {
+  auto feeding = std::make_unique<session::Feeding>(
+      plan.live.get(), session, [&](const std::string& sentence, session::LiveSubject subject) {
         console.note(sentence);
         if (subject != session::LiveSubject::robot) notes.put(Note(sentence));
       });
