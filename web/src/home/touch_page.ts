@@ -179,7 +179,11 @@ export class TouchPage {
       heightFactor: () => this.heightFactor(),
       showState: (state) => this.showState(state),
       showStatus: () => this.showStatus(),
-      opened: () => this.guided.withdraw(),
+      opened: () => {
+        this.guided.withdraw();
+        // The touch goes on unseen.
+        if (this.robot.isThere) this.robot.stop();
+      },
       draw: () => this.showProbes(),
       byDevice: () => !this.own.movable(0),
       pause: () => this.connection.send({ type: 'pause', paused: true }),

@@ -105,8 +105,18 @@ TEST_F(RobotTouch, SendsNothingBeforeAPersonStartsAndStopsWhenTheyStop) {
   const Vec3 right{0.03, 0.0, 0.0};
   EXPECT_TRUE(held_at(right, [&] { return session_->law_in_use() == haptics::Law::rolling; }));
   EXPECT_EQ(robot_.server->commands(), 0U);
+  EXPECT_EQ(feed_->robot()->state().event, session::RobotEvent::none);
   EXPECT_TRUE(turns_at(right)) << said();
   EXPECT_TRUE(is_stopped_by([&] { feed_->robot()->request_stop(); }, "The robot is stopped.")) << said();
+  const auto state = feed_->robot()->state();
+  EXPECT_FALSE(state.is_started);
+  EXPECT_EQ(state.event, session::RobotEvent::stopped);
+  EXPECT_GE(state.events, 2U);
+  EXPECT_EQ(state.view, session::RobotView::wide);
+  // Stated once a second.
+  EXPECT_TRUE(
+      comes_true([&] { return std::abs(feed_->robot()->state().battery.value_or(0.0) - 0.8) < 1e-6; }));
+  EXPECT_NE(feed_->robot()->floor(), nullptr);
   EXPECT_FALSE(robot_.server->has_touched());
 }
 
