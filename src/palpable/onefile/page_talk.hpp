@@ -49,6 +49,7 @@ class PageTalk {
   void handle(const page::protocol::Invite&) {}
   void handle(const page::protocol::Withdraw&) {}
   void handle(const page::protocol::ShowOut&) {}
+  void handle(const page::protocol::RobotOrder&) {}
   void send(const std::vector<page::SharedFrame>& frames);
 
   BrowserTouch& touch_;

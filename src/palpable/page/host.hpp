@@ -49,6 +49,10 @@ class PageHost {
   virtual protocol::Settings settings() = 0;
   /// The materials of the current scene.
   virtual protocol::Materials materials() = 0;
+  /// The robot whose camera is touched; nullopt: there is none.
+  virtual std::optional<protocol::Robot> robot() { return std::nullopt; }
+  /// What it has seen of the floor; nullopt: nothing yet.
+  virtual std::optional<protocol::RobotFloor> robot_floor() { return std::nullopt; }
   /// The newest tick. The server fills in which page moved each probe.
   virtual protocol::State state() = 0;
 
@@ -66,6 +70,9 @@ class PageHost {
   virtual void save() = 0;
   virtual void pause(bool paused) = 0;
   virtual void recentre() = 0;
+  virtual void order(const protocol::RobotOrder& /*order*/) {}
+  /// The page that moved the first probe last is closed or hidden: what that probe drives stops.
+  virtual void let_go() {}
   /// Moves the explorer of the egocentric view.
   virtual void move_explorer(const protocol::MoveExplorer& pose) = 0;
   /// The answer in words to a question about the scene or a place (protocol.json, `ask`). A description of

@@ -25,6 +25,7 @@ template <class Message>
 SharedFrame text_frame(const Message& message) {
   return std::make_shared<const Frame>(Frame{protocol::write_message(message), false});
 }
+template SharedFrame text_frame(const protocol::RobotFloor&);
 template SharedFrame text_frame(const protocol::State&);
 template SharedFrame text_frame(const protocol::Words&);
 template SharedFrame text_frame(const protocol::Around&);
@@ -47,6 +48,8 @@ std::vector<SharedFrame> HostChanges::everything(std::int64_t page,
   frames.push_back(text_frame(sent_settings_));
   sent_materials_ = host_.materials();
   frames.push_back(text_frame(sent_materials_));
+  sent_robot_ = host_.robot();
+  if (sent_robot_) frames.push_back(text_frame(*sent_robot_));
   return frames;
 }
 
@@ -70,6 +73,10 @@ std::vector<SharedFrame> HostChanges::changes() {
   if (auto materials = host_.materials(); materials != sent_materials_) {
     sent_materials_ = std::move(materials);
     frames.push_back(text_frame(sent_materials_));
+  }
+  if (auto robot = host_.robot(); robot && robot != sent_robot_) {
+    sent_robot_ = std::move(robot);
+    frames.push_back(text_frame(*sent_robot_));
   }
   return frames;
 }

@@ -34,7 +34,8 @@ class HostChanges {
   std::vector<SharedFrame> everything(std::int64_t page, const std::optional<protocol::Guest>& guest = {});
   /// The notices since the last call.
   std::vector<protocol::Notice> notices();
-  /// What has changed since the last call or everything(): scene, settings, materials.
+  /// What has changed since the last call or everything(): scene, settings, materials,
+  /// robot.
   std::vector<SharedFrame> changes();
 
  private:
@@ -45,6 +46,7 @@ class HostChanges {
   std::vector<SharedFrame> scene_frames_;
   protocol::Settings sent_settings_;
   protocol::Materials sent_materials_;
+  std::optional<protocol::Robot> sent_robot_;
 };
 
 }  // namespace palpable::page

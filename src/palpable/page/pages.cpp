@@ -58,6 +58,7 @@ void Pages::greet(Client& client) {
   } else if (options_.share != nullptr) {
     client.send(text_frame(options_.share->sharing()));
   }
+  sent_floor_.reset();
   note_activity();
 }
 
@@ -72,6 +73,7 @@ void Pages::close_page_of(std::int64_t guest, const char* reason) {
 }
 
 void Pages::on_closed(Client& client) {
+  let_go(client);
   release_probes(client);
   std::erase_if(clients_,
                 [&](const auto& other) { return other.expired() || other.lock().get() == &client; });
@@ -117,6 +119,7 @@ void Pages::show(std::shared_ptr<PageHost> host) {
   });
   movers_ = {};
   sent_probes_.clear();
+  sent_floor_.reset();
   changes_.reset();
   host_ = std::move(host);
   if (host_ != nullptr) changes_.emplace(*host_);
@@ -132,6 +135,7 @@ void Pages::update() {
   host_->update();
   for (const auto& frame : changes_->changes()) broadcast(frame);
   send_state();
+  send_robot_floor();
 }
 
 void Pages::send_notice(const protocol::Notice& notice) {
@@ -191,12 +195,32 @@ void Pages::send_state() {
   sent_state_at_ = now;
 }
 
+// Twice a second at most, and only where somebody looks.
+void Pages::send_robot_floor() {
+  constexpr auto kPeriod = milliseconds(500);
+  const auto now = steady_clock::now();
+  if (now - floor_at_ < kPeriod) return;
+  auto floor = host_->robot_floor();
+  if (!floor || floor == sent_floor_) return;
+  floor_at_ = now;
+  const auto frame = text_frame(*floor);
+  sent_floor_ = std::move(floor);
+  for_each_client([&](Client& client) {
+    if (client.visible) client.send(frame);
+  });
+}
+
 // Removes the additional probes that this page moved; the first probe stays.
 void Pages::release_probes(const Client& client) {
   for (std::size_t probe = 1; probe < client.moved.size(); ++probe)
     if (client.moved.test(probe)) host_->lift({static_cast<std::int64_t>(probe)});
   for (auto& mover : movers_)
     if (mover == client.page) mover.reset();
+}
+
+// Nobody sees what the first probe drives, or could stop it.
+void Pages::let_go(const Client& client) {
+  if (host_ != nullptr && movers_.front() == client.page) host_->let_go();
 }
 
 // Iterates over a copy, since a disconnected client is removed from the list.
@@ -230,6 +254,12 @@ void Pages::handle(Client& client, const protocol::Lift& probe) {
   host_->lift(probe);
 }
 
+void Pages::handle(Client& client, const protocol::RobotOrder& order) {
+  // Who starts it has to see it, before the first movement of the probe, too.
+  if (order.word == "start" && host_->hello().pointer_moves) movers_.front() = client.page;
+  host_->order(order);
+}
+
 void Pages::handle(Client& client, const protocol::Ask& ask) {
   // The last probe is no guest's (server.cpp).
   const auto asked = client.guest ? asked_by(*client.guest, ask, host_->hello().probes - 1) : ask;
@@ -243,6 +273,8 @@ void Pages::handle(Client& client, const protocol::LookAround& question) {
 void Pages::handle(Client& client, const protocol::Visible& visible) {
   client.visible = visible.visible;
   client.is_behind = true;
+  if (!visible.visible) let_go(client);
+  sent_floor_.reset();
   if (!client.guest) return;
   // A phone that sleeps, or shows something else, leaves no probe on the surface.
   if (!visible.visible) {

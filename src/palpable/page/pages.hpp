@@ -55,7 +55,9 @@ class Pages {
   void send_sharing();
   void pass(Client& client, const protocol::FromPage& message);
   void send_state();
+  void send_robot_floor();
   void release_probes(const Client& client);
+  void let_go(const Client& client);
   template <class Do>
   void for_each_client(Do act);
   void broadcast(const SharedFrame& frame);
@@ -69,6 +71,7 @@ class Pages {
   void handle(Client&, const protocol::Save&) { host_->save(); }
   void handle(Client&, const protocol::Pause& pause) { host_->pause(pause.paused); }
   void handle(Client&, const protocol::Recentre&) { host_->recentre(); }
+  void handle(Client& client, const protocol::RobotOrder& order);
   void handle(Client&, const protocol::MoveExplorer& pose) { host_->move_explorer(pose); }
   void handle(Client& client, const protocol::Ask& ask);
   void handle(Client& client, const protocol::LookAround& question);
@@ -92,6 +95,8 @@ class Pages {
   std::optional<HostChanges> changes_;
   std::vector<protocol::ProbeState> sent_probes_;
   std::chrono::steady_clock::time_point sent_state_at_;
+  std::optional<protocol::RobotFloor> sent_floor_;
+  std::chrono::steady_clock::time_point floor_at_;
   std::chrono::steady_clock::time_point active_at_;
   std::int64_t next_page_ = 1;
   std::uint64_t sent_sharing_ = 0;

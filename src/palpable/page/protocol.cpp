@@ -244,6 +244,8 @@ template std::string write_message(const Notice&);
 template std::string write_message(const Words&);
 template std::string write_message(const Around&);
 template std::string write_message(const Sharing&);
+template std::string write_message(const Robot&);
+template std::string write_message(const RobotFloor&);
 template std::string write_message(const Shelf&);
 template std::string write_message(const Job&);
 template std::string write_message(const Uploaded&);

@@ -34,6 +34,10 @@ struct Rules {
   Ruling operator()(const protocol::Invite&) const { return Ruling::refuse; }
   Ruling operator()(const protocol::Withdraw&) const { return Ruling::refuse; }
   Ruling operator()(const protocol::ShowOut&) const { return Ruling::refuse; }
+  // Whoever sees the danger stops it.
+  Ruling operator()(const protocol::RobotOrder& order) const {
+    return order.word == "stop" ? Ruling::pass : Ruling::refuse;
+  }
 };
 
 std::string_view name_of(Presence presence) {

@@ -44,6 +44,14 @@ TEST(Roles, WhoTouchesMayInAdditionMoveItsOwnProbe) {
   EXPECT_EQ(ruling(kToucher, protocol::Find{7, 0, {}, 0.0, 0.0}), Ruling::question);
 }
 
+TEST(Roles, AnyGuestMayStopARobotAndDoNothingElseToIt) {
+  for (const Guest& guest : {kLooker, kToucher}) {
+    EXPECT_EQ(ruling(guest, protocol::RobotOrder{"stop"}), Ruling::pass);
+    for (const char* word : {"start", "drive", "look", "touch", "near", "wide", "", "Stop", "stop "})
+      EXPECT_EQ(ruling(guest, protocol::RobotOrder{word}), Ruling::refuse) << word;
+  }
+}
+
 TEST(Roles, AGuestsQuestionsDoNotCountForOtherProbes) {
   const protocol::Ask position{1, "position", 0, 0.0, 0.0, 0.0, 0};
   EXPECT_EQ(asked_by(kToucher, position, 9).probe, 7);

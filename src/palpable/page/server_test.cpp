@@ -73,6 +73,62 @@ TEST(PageServer, ReportsWhichPageMovedAProbe) {
   EXPECT_TRUE(comes(second, one));
 }
 
+/// Reads states until one says that this page moved the first probe.
+void wait_until_moved(TestPage& client, const Json& mover) {
+  while (client.read_until("state")["probes"][0]["page"] != mover) {
+  }
+}
+
+TEST(PageServer, TellsOfARobotAndStopsItWhenThePageThatDrivesItIsHiddenOrClosed) {
+  ServedPage page;
+  page.host.has_robot = true;
+  const std::string cookie = cookie_of(page);
+  TestPage stays(page, cookie);
+  EXPECT_EQ(stays.read_until("robot")["events"], 0);
+  {
+    TestPage drives(page, cookie);
+    const Json number = drives.read_until("hello")["page"];
+    stays.send(R"({"type":"visible","visible":false})");
+    stays.send(R"({"type":"visible","visible":true})");
+    drives.send(R"({"type":"pointer","probe":0,"x_m":0.01,"y_m":0,"press_m":0})");
+    wait_until_moved(stays, number);
+    EXPECT_EQ(page.host.robot_stops, 0) << "the page that was hidden does not drive it";
+    drives.send(R"({"type":"visible","visible":false})");
+    EXPECT_EQ(stays.read_until("robot")["events"], 1);
+  }
+  EXPECT_EQ(stays.read_until("robot")["events"], 2);
+  EXPECT_EQ(page.host.commands, 0) << "a page that comes or goes starts nothing";
+  {
+    TestPage starts(page, cookie);
+    starts.send(R"({"type":"robot_order","word":"start"})");
+    starts.send(R"({"type":"visible","visible":false})");
+    EXPECT_EQ(stays.read_until("robot")["events"], 3);
+  }
+}
+
+TEST(PageServer, SendsWhatARobotSawTwiceASecondToPagesThatAreVisible) {
+  ServedPage page;
+  page.host.has_robot = true;
+  const std::string cookie = cookie_of(page);
+  TestPage sees(page, cookie);
+  TestPage hidden(page, cookie);
+  hidden.send(R"({"type":"visible","visible":false})");
+  hidden.send(
+      R"({"type":"ask","serial":1,"what":"position","probe":0,"x_m":0,"y_m":0,"press_m":0,"part":0})");
+  EXPECT_EQ(hidden.read_until("words")["serial"], 1);
+  int floors = 0;
+  const int begin = page.host.floors;
+  for (int k = 0; k < 3; ++k) floors += sees.read_until("robot_floor").empty() ? 0 : 1;
+  EXPECT_EQ(floors, 3);
+  EXPECT_LE(page.host.floors - begin, 4);
+  hidden.send(
+      R"({"type":"ask","serial":2,"what":"position","probe":0,"x_m":0,"y_m":0,"press_m":0,"part":0})");
+  for (std::string frame = hidden.read(); !frame.empty(); frame = hidden.read()) {
+    EXPECT_EQ(frame.find("robot_floor"), std::string::npos);
+    if (frame.find(R"("serial":2)") != std::string::npos) break;
+  }
+}
+
 /// Waits until exactly these probes have been removed.
 void wait_until_lifted(const FakeHost& host, int wanted) {
   for (int now = host.lifted; now != wanted; now = host.lifted) host.lifted.wait(now);

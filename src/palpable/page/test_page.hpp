@@ -90,6 +90,22 @@ class FakeHost final : public PageHost {
   }
   void recentre() override { ++commands; }
   void move_explorer(const protocol::MoveExplorer&) override { ++commands; }
+  std::optional<protocol::Robot> robot() override {
+    if (!has_robot) return std::nullopt;
+    protocol::Robot robot;
+    robot.events = robot_stops;
+    return robot;
+  }
+  std::optional<protocol::RobotFloor> robot_floor() override {
+    if (!has_robot) return std::nullopt;
+    protocol::RobotFloor floor;
+    floor.x_m = 0.01 * ++floors;
+    return floor;
+  }
+  void order(const protocol::RobotOrder& order) override {
+    ++(order.word == "stop" ? robot_stops : commands);
+  }
+  void let_go() override { ++robot_stops; }
   protocol::Words answer(const protocol::Ask& ask) override {
     asked = ask.probe;
     return {ask.serial, "words on " + ask.what, {}, {}};
@@ -119,6 +135,12 @@ class FakeHost final : public PageHost {
   std::atomic<std::int64_t> asked = -1;
   /// Calls that change something other than places of probes.
   std::atomic<int> commands = 0;
+  /// Before a page is opened.
+  std::atomic<bool> has_robot = false;
+  /// How often its floor was asked for.
+  std::atomic<int> floors = 0;
+  /// Orders to stop it, and pages that drove it and let go.
+  std::atomic<int> robot_stops = 0;
   /// How often state() was called.
   std::atomic<int> states = 0;
   /// Bit k is set if probe k was lifted.

@@ -174,6 +174,27 @@ protocol::Settings TouchHost::settings() {
   return now;
 }
 
+std::optional<protocol::Robot> TouchHost::robot() {
+  if (options_.robot == nullptr) return std::nullopt;
+  return robot_news_.take(page_robot(options_.robot->state()), std::chrono::steady_clock::now());
+}
+
+std::optional<protocol::RobotFloor> TouchHost::robot_floor() {
+  const auto floor = options_.robot != nullptr ? options_.robot->floor() : nullptr;
+  return floor ? std::optional(page_floor(*floor)) : std::nullopt;
+}
+
+void TouchHost::order(const protocol::RobotOrder& order) {
+  if (options_.robot == nullptr) return;
+  // The page's pointer may rest anywhere, and would drive the robot at once.
+  if (order.word == "start" && pointer_moves()) move(kAtRest);
+  static_cast<void>(session::obey(order.word, *options_.robot));
+}
+
+void TouchHost::let_go() {
+  if (options_.robot != nullptr && pointer_moves()) options_.robot->request_stop();
+}
+
 protocol::State TouchHost::state() {
   const auto sample = session_.latest();
   const auto scene = named_scene();
@@ -260,6 +281,7 @@ void TouchHost::save() {
 
 void TouchHost::pause(bool paused) {
   if (paused) {
+    if (options_.robot != nullptr) options_.robot->request_stop();
     session_.pause();
   } else {
     session_.resume();

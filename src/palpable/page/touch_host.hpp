@@ -7,8 +7,10 @@
 #include "palpable/formats/scene/unsaved_scene.hpp"
 #include "palpable/page/host.hpp"
 #include "palpable/page/page_materials.hpp"
+#include "palpable/page/page_robot.hpp"
 #include "palpable/page/spoken_words.hpp"
 #include "palpable/session/touch/find_pull.hpp"
+#include "palpable/session/touch/robot_control.hpp"
 #include "palpable/session/touch/touch_session.hpp"
 
 #include <array>
@@ -47,6 +49,8 @@ class TouchHost final : public PageHost {
     bool live = false;
     /// The server has a home page.
     bool home = false;
+    /// The robot whose camera is touched; null: none.
+    session::RobotControl* robot = nullptr;
   };
   /// `session`, and what the options refer to, must outlive the host.
   TouchHost(session::TouchSession& session, Options options);
@@ -57,6 +61,8 @@ class TouchHost final : public PageHost {
   std::shared_ptr<const PageScene> scene() override;
   protocol::Settings settings() override;
   protocol::Materials materials() override;
+  std::optional<protocol::Robot> robot() override;
+  std::optional<protocol::RobotFloor> robot_floor() override;
   protocol::State state() override;
   void update() override;
   void move(const protocol::Pointer& pointer) override;
@@ -66,6 +72,8 @@ class TouchHost final : public PageHost {
   void save() override;
   void pause(bool paused) override;
   void recentre() override;
+  void order(const protocol::RobotOrder& order) override;
+  void let_go() override;
   void move_explorer(const protocol::MoveExplorer& pose) override;
   protocol::Words answer(const protocol::Ask& ask) override;
   protocol::Around around(const protocol::LookAround& question) override;
@@ -118,6 +126,8 @@ class TouchHost final : public PageHost {
   /// Carries out `step`; reports its automatic changes, or its error.
   void report(const std::function<Result<void>()>& step);
   void take_notices();
+  /// The page's first probe in the middle, above the surface.
+  static constexpr protocol::Pointer kAtRest{0, 0.0, 0.0, -0.02};
   bool pointer_moves() const { return !session_.device_traits().pushes_back; }
   void place(const protocol::Pointer& pointer);
 
@@ -131,6 +141,7 @@ class TouchHost final : public PageHost {
   std::shared_ptr<const models::Scene> unnamed_;
   std::shared_ptr<const models::Scene> named_;
   session::FindPull pull_;
+  RobotNews robot_news_;
   /// The scene's own guide while a pull takes its place.
   std::shared_ptr<const models::RouteGuide> own_guide_;
   std::chrono::steady_clock::time_point watched_;
@@ -138,8 +149,7 @@ class TouchHost final : public PageHost {
   std::chrono::steady_clock::time_point shown_time_;
   std::shared_ptr<const PageScene> page_scene_;
   /// Each probe's place as the pages set it; the first one is above the surface until it is moved.
-  std::array<std::optional<protocol::Pointer>, protocol::kMostProbes> pointers_{
-      protocol::Pointer{0, 0.0, 0.0, -0.02}};
+  std::array<std::optional<protocol::Pointer>, protocol::kMostProbes> pointers_{kAtRest};
   std::chrono::steady_clock::time_point rate_time_;
   double rate_hz_ = 0.0;
 

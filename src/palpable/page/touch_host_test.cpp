@@ -210,6 +210,48 @@ TEST_F(HostOnATouch, HoldsTheForceAtZeroWhilePaused) {
   EXPECT_TRUE(comes_true([&] { return first().fz_N > 0.3; }));
 }
 
+/// Writes down what it is asked for.
+class FakeRobot final : public session::RobotControl {
+ public:
+  void request_start() override { asked += "start "; }
+  void request_stop() override { asked += "stop "; }
+  void request_mode(session::RobotMode mode) override {
+    asked += mode == session::RobotMode::look ? "look " : "mode ";
+  }
+  void request_view(session::RobotView view) override {
+    asked += view == session::RobotView::near ? "near " : "wide ";
+  }
+  session::RobotStatistics statistics() const override { return {}; }
+  session::RobotState state() const override { return {}; }
+  std::shared_ptr<const session::RobotFloor> floor() const override { return nullptr; }
+  std::optional<std::string> state_notice() override { return std::nullopt; }
+
+  std::string asked;
+};
+
+TEST_F(HostOnATouch, StartsARobotByAnOrderAloneAndFromTheMiddle) {
+  FakeRobot robot;
+  auto options = options_for_host();
+  options.robot = &robot;
+  TouchHost driving(*session, options);
+  EXPECT_FALSE(host->robot());
+  ASSERT_TRUE(driving.robot());
+  EXPECT_EQ(driving.robot()->mode, "drive");
+  driving.move({0, 0.015, 0.0, -0.01});
+  driving.update();
+  EXPECT_EQ(robot.asked, "");
+  driving.order({"start"});
+  EXPECT_TRUE(palpable::comes_true([&] {
+    driving.update();
+    return std::abs(driving.state().probes.front().x_m) < 1e-6;
+  }));
+  for (const char* word : {"look", "near", "wide", "jump", "", "stop"}) driving.order({word});
+  driving.pause(true);
+  driving.pause(false);
+  driving.let_go();
+  EXPECT_EQ(robot.asked, "start look near wide stop stop stop ");
+}
+
 TEST_F(HostOnATouch, EditsAMaterialUnderTheHandWithoutANewScene) {
   host->move({0, 0.0, 0.0, 0.002});
   ASSERT_TRUE(comes_true([&] { return first().fz_N > 0.5; }));

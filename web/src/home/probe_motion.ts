@@ -78,13 +78,26 @@ export class ProbeMotion {
     const { own } = this.probes;
     if (own.isGuest && !own.movable()) return this.page.say(t('The probe is moved by {device}.', { device: this.page.device() }), Importance.answer);
     const scene = this.page.scene();
-    own.current.jump({ x: scene?.middle_x_m ?? 0, y: scene?.middle_y_m ?? 0 }, performance.now());
+    own.current.jump(this.middle(), performance.now());
     this.walking.reset();
     if (own.chosen === 0) this.page.send({ type: 'recentre' });
     this.walking.sendPose();
     this.page.moves();
     const mayBeEmpty = scene?.kind.endsWith('field') ?? false;
     this.page.say(mayBeEmpty ? this.narrator.middle() : this.probes.named(t('In the middle.')), Importance.answer);
+  }
+
+  /** Brings one of this page's probes to the middle, without a word. */
+  centre(probe: number): void {
+    const { own } = this.probes;
+    if (!own.movable(probe)) return;
+    own.at(probe)?.jump(this.middle(), performance.now());
+    this.page.moves();
+  }
+
+  private middle(): Place {
+    const scene = this.page.scene();
+    return { x: scene?.middle_x_m ?? 0, y: scene?.middle_y_m ?? 0 };
   }
 
   /** Advances the marbles and sends their places; true while they move. */

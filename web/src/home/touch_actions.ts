@@ -36,6 +36,8 @@ export interface ActionParts {
   guided: GuidedStart;
   headset: HeadsetPanel;
   replay: ReplayPanel;
+  /** False: this page pauses instead. */
+  stopRobot(): boolean;
   paused(): boolean;
   say(words: Words | string, importance: Importance): void;
   send(message: FromPage): void;
@@ -102,6 +104,7 @@ export class TouchActions implements KeyTarget {
   }
   pause(): void {
     if (this.parts.replay.isOpen) return this.parts.replay.toggle();
+    if (this.parts.stopRobot()) return;
     this.parts.send({ type: 'pause', paused: !this.parts.paused() });
   }
   mute(): void {

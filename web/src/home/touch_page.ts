@@ -13,6 +13,7 @@ import { Walking } from '../probe/walking';
 import { controlWords } from '../settings/control_words';
 import type { Settings } from '../settings/settings';
 import { Importance } from '../sound/announcer';
+import { RobotPanel } from '../robot/robot_panel';
 import { SharePanel } from '../share/share_panel';
 import { Feedback } from '../sound/feedback';
 import { Voice } from '../sound/voice';
@@ -117,6 +118,7 @@ export class TouchPage {
   private readonly head: HeadPanel | null;
   private readonly headset: HeadsetPanel;
   private readonly share: SharePanel;
+  private readonly robot: RobotPanel;
   private hello: Hello | null = null;
   private paused = false;
   /** Whether the program is connected; otherwise nothing is felt, moved or heard. */
@@ -177,7 +179,11 @@ export class TouchPage {
       heightFactor: () => this.heightFactor(),
       showState: (state) => this.showState(state),
       showStatus: () => this.showStatus(),
-      opened: () => this.guided.withdraw(),
+      opened: () => {
+        this.guided.withdraw();
+        // The touch goes on unseen.
+        if (this.robot.isThere) this.robot.stop();
+      },
       draw: () => this.showProbes(),
       byDevice: () => !this.own.movable(0),
       pause: () => this.connection.send({ type: 'pause', paused: true }),
@@ -189,6 +195,13 @@ export class TouchPage {
     this.share = new SharePanel({
       send: (message) => this.connection.send(message),
       say: (words) => this.voice.say(words, Importance.answer),
+    });
+    this.robot = new RobotPanel({
+      send: (message) => this.connection.send(message),
+      say: (words) => this.voice.say(words, Importance.answer),
+      sayNow: (words) => this.voice.aloudOnly(words),
+      connected: () => this.connected,
+      centre: () => this.motion.centre(0),
     });
   }
 
@@ -232,6 +245,7 @@ export class TouchPage {
       guided: this.guided,
       headset: this.headset,
       replay: this.replay.panel,
+      stopRobot: () => this.stopRobotAsGuest(),
       paused: () => this.paused,
       say: (words, importance) => this.voice.say(words, importance),
       send: (message) => this.connection.send(message),
@@ -318,6 +332,7 @@ export class TouchPage {
     this.names.forget();
     this.actions.blank();
     this.readouts.blank();
+    this.robot.lost();
     this.feedback.removeProbesExcept([]);
     this.showProbes();
     this.alert(sentence);
@@ -352,6 +367,10 @@ export class TouchPage {
         return this.names.receive(message);
       case 'sharing':
         return this.share.show(message);
+      case 'robot':
+        return this.robot.show(message);
+      case 'robot_floor':
+        return this.robot.showFloor(message);
       case 'notice':
         if (message.level === 'fault') return this.alert(message.text);
         if (message.level === 'recovered') this.readouts.allWell();
@@ -474,6 +493,7 @@ export class TouchPage {
     const { element: stage } = this.stage;
     bindPointers(stage, this.pointing, { placeAt: (left, top) => this.stage.placeAt(left, top), wake: () => this.wake() });
     stage.addEventListener('click', ({ clientX, clientY }) => this.names.clicked(this.stage.placeAt(clientX, clientY)));
+    stage.addEventListener('pointerleave', () => this.robot.release());
     stage.addEventListener('keydown', (event) => {
       this.wake();
       if (!this.connected && !['Tab', 'h', 'H', '?'].includes(event.key)) {
@@ -482,6 +502,13 @@ export class TouchPage {
       }
       if (this.stage.moveViewBy(event) || press(event, this.keys)) event.preventDefault();
     });
+  }
+
+  /** A guest cannot pause the touch, and stops the robot instead; false: there is none, or this is no guest's page. */
+  private stopRobotAsGuest(): boolean {
+    if (!this.robot.isThere || !this.own.isGuest) return false;
+    this.robot.stop();
+    return true;
   }
 
   private wake(): void {

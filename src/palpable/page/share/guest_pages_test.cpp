@@ -36,6 +36,8 @@ const std::vector<std::string> kCommands = {
     R"({"type":"save"})",
     R"({"type":"pause","paused":true})",
     R"({"type":"recentre"})",
+    R"({"type":"robot_order","word":"start"})",
+    R"({"type":"robot_order","word":"drive"})",
     R"({"type":"move_explorer","x_m":0,"y_m":0,"heading_deg":0})",
     R"({"type":"name","list":1,"place":null,"name":"a","sentence":"","x_m":0,"y_m":0})",
     R"({"type":"unname","list":1,"place":0})",
@@ -201,6 +203,17 @@ TEST(SharedTouch, WhoTouchesMovesOnlyItsOwnProbe) {
   EXPECT_EQ(shared.page.host.moved, 8);
   EXPECT_EQ(shared.page.host.commands, 1);
   EXPECT_EQ(shared.page.host.asked, 8);
+}
+
+TEST(SharedTouch, AGuestWhoOnlyLooksStopsARobotAtOnceAndSeesIt) {
+  SharedPage shared;
+  shared.page.host.has_robot = true;
+  TestPage host(shared.page);
+  GuestPage guest(shared, shared.join(invite(shared, host, "look")));
+  EXPECT_EQ(guest.read_until("robot")["events"], 0);
+  guest.send(R"({"type":"robot_order","word":"stop"})");
+  EXPECT_EQ(guest.read_until("robot")["events"], 1);
+  EXPECT_EQ(shared.page.host.robot_stops, 1);
 }
 
 TEST(SharedTouch, GuestsAreNotToldWhatMayNameFiles) {

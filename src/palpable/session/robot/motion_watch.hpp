@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/session/robot/robot_drive.hpp"
+#include "palpable/session/robot/robot_state.hpp"
 
+#include <deque>
 #include <optional>
-#include <string_view>
+#include <utility>
 
 namespace palpable::session {
 
@@ -14,17 +15,23 @@ namespace palpable::session {
 class MotionWatch {
  public:
   /// Call it after each command. `told`: the command that was sent last. `measured_m_per_s`: the robot's own
-  /// forward speed. `is_followed`: commands were sent, and the connection stands. A sentence when the robot
-  /// has to be stopped, once for each time: it moves though it was told to stand for 1.5 s, or its odometry
-  /// has neither moved by 5 mm nor turned by 0.01 rad though it was told to move for 2 s.
-  std::optional<std::string_view> look(double t_s, const RobotVelocity& told, double measured_m_per_s,
-                                       const RobotPose& pose, bool is_followed);
+  /// forward speed. `is_followed`: commands were sent, and the connection stands. An event when the robot
+  /// has to be stopped, once for each time. moved_unasked: since 1.5 s it is told to stand, and its speed was
+  /// not zero all that time, or its pose went on steadily in the last 0.9 s, by at least 2 cm or 0.03 rad;
+  /// this needs at least seven calls a second. stays: its odometry has neither moved by 5 mm nor turned by
+  /// 0.01 rad though it was told to move for 2 s.
+  std::optional<RobotEvent> look(double t_s, const RobotVelocity& told, double measured_m_per_s,
+                                 const RobotPose& pose, bool is_followed);
 
  private:
-  bool moves_unasked(double t_s, const RobotVelocity& told, double measured_m_per_s, bool is_followed);
+  bool moves_unasked(double t_s, double measured_m_per_s, const RobotPose& pose);
+  bool goes_on(double t_s) const;
   bool stays(double t_s, const RobotVelocity& told, const RobotPose& pose, bool is_followed);
 
-  double obeys_since_s_ = 0.0;
+  /// Since then it has been told to stand, and since then its own speed has not been zero.
+  double told_since_s_ = 0.0, fast_since_s_ = 0.0;
+  /// While it is told to stand: the poses of the last 0.9 s.
+  std::deque<std::pair<double, RobotPose>> poses_;
   double moved_at_s_ = 0.0;
   RobotPose moved_to_;
   bool said_moving_ = false;

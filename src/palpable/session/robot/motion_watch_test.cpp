@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/robot/motion_watch.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <random>
 #include <string>
-#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -18,20 +20,20 @@ struct WatchedRobot {
   bool is_followed = true;
 };
 
-/// The quarters of a second of 10 s at which a sentence with these words was said.
-std::string said_at(std::string_view words, const std::function<WatchedRobot(double)>& robot_at) {
+/// The quarters of a second of 10 s at which this event was.
+std::string said_at(RobotEvent event, const std::function<WatchedRobot(double)>& robot_at) {
   MotionWatch watch;
   std::string times;
   for (int k = 0; k <= 40; ++k) {
     const auto [told, measured_m_per_s, pose, is_followed] = robot_at(0.25 * k);
-    const auto sentence = watch.look(0.25 * k, told, measured_m_per_s, pose, is_followed);
-    if (sentence && sentence->find(words) != std::string_view::npos) times += std::to_string(k) + " ";
+    if (watch.look(0.25 * k, told, measured_m_per_s, pose, is_followed) == event)
+      times += std::to_string(k) + " ";
   }
   return times;
 }
 
 constexpr RobotVelocity kAhead{0.2, 0.0};
-constexpr std::string_view kUnasked = "emergency stop", kStays = "odometry says that it stands";
+constexpr auto kUnasked = RobotEvent::moved_unasked, kStays = RobotEvent::stays;
 
 TEST(MotionWatch, StopsARobotWhoseOdometryStandsThoughItIsToldToMove) {
   EXPECT_EQ(said_at(kStays, [](double) { return WatchedRobot{kAhead, 0.0, {}}; }), "9 18 27 36 ");
@@ -51,6 +53,65 @@ TEST(MotionWatch, SaysOnceThatARobotMovesThoughItIsToldToStand) {
   EXPECT_EQ(said_at(kUnasked, [](double t) { return WatchedRobot{{}, 0.2, {0.2 * t, 0.0, 0.0}}; }), "7 ");
   EXPECT_EQ(said_at(kUnasked, [](double) { return WatchedRobot{{}, 0.02, {}}; }), "");
   EXPECT_EQ(said_at(kUnasked, [](double) { return WatchedRobot{{}, 0.2, {}, false}; }), "");
+}
+
+/// When a robot that stands, whose speed says 0 and whose odometry is read `rate_hz` times a second, is said
+/// to move unasked, within 20 s; NaN: not at all. Its noise has these standard deviations.
+double noticed_at_s(double rate_hz, double noise_m, double noise_rad,
+                    const std::function<RobotPose(double)>& pose_at) {
+  MotionWatch watch;
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  RobotPose pose;
+  double next_s = 0.0;
+  for (int k = 0; k <= 1000; ++k) {
+    const double t_s = 0.02 * k;
+    if (t_s >= next_s) {
+      next_s += 1.0 / rate_hz;
+      pose = pose_at(t_s);
+      pose.x_m += noise_m * normal(random);
+      pose.y_m += noise_m * normal(random);
+      pose.heading_rad += noise_rad * normal(random);
+    }
+    if (watch.look(t_s, {}, 0.0, pose, true)) return t_s;
+  }
+  return NAN;
+}
+
+TEST(MotionWatch, NoticesAPoseThatMovesThoughTheSpeedSaysZeroWithinASecond) {
+  constexpr double kBegin_s = 5.0;
+  const auto since = [](double t_s) { return std::max(0.0, t_s - kBegin_s); };
+  for (const double rate_hz : {50.0, 20.0, 10.0}) {
+    for (const double m_per_s : {0.05, 0.3, -0.1}) {
+      const double at_s = noticed_at_s(rate_hz, 0.001, 0.002, [&](double t) {
+        return RobotPose{m_per_s * since(t), 0.0, 0.0};
+      });
+      EXPECT_LE(at_s, kBegin_s + 1.0) << rate_hz << " Hz, " << m_per_s << " m/s";
+      EXPECT_GT(at_s, kBegin_s);
+    }
+    const double at_s = noticed_at_s(rate_hz, 0.001, 0.002, [&](double t) {
+      return RobotPose{0.0, 0.0, 3.0 + 0.1 * since(t)};
+    });
+    EXPECT_LE(at_s, kBegin_s + 1.0) << rate_hz << " Hz, turning";
+    EXPECT_GT(at_s, kBegin_s);
+  }
+}
+
+TEST(MotionWatch, TakesNoNoiseNoDriftAndNoCorrectionOfAPoseForAMovement) {
+  for (const double rate_hz : {50.0, 20.0, 10.0}) {
+    EXPECT_TRUE(std::isnan(noticed_at_s(rate_hz, 0.003, 0.005, [](double) { return RobotPose{}; })));
+    EXPECT_TRUE(std::isnan(noticed_at_s(rate_hz, 0.001, 0.002, [](double t) {
+      return RobotPose{0.002 * t, 0.0, 0.002 * t};
+    })));
+    EXPECT_TRUE(std::isnan(noticed_at_s(rate_hz, 0.001, 0.002, [](double t) {
+      return t < 5.0 ? RobotPose{} : RobotPose{0.3, 0.1, 0.4};
+    })));
+  }
+  // It brakes for 1.3 s.
+  EXPECT_TRUE(std::isnan(noticed_at_s(50.0, 0.001, 0.002, [](double t) {
+    const double left_s = std::max(0.0, 1.3 - t);
+    return RobotPose{-0.2 * left_s * left_s, 0.0, 0.0};
+  })));
 }
 
 }  // namespace

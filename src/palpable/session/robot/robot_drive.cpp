@@ -61,11 +61,21 @@ RobotDrive::RobotDrive(const DriveOptions& options)
     : options_(options), map_(options.shape), vouched_m_(options.shape.radius_m + options.margin_m) {}
 
 bool RobotDrive::start(double t_s) {
-  if (is_old(odometry_at_s_, t_s) || is_picture_old(t_s)) return false;
+  if (obstacle_to_start(t_s)) return false;
   map_.begin(pose_, vouched_m_);
   last_ = {};
   started_ = true;
   return true;
+}
+
+std::optional<DriveLimit> RobotDrive::obstacle_to_start(double t_s) const {
+  if (is_old(odometry_at_s_, t_s)) return DriveLimit::link_lost;
+  if (is_picture_old(t_s)) return DriveLimit::picture_lost;
+  return std::nullopt;
+}
+
+std::optional<double> RobotDrive::picture_age_s(double t_s) const {
+  return picture_at_s_ ? std::optional(std::max(0.0, t_s - *picture_at_s_)) : std::nullopt;
 }
 
 void RobotDrive::take_odometry(double t_s, const RobotPose& pose, std::optional<double> stamp_s) {
@@ -136,8 +146,7 @@ bool RobotDrive::is_picture_old(double t_s) const {
 
 std::optional<DriveLimit> RobotDrive::reason_to_stand(double t_s) const {
   if (!started_) return DriveLimit::not_started;
-  if (is_old(odometry_at_s_, t_s)) return DriveLimit::link_lost;
-  if (is_picture_old(t_s)) return DriveLimit::picture_lost;
+  if (const auto lost = obstacle_to_start(t_s)) return lost;
   if (is_old(hand_at_s_, t_s) || !std::isfinite(hand_.right) || !std::isfinite(hand_.ahead))
     return DriveLimit::released;
   if (mode_ == RobotMode::touch) return DriveLimit::standing;

@@ -82,6 +82,8 @@ class RobotDrive {
   /// A person starts; until then, and after stop(), the command is zero. Without odometry and pictures that
   /// are newer than DriveOptions::lost_s says it does not start.
   bool start(double t_s);
+  /// Why it would not start now: link_lost or picture_lost.
+  std::optional<DriveLimit> obstacle_to_start(double t_s) const;
   void stop() { started_ = false; }
   bool is_started() const { return started_; }
   /// The floor around the robot, from its axis, that the person vouches for at the start: the camera does not
@@ -92,6 +94,10 @@ class RobotDrive {
 
   /// By its odometry.
   const RobotPose& pose() const { return pose_; }
+  /// The floor around it, as far as it was seen.
+  RobotFloor floor() const { return map_.floor(pose_); }
+  /// Since the newest picture that is used; nullopt: none came.
+  std::optional<double> picture_age_s(double t_s) const;
 
   // `stamp_s`: when it was measured, by the robot's clock; nullopt: about when it arrived.
   void take_odometry(double t_s, const RobotPose& pose, std::optional<double> stamp_s);

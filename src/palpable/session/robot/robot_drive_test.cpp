@@ -75,6 +75,31 @@ TEST(RobotMap, IsFreeAsFarAsTheFloorIsSeen) {
   }
 }
 
+TEST(RobotMap, ShowsTheFloorAsItLiesBeforeTheRobot) {
+  // Whichever way it looks.
+  for (const double heading_rad : {0.0, 2.0, -1.0}) {
+    RobotMap map(kShape);
+    const RobotPose pose{0.3, -0.2, heading_rad};
+    const auto seen = floor_and_wall(0.9);
+    map.begin(pose, map.nearest_floor_m(*seen.camera));
+    map.add(seen, pose);
+    const RobotFloor floor = map.floor(pose);
+    const int middle = floor.cells.width() / 2;
+    const auto rows_ahead = [&](double m) { return middle - static_cast<int>(m / RobotMap::kCell_m); };
+    EXPECT_EQ(floor.cells(middle, rows_ahead(0.6)), FloorCell::free);
+    EXPECT_EQ(floor.cells(middle, rows_ahead(1.1)), FloorCell::unknown);
+    int blocked = 0;
+    for (int row = rows_ahead(1.0); row <= rows_ahead(0.8); ++row)
+      blocked += floor.cells(middle, row) == FloorCell::blocked ? 1 : 0;
+    EXPECT_GE(blocked, 1);
+    EXPECT_NEAR(floor.ahead_m, 0.9 - kShape.radius_m, 0.15);
+    EXPECT_EQ(floor.ahead_ends, FloorCell::blocked);
+    // The wall goes on to both sides, within 45 degrees only where it is far off.
+    EXPECT_GT(floor.left_m.value_or(1.0), 0.6);
+    EXPECT_GT(floor.right_m.value_or(1.0), 0.6);
+  }
+}
+
 TEST(RobotMap, ForgetsAnObstacleOnlyWhenItsFloorWasSeenAFewTimes) {
   RobotMap map(kShape);
   map.begin({}, map.nearest_floor_m(*floor_and_wall(0.8).camera));

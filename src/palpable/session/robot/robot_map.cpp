@@ -10,7 +10,6 @@
 namespace palpable::session {
 namespace {
 
-constexpr double kCell_m = 0.05;
 /// Cells of a side, a power of two: the index of a cell is its place modulo this.
 constexpr std::int32_t kSide = 128;
 /// Farther readings are too noisy, and their floor too sensitive to the camera's tilt.
@@ -143,6 +142,40 @@ double RobotMap::free_distance_m(const RobotPose& pose, double turn_per_m, doubl
   for (double way_m = kCell_m / 2; way_m < longest_m; way_m += kCell_m / 2)
     if (meets(moved_along(pose, way_m, way_m * turn_per_m))) return way_m - kCell_m / 2;
   return longest_m;
+}
+
+RobotFloor RobotMap::floor(const RobotPose& pose) const {
+  constexpr int kShown = 48;
+  RobotFloor floor{pose, shape_, Raster<Cell>(kShown, kShown), 0.0, Cell::free, {}, {}};
+  const double sine = std::sin(pose.heading_rad), cosine = std::cos(pose.heading_rad);
+  const auto at = [&](double ahead_m, double left_m) {
+    return cell(
+        place_of(pose.x_m + ahead_m * cosine - left_m * sine, pose.y_m + ahead_m * sine + left_m * cosine));
+  };
+  const auto note_side = [&](double ahead_m, double left_m) {
+    const double away_m = std::max(0.0, std::hypot(ahead_m, left_m) - shape_.radius_m);
+    auto& side_m = left_m > 0.0 ? floor.left_m : floor.right_m;
+    if (std::abs(left_m) >= std::abs(ahead_m)) side_m = std::min(side_m.value_or(away_m), away_m);
+  };
+  for (int row = 0; row < kShown; ++row)
+    for (int column = 0; column < kShown; ++column) {
+      const double ahead_m = kCell_m * (0.5 * (kShown - 1) - row);
+      const double left_m = kCell_m * (0.5 * (kShown - 1) - column);
+      const Cell known = at(ahead_m, left_m);
+      floor.cells(column, row) = known;
+      if (known == Cell::blocked) note_side(ahead_m, left_m);
+    }
+  floor.ahead_m = free_distance_m(pose, 0.0, 0.0, kFloorSeen_m);
+  if (floor.ahead_m < kFloorSeen_m) {
+    floor.ahead_ends = Cell::unknown;
+    // Half of its outline, a cell farther on.
+    const double reach_m = shape_.radius_m + kCell_m;
+    for (double ahead_m = 0.0; ahead_m < reach_m; ahead_m += 0.5 * kCell_m)
+      for (double left_m = -reach_m; left_m < reach_m; left_m += 0.5 * kCell_m)
+        if (std::hypot(ahead_m, left_m) < reach_m && at(floor.ahead_m + ahead_m, left_m) == Cell::blocked)
+          floor.ahead_ends = Cell::blocked;
+  }
+  return floor;
 }
 
 }  // namespace palpable::session

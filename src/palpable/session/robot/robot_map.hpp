@@ -3,8 +3,10 @@
 #pragma once
 
 #include "palpable/core/picture/camera.hpp"
+#include "palpable/core/picture/raster.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace palpable::session {
@@ -29,6 +31,26 @@ struct RobotShape {
   double camera_down_rad = 0.44;
 };
 
+/// What is known of a piece of floor.
+enum class FloorCell : std::uint8_t { unknown, free, blocked };
+
+/// The floor around a robot, for people: as it lies before the robot, whichever way that looks.
+struct RobotFloor {
+  /// By odometry.
+  RobotPose pose;
+  RobotShape shape;
+  /// A square of cells of RobotMap::kCell_m, the robot's axis in its middle: ahead is up, left is left.
+  Raster<FloorCell> cells;
+  /// From the robot's border: how far it could go straight on, and whether what ends that is blocked, or not
+  /// known; at most kFloorSeen_m, where neither is said.
+  double ahead_m = 0.0;
+  FloorCell ahead_ends = FloorCell::free;
+  /// From its border to the nearest blocked cell to the left, and to the right: within 45 degrees of that
+  /// direction, in this square. nullopt: none is known.
+  std::optional<double> left_m, right_m;
+};
+inline constexpr double kFloorSeen_m = 2.5;
+
 /// What a robot has seen of the floor around it: cells of 5 cm in the frame of its odometry, each free,
 /// blocked or unknown. A cell is free only where the floor itself was seen, with the whole height of the
 /// robot in the camera's field of view above it; what was not seen is not free. Remembers a square of 6.4 m
@@ -50,8 +72,12 @@ class RobotMap {
   /// does not count if the arc leads away from it.
   double free_distance_m(const RobotPose& pose, double turn_per_m, double margin_m, double longest_m) const;
 
+  static constexpr double kCell_m = 0.05;
+  /// As it is seen from this pose.
+  RobotFloor floor(const RobotPose& pose) const;
+
  private:
-  enum class Cell : std::uint8_t { unknown, free, blocked };
+  using Cell = FloorCell;
   struct Entry {
     std::int32_t x = 0, y = 0;
     Cell cell = Cell::unknown;

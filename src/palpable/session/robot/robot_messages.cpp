@@ -20,22 +20,45 @@ std::string arm_twist_text(double left_m_per_s) {
                      left_m_per_s);
 }
 
-std::string sentence_of(DriveLimit limit) {
-  switch (limit) {
-    case DriveLimit::picture_lost:
+std::string sentence_of(RobotEvent event, double vouched_m) {
+  switch (event) {
+    case RobotEvent::started:
+      return fmt::format(
+          "The robot is started. The floor within {:.2f} m around it, which its camera does not see, must be "
+          "free.",
+          vouched_m);
+    case RobotEvent::not_ready:
+      return "The robot is not started: its odometry, or pictures of its camera with their data and depth, "
+             "do "
+             "not come.";
+    case RobotEvent::stopped:
+      return "The robot is stopped.";
+    case RobotEvent::touched:
+      return "The robot touches something: it is stopped, and must be started again.";
+    case RobotEvent::link_lost:
+      return "The robot is not started any more: its connection was lost.";
+    case RobotEvent::odometry_lost:
+      return "The robot stands: its odometry does not come. Start it again when it does.";
+    case RobotEvent::picture_lost:
       return "The robot stands: no picture of its camera has come for half a second, or none with a camera's "
              "data and depth, or the same again and again. Start it again when it sees.";
-    case DriveLimit::link_lost:
-      return "The robot stands: its odometry does not come. Start it again when it does.";
-    case DriveLimit::obstacle:
-      return "There is something ahead of the robot, or floor that it has not seen.";
-    case DriveLimit::none:
-    case DriveLimit::not_started:
-    case DriveLimit::released:
-    case DriveLimit::standing:
+    case RobotEvent::stalled:
+      return "The robot is stopped, since this program stood still: start it again.";
+    case RobotEvent::moved_unasked:
+      return "The robot moves, though it is told to stand: use its own emergency stop.";
+    case RobotEvent::stays:
+      return "The robot is stopped: it was told to move, and its odometry says that it stands. It may be "
+             "blocked, or its odometry hangs.";
+    case RobotEvent::none:
       break;
   }
   return {};
+}
+
+std::string sentence_of(DriveLimit limit) {
+  return limit == DriveLimit::obstacle
+             ? "There is something ahead of the robot, or floor that it has not seen."
+             : "";
 }
 
 std::string sentence_of(RobotMode mode) {

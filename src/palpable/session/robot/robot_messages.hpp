@@ -5,6 +5,7 @@
 #include "palpable/core/result.hpp"
 #include "palpable/session/robot/robot_drive.hpp"
 #include "palpable/session/robot/robot_ears.hpp"
+#include "palpable/session/robot/robot_state.hpp"
 #include "palpable/sources/live/rosbridge_client.hpp"
 
 #include <cstddef>
@@ -19,7 +20,9 @@ std::string twist_text(const RobotVelocity& velocity);
 /// An arm's speed to the left as geometry_msgs/Twist in the robot's frame, JSON.
 std::string arm_twist_text(double left_m_per_s);
 
-/// A sentence on why the robot stands or goes slowly; empty: nothing is to be said.
+/// What is said of an event; `vouched_m`: RobotDrive::vouched_m().
+std::string sentence_of(RobotEvent event, double vouched_m);
+/// A sentence on why the robot goes slowly; empty: nothing is to be said.
 std::string sentence_of(DriveLimit limit);
 /// What the hand does in this mode.
 std::string sentence_of(RobotMode mode);

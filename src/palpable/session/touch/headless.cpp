@@ -85,9 +85,10 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
     for (const std::string& sentence : session.notices()) options.on_notice(sentence);
   };
   report_notices();
-  auto feeding = std::make_unique<Feeding>(options.live, session, [&options](const std::string& sentence) {
-    if (options.on_notice) options.on_notice(sentence);
-  });
+  auto feeding =
+      std::make_unique<Feeding>(options.live, session, [&options](const std::string& sentence, LiveSubject) {
+        if (options.on_notice) options.on_notice(sentence);
+      });
   const auto guide = [&] {
     if (const std::string step = session.take_guidance(); !step.empty() && options.on_device)
       options.on_device(step + ".", false);

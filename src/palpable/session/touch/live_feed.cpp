@@ -184,9 +184,9 @@ void LiveFeed::stop() {
   source_->end();
 }
 
-void LiveFeed::say(const std::string& sentence) {
+void LiveFeed::say(const std::string& sentence, LiveSubject subject) {
   const std::lock_guard lock(say_mutex_);
-  say_(sentence);
+  say_(sentence, subject);
 }
 
 LiveStatistics LiveFeed::statistics() const {
@@ -212,6 +212,8 @@ void LiveFeed::run(TouchSession& session) {
     auto frame = source_->take(Clock::now() + kPatience);
     asked_ = Clock::time_point{};
     if (const auto notice = source_->notice()) say(*notice);
+    if (auto* robot = source_->robot())
+      if (const auto notice = robot->state_notice()) say(*notice, LiveSubject::robot);
     if (!frame) {
       if (ending_ || frame.error().code == ErrorCode::interrupted) return;
       if (!std::exchange(said_unreadable, true))

@@ -56,12 +56,15 @@ struct LiveOptions {
 /// Errors: usage for a value out of range.
 Result<void> check(const LiveOptions& options);
 
+/// What a sentence is about: the pictures, or the state of a robot, which the page shows and says by itself.
+enum class LiveSubject : std::uint8_t { pictures, robot };
+
 /// Feeds a touch from a live source: each frame becomes a scene, which takes the place of the one before.
 /// Frames that come faster than they can be used are left out, the oldest first.
 class LiveFeed {
  public:
   /// Takes sentences for the user; called by the feed's threads, one at a time.
-  using Say = std::function<void(const std::string&)>;
+  using Say = std::function<void(const std::string&, LiveSubject)>;
 
   /// Waits for the first frame with a known depth, for LiveOptions::first_s. Errors: as check(),
   /// LiveSource::take() and sculpt::relief_in_window(); invalid_input if none comes; interrupted.
@@ -108,7 +111,7 @@ class LiveFeed {
   void watch();
   double age_s() const;
   bool is_slow() const;
-  void say(const std::string& sentence);
+  void say(const std::string& sentence, LiveSubject subject = LiveSubject::pictures);
 
   std::unique_ptr<LiveSource> source_;
   LiveOptions options_;

@@ -10,8 +10,7 @@
 #include "palpable/models/relief/relief.hpp"
 #include "palpable/models/scene/scene.hpp"
 #include "palpable/sculpt/relief/relief_in_window.hpp"
-#include "palpable/session/robot/robot_drive.hpp"
-#include "palpable/session/touch/touch_statistics.hpp"
+#include "palpable/session/touch/robot_control.hpp"
 #include "palpable/sources/stereo/stereo_file.hpp"
 #include "palpable/vision/depth_camera/depth_noise.hpp"
 
@@ -50,23 +49,6 @@ class TouchSession;
 
 /// The method (models::SceneSource) of a surface that live pictures show.
 inline constexpr std::string_view kLiveMethod = "live depth";
-
-/// What a person decides about a robot; any thread.
-class RobotControl {
- public:
-  RobotControl() = default;
-  virtual ~RobotControl() = default;
-  RobotControl(const RobotControl&) = delete;
-  RobotControl& operator=(const RobotControl&) = delete;
-
-  /// Starts it, once its odometry comes. Before this nothing is sent to it.
-  virtual void request_start() = 0;
-  virtual void request_stop() = 0;
-  virtual void request_mode(RobotMode mode) = 0;
-  /// In the mode touch: what is touched. For `near` its arm moves, if it was started.
-  virtual void request_view(RobotView view) = 0;
-  virtual RobotStatistics statistics() const = 0;
-};
 
 /// A source of frames that arrive whether they are taken or not. One thread takes them.
 class LiveSource {

@@ -78,8 +78,6 @@ class RobotSource final : public LiveSource, public RobotControl {
   std::optional<std::string> loss() override { return client_->loss(); }
   std::optional<std::string> notice() override {
     if (auto words = client_->notice()) return words;
-    // Before what follows from it.
-    if (auto words = wheels_.notice()) return words;
     if (auto words = notices_.take()) return words;
     if (views_)
       if (auto words = views_->notice()) return words;
@@ -112,6 +110,13 @@ class RobotSource final : public LiveSource, public RobotControl {
   }
 
   // RobotControl
+  RobotState state() const override {
+    RobotState state = wheels_.state();
+    if (views_) state.view = view_;
+    return state;
+  }
+  std::shared_ptr<const RobotFloor> floor() const override { return wheels_.floor(); }
+  std::optional<std::string> state_notice() override { return wheels_.notice(); }
   void request_start() override { wheels_.request_start(); }
   void request_stop() override { wheels_.request_stop(); }
   void request_mode(RobotMode mode) override {
@@ -177,7 +182,10 @@ class RobotSource final : public LiveSource, public RobotControl {
   void tick(RobotClock::time_point now) {
     hand_.follow_law();
     const RobotNow robot = wheels_.tick(now, hand_.now());
-    if (views_) views_->tick(robot);
+    if (views_) {
+      views_->tick(robot);
+      view_ = views_->view();
+    }
     hearing_.listen(*client_, robot.t_s, robot.pose.heading_rad);
   }
 
@@ -186,6 +194,7 @@ class RobotSource final : public LiveSource, public RobotControl {
   RobotWheels wheels_;
   RobotHearing hearing_;
   std::atomic<bool> ending_{false};
+  std::atomic<RobotView> view_{RobotView::wide};
   Notices notices_;
   RobotHand hand_;
   /// Null: there is no near view.

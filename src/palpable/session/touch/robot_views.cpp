@@ -66,6 +66,11 @@ bool RobotViews::is_plain() const {
   return shown_ == RobotView::wide && shift_ == ViewShift{};
 }
 
+RobotView RobotViews::view() const {
+  const std::lock_guard lock(mutex_);
+  return sweep_.is_active() || is_computing_ ? RobotView::near : wanted_;
+}
+
 std::optional<Image> RobotViews::colour() const {
   const std::lock_guard lock(mutex_);
   if (shown_ != RobotView::near) return std::nullopt;

@@ -48,6 +48,8 @@ class RobotViews {
   std::shared_ptr<const models::Relief> surface(const SeenView& seen, TouchSession& session);
   /// The near view's colours while that is touched.
   std::optional<Image> colour() const;
+  /// What is touched, or will be once the arm was swept.
+  RobotView view() const;
   /// The wide view is shown, at its own place.
   bool is_plain() const;
   std::optional<std::string> notice() { return notices_.take(); }

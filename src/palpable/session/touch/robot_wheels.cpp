@@ -61,6 +61,55 @@ RobotStatistics RobotWheels::statistics() const {
   return statistics;
 }
 
+RobotState RobotWheels::state() const {
+  const std::lock_guard lock(state_mutex_);
+  return state_;
+}
+
+std::shared_ptr<const RobotFloor> RobotWheels::floor() const {
+  const std::lock_guard lock(state_mutex_);
+  return floor_;
+}
+
+void RobotWheels::publish_state(Clock::time_point now) {
+  constexpr auto kFloorPeriod = std::chrono::milliseconds(500);
+  const RobotState state = state_now(seconds_of(now));
+  std::shared_ptr<const RobotFloor> floor;
+  if (state.picture_age_s && now - floor_at_ >= kFloorPeriod) {
+    floor = std::make_shared<const RobotFloor>(drive_.floor());
+    floor_at_ = now;
+  }
+  const std::lock_guard lock(state_mutex_);
+  state_ = state;
+  if (floor) floor_ = std::move(floor);
+}
+
+RobotState RobotWheels::state_now(double now_s) const {
+  const auto lack = drive_.obstacle_to_start(now_s);
+  RobotState state;
+  state.is_started = drive_.is_started();
+  state.is_starting = asked_ == Asked::start && !state.is_started;
+  state.moves = published_ != RobotVelocity{};
+  state.mode = drive_.mode();
+  state.limit = lasting_limit_;
+  state.lacks = was_lost_                          ? RobotLack::link
+                : lack == DriveLimit::link_lost    ? RobotLack::odometry
+                : lack == DriveLimit::picture_lost ? RobotLack::picture
+                                                   : RobotLack::nothing;
+  state.event = event_;
+  state.events = events_;
+  state.vouched_m = drive_.vouched_m();
+  state.battery = battery_;
+  state.picture_age_s = drive_.picture_age_s(now_s);
+  return state;
+}
+
+void RobotWheels::report(RobotEvent event) {
+  event_ = event;
+  ++events_;
+  notices_.put(sentence_of(event, drive_.vouched_m()));
+}
+
 bool RobotWheels::stand() {
   const std::lock_guard lock(mutex_);
   return !has_commanded_ || client_.publish(places_.command, twist_text({}));
@@ -87,6 +136,7 @@ RobotNow RobotWheels::tick(Clock::time_point now, const RobotHand::Now& hand) {
   tell(command.limit, now);
   send(command.velocity, now);
   watch_motion(now);
+  publish_state(now);
   // As the wheels in the other modes, the arm moves only while nothing else makes the robot stand.
   return {seconds_of(now), drive_.mode(), drive_.is_started(), command.limit == DriveLimit::standing,
           drive_.pose()};
@@ -111,14 +161,14 @@ void RobotWheels::take_state() {
 void RobotWheels::take_contact(bool touches) {
   if (touches && !touches_) {
     drive_.stop();
-    notices_.put("The robot touches something: it is stopped, and must be started again.");
+    report(RobotEvent::touched);
   }
   touches_ = touches;
 }
 
 void RobotWheels::take_battery(double charge) {
-  constexpr double kLow = 0.15;
-  if (charge < kLow && !std::exchange(said_battery_, true))
+  battery_ = charge;
+  if (charge < kLowBattery && !std::exchange(said_battery_, true))
     notices_.put(fmt::format("The robot's battery is at {:.0f} %.", 100.0 * charge));
 }
 
@@ -133,7 +183,7 @@ void RobotWheels::notice_loss(Clock::time_point now) {
   if (!was_lost) return;
   // A start that was asked for before is no start of what comes back.
   asked_ = Asked::nothing;
-  if (drive_.is_started()) notices_.put("The robot is not started any more: its connection was lost.");
+  if (drive_.is_started()) report(RobotEvent::link_lost);
   drive_.lose_link();
 }
 
@@ -143,13 +193,13 @@ void RobotWheels::notice_stall(Clock::time_point now) {
   const auto before = std::exchange(ticked_at_, now);
   if (!before || now - *before < kStall || !drive_.is_started()) return;
   drive_.stop();
-  notices_.put("The robot is stopped, since this program stood still: start it again.");
+  report(RobotEvent::stalled);
 }
 
 void RobotWheels::follow_wishes(double now_s) {
   if (asked_ == Asked::stop) {
     asked_ = Asked::nothing;
-    if (drive_.is_started()) notices_.put("The robot is stopped.");
+    if (drive_.is_started()) report(RobotEvent::stopped);
     drive_.stop();
   }
   constexpr double kPatience_s = 2.0;
@@ -157,16 +207,11 @@ void RobotWheels::follow_wishes(double now_s) {
   if (!is_asked || !start_asked_at_s_) start_asked_at_s_ = now_s;
   if (is_asked && now_s - *start_asked_at_s_ > kPatience_s) {
     asked_ = Asked::nothing;
-    notices_.put(
-        "The robot is not started: its odometry, or pictures of its camera with their data and depth, do "
-        "not come.");
+    report(RobotEvent::not_ready);
   }
   if (asked_ == Asked::start && (drive_.is_started() || drive_.start(now_s))) {
     asked_ = Asked::nothing;
-    notices_.put(
-        fmt::format("The robot is started. The floor within {:.2f} m around it, which its camera does not "
-                    "see, must be free.",
-                    drive_.vouched_m()));
+    report(RobotEvent::started);
   }
 }
 
@@ -179,8 +224,12 @@ void RobotWheels::tell(DriveLimit limit, Clock::time_point now) {
   }
   if (limit_is_said_ || now - limit_since_ < kLasting) return;
   limit_is_said_ = true;
+  lasting_limit_ = limit;
   // What was lost for so long does not go on by itself.
-  if (limit == DriveLimit::picture_lost || limit == DriveLimit::link_lost) drive_.stop();
+  if (limit == DriveLimit::picture_lost || limit == DriveLimit::link_lost) {
+    drive_.stop();
+    report(limit == DriveLimit::picture_lost ? RobotEvent::picture_lost : RobotEvent::odometry_lost);
+  }
   if (auto words = sentence_of(limit); !words.empty()) notices_.put(std::move(words));
 }
 
@@ -197,11 +246,11 @@ void RobotWheels::send(const RobotVelocity& velocity, Clock::time_point now) {
 }
 
 void RobotWheels::watch_motion(Clock::time_point now) {
-  const auto words = watch_.look(seconds_of(now), published_, measured_.forward_m_per_s, drive_.pose(),
+  const auto event = watch_.look(seconds_of(now), published_, measured_.forward_m_per_s, drive_.pose(),
                                  has_commanded_ && !was_lost_);
-  if (!words) return;
+  if (!event) return;
   drive_.stop();
-  notices_.put(std::string(*words));
+  report(*event);
 }
 
 }  // namespace palpable::session

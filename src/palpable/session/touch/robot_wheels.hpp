@@ -5,6 +5,7 @@
 #include "palpable/haptics/servo/latency_recorder.hpp"
 #include "palpable/session/robot/motion_watch.hpp"
 #include "palpable/session/robot/robot_drive.hpp"
+#include "palpable/session/robot/robot_state.hpp"
 #include "palpable/session/touch/notices.hpp"
 #include "palpable/session/touch/robot_hand.hpp"
 #include "palpable/session/touch/touch_statistics.hpp"
@@ -13,6 +14,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -62,12 +64,19 @@ class RobotWheels {
   RobotPose pose() const;
   /// Without sounds and arm.
   RobotStatistics statistics() const;
+  /// As it was at the end of the last tick, without the view.
+  RobotState state() const;
+  /// RobotControl::floor().
+  std::shared_ptr<const RobotFloor> floor() const;
   std::optional<std::string> notice() { return notices_.take(); }
 
  private:
   enum class Asked : std::uint8_t { nothing, start, stop };
 
   // With the lock.
+  void report(RobotEvent event);
+  RobotState state_now(double now_s) const;
+  void publish_state(Clock::time_point now);
   void take_state();
   void take_contact(bool touches);
   void take_battery(double charge);
@@ -89,8 +98,13 @@ class RobotWheels {
   std::optional<double> start_asked_at_s_;
   bool has_commanded_ = false;
   bool touches_ = false;
+  RobotEvent event_ = RobotEvent::none;
+  std::uint64_t events_ = 0;
+  std::optional<double> battery_;
   bool said_battery_ = false;
   DriveLimit limit_ = DriveLimit::none;
+  /// The last one that lasted.
+  DriveLimit lasting_limit_ = DriveLimit::none;
   bool limit_is_said_ = false;
   Clock::time_point limit_since_;
   std::optional<Clock::time_point> started_at_, ticked_at_;
@@ -103,6 +117,13 @@ class RobotWheels {
   MotionWatch watch_;
   RobotStatistics statistics_;
   haptics::LatencyRecorder picture_ages_;
+  /// When the floor was last published.
+  Clock::time_point floor_at_;
+
+  mutable std::mutex state_mutex_;
+  // Guarded by state_mutex_, which is held for a copy only.
+  RobotState state_;
+  std::shared_ptr<const RobotFloor> floor_;
 };
 
 }  // namespace palpable::session

@@ -3,6 +3,7 @@
 // The drive of a telepresence touch and a simulated robot together, in simulated time.
 #include "palpable/session/robot/robot_drive.hpp"
 
+#include "palpable/session/robot/motion_watch.hpp"
 #include "palpable/study/world/robot_world.hpp"
 
 #include <algorithm>
@@ -57,6 +58,7 @@ class Telepresence {
     }
     if (hand_holds) drive.take_hand(now_s, hand);
     command = drive.command(now_s);
+    watch_motion(now_s);
     if (link_holds) world.command({command.velocity.forward_m_per_s, command.velocity.turn_rad_per_s});
   }
   /// Until pictures have come, and the person starts.
@@ -70,8 +72,20 @@ class Telepresence {
     double taken_s;
     DepthMap depth;
   };
+  /// Of odometry that trembles.
+  void watch_motion(double now_s) {
+    session::RobotPose at{world.odometry().x_m, world.odometry().y_m, world.odometry().heading_rad};
+    at.x_m += 0.002 * normal_(noise_);
+    at.y_m += 0.002 * normal_(noise_);
+    at.heading_rad += 0.003 * normal_(noise_);
+    if (watch_.look(now_s, command.velocity, world.motion().forward_m_per_s, at, link_holds)) ++false_alarms;
+  }
+
   double delay_s_;
   std::uint64_t seed_;
+  session::MotionWatch watch_;
+  std::mt19937_64 noise_{seed_};
+  std::normal_distribution<double> normal_;
   Pinhole camera_ = camera_of(80, 60, 1.52);
   double next_picture_s_ = 0.0;
   std::deque<Taken> pictures_;
@@ -80,6 +94,7 @@ class Telepresence {
   RobotWorld world;
   RobotDrive drive;
   RobotDrive::Command command;
+  int false_alarms = 0;
   bool link_holds = true, camera_works = true, hand_holds = true;
 };
 
@@ -112,7 +127,11 @@ TEST(RobotDriveInRooms, TouchesNothingHoweverItIsDriven) {
       touch.step(person.hand(touch.world.time_s()));
       way_m += 0.02 * touch.world.motion().forward_m_per_s;
     }
+    // The robot is told to stand, and does.
+    touch.hand_holds = false;
+    for (int k = 0; k < 150; ++k) touch.step({});
     EXPECT_FALSE(touch.world.has_touched()) << "room " << seed;
+    EXPECT_EQ(touch.false_alarms, 0) << "room " << seed;
   }
   // It drives, too.
   EXPECT_GT(way_m, 5.0);

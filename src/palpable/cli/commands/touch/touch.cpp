@@ -157,8 +157,9 @@ void add_touch(Program& program) {
                  "Servo rate in Hz (1000 unless a paper states another)");
   options.flag(
       "--start-robot", arguments->start_robot,
-      "Start the robot of robot:HOST:PORT at once; without it, only the word start at the terminal does, and "
-      "nothing is sent to it before. Further words: stop, drive, look, touch, near, wide");
+      "Start the robot of robot:HOST:PORT at once; without it, only the page's button or the word start at "
+      "the "
+      "terminal does, and nothing is sent to it before. Further words: stop, drive, look, touch, near, wide");
   options.output_folder("--record-frames", arguments->frames_recording,
                         "Record the pairs of a live stereo camera into this folder, for frames:FOLDER");
   options.flag("--memory", arguments->memory,

@@ -93,7 +93,9 @@ Result<void> serve_page(const TouchArguments& arguments, const TouchPlan& plan,
                                  plan.live == nullptr && !maker.outcome(),
                                  save_path(plan),
                                  !plan.walk.empty(),
-                                 plan.live != nullptr});
+                                 plan.live != nullptr,
+                                 false,
+                                 plan.live ? plan.live->robot() : nullptr});
   notes.open([&host](const Note& note) { host.say("info", note.sentence); });
   std::optional<OpenedBrowser> browser;
   page::ServeOptions options;
@@ -133,10 +135,10 @@ Result<Answer> touch_with_page(const TouchArguments& arguments, const TouchPlan&
       options, plan.begin_ns);
   if (!opened) return opened.error();
   session::TouchSession& session = **opened;
-  auto feeding =
-      std::make_unique<session::Feeding>(plan.live.get(), session, [&](const std::string& sentence) {
+  auto feeding = std::make_unique<session::Feeding>(
+      plan.live.get(), session, [&](const std::string& sentence, session::LiveSubject subject) {
         console.note(sentence);
-        notes.put(Note(sentence));
+        if (subject != session::LiveSubject::robot) notes.put(Note(sentence));
       });
   auto terminal = std::make_unique<RobotTerminal>(plan.live ? plan.live->robot() : nullptr, console);
   const auto served = serve_page(arguments, plan, session, maker, notes, sharing->get(), console);

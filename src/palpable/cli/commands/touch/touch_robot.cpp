@@ -67,28 +67,6 @@ Result<SampleRobot> start_sample_robot(const std::string& address) {
   return SampleRobot{*std::move(server), there + further_options(address)};
 }
 
-bool obey(std::string_view line, session::RobotControl& robot) {
-  using session::RobotMode;
-  using session::RobotView;
-  if (line == "start")
-    robot.request_start();
-  else if (line == "stop" || line.empty())
-    robot.request_stop();
-  else if (line == "drive")
-    robot.request_mode(RobotMode::drive);
-  else if (line == "look")
-    robot.request_mode(RobotMode::look);
-  else if (line == "touch")
-    robot.request_mode(RobotMode::touch);
-  else if (line == "near")
-    robot.request_view(RobotView::near);
-  else if (line == "wide")
-    robot.request_view(RobotView::wide);
-  else
-    return false;
-  return true;
-}
-
 RobotTerminal::RobotTerminal(session::RobotControl* robot, Console& console) {
   if (robot == nullptr || ::isatty(STDIN_FILENO) != 1) return;
   console.note(
@@ -117,7 +95,8 @@ void RobotTerminal::run(session::RobotControl& robot, Console& console) const {
         line += c;
         continue;
       }
-      if (!obey(line, robot))
+      // Enter alone stops.
+      if (!session::obey(line.empty() ? "stop" : std::string_view(line), robot))
         console.note("The robot's words are start, stop, drive, look, touch, near and wide.");
       line.clear();
     }

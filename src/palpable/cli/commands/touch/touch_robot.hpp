@@ -4,7 +4,7 @@
 
 #include "palpable/cli/console.hpp"
 #include "palpable/core/result.hpp"
-#include "palpable/session/touch/live_source.hpp"
+#include "palpable/session/touch/robot_control.hpp"
 #include "palpable/study/world/robot_server.hpp"
 
 #include <atomic>
@@ -26,10 +26,6 @@ bool is_sample_robot(std::string_view address);
 /// Starts the robot of robot:sample?seed=N&fps=HZ&delay=S&jitter=S&loss=SHARE; further options, such as mode,
 /// are those of robot:. Errors: usage for a value out of its range; failed.
 Result<SampleRobot> start_sample_robot(const std::string& address);
-
-/// Whether a line that a person typed is a word for the robot, which is then obeyed: start, stop (also an
-/// empty line), drive, look, touch, near, wide.
-bool obey(std::string_view line, session::RobotControl& robot);
 
 /// Obeys the lines of a terminal for as long as it lives; does nothing where standard input is none.
 class RobotTerminal {

@@ -39,7 +39,7 @@ class RobotTouch : public testing::Test {
     auto session = session::TouchSession::open(feed_->first_scene(), {}, "pointer:", {});
     ASSERT_TRUE(session) << session.error().sentence();
     session_ = *std::move(session);
-    feed_->start(*session_, [this](const std::string& words) {
+    feed_->start(*session_, [this](const std::string& words, session::LiveSubject) {
       const std::lock_guard lock(mutex_);
       said_ += words + "\n";
     });
@@ -108,8 +108,18 @@ TEST_F(RobotTouch, SendsNothingBeforeAPersonStartsAndStopsWhenTheyStop) {
   const Vec3 right{0.03, 0.0, 0.0};
   EXPECT_TRUE(held_at(right, [&] { return session_->law_in_use() == haptics::Law::rolling; }));
   EXPECT_EQ(robot_.server->commands(), 0U);
+  EXPECT_EQ(feed_->robot()->state().event, session::RobotEvent::none);
   EXPECT_TRUE(turns_at(right)) << said();
   EXPECT_TRUE(is_stopped_by([&] { feed_->robot()->request_stop(); }, "The robot is stopped.")) << said();
+  const auto state = feed_->robot()->state();
+  EXPECT_FALSE(state.is_started);
+  EXPECT_EQ(state.event, session::RobotEvent::stopped);
+  EXPECT_GE(state.events, 2U);
+  EXPECT_EQ(state.view, session::RobotView::wide);
+  // Stated once a second.
+  EXPECT_TRUE(
+      comes_true([&] { return std::abs(feed_->robot()->state().battery.value_or(0.0) - 0.8) < 1e-6; }));
+  EXPECT_NE(feed_->robot()->floor(), nullptr);
   EXPECT_FALSE(robot_.server->has_touched());
 }
 
@@ -158,7 +168,7 @@ TEST_F(RobotTouch, CanLeaveTheMarkAndTheSoundOut) {
 
 TEST_F(RobotTouch, SweepsItsArmForTheNearViewAfterAStartOnly) {
   open("robot:sample?fps=20&mode=touch&sound=0");
-  EXPECT_TRUE(obey("near", *feed_->robot()));
+  EXPECT_TRUE(session::obey("near", *feed_->robot()));
   EXPECT_TRUE(held_at({}, [&] { return says("start the robot first"); })) << said();
   EXPECT_EQ(robot_.server->arm_commands(), 0U);
   ASSERT_TRUE(arm_moves()) << said();
@@ -173,9 +183,9 @@ TEST_F(RobotTouch, SweepsItsArmForTheNearViewAfterAStartOnly) {
 TEST_F(RobotTouch, IsTouchedWithTheLawOfPicturesInTheModeTouch) {
   open("robot:sample?fps=20");
   EXPECT_TRUE(held_at({}, [&] { return session_->law_in_use() == haptics::Law::rolling; }));
-  EXPECT_TRUE(obey("touch", *feed_->robot()));
+  EXPECT_TRUE(session::obey("touch", *feed_->robot()));
   EXPECT_TRUE(held_at({}, [&] { return session_->law_in_use() == haptics::Law::proxy; }));
-  EXPECT_FALSE(obey("jump", *feed_->robot()));
+  EXPECT_FALSE(session::obey("jump", *feed_->robot()));
   EXPECT_EQ(robot_.server->commands(), 0U);
 }
 
