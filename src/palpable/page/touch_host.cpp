@@ -26,6 +26,7 @@ static_assert(protocol::kMostProbes == haptics::kMaxLiveProbes);
 TouchHost::TouchHost(session::TouchSession& session, Options options)
     : session_(session),
       options_(std::move(options)),
+      outages_(session.hands()),
       unsaved_(options_.save_as),
       worker_([this] { work(); }) {
   for (auto& sentence : session_.notices()) say("info", std::move(sentence));
@@ -293,22 +294,28 @@ void TouchHost::take_notices() {
   if (const auto fault = session_.take_recording_fault())
     say("warning", describe::phrase("The recording has ended: {}", fault->sentence()));
   if (const std::string step = session_.take_guidance(); !step.empty()) say("info", step);
+  const double now_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
   for (const auto& event : session_.take_events()) {
     // No fault: a pointer is lost whenever no page is open, an additional probe whenever it is lifted.
     const bool device = event.probe < session_.hands() && !pointer_moves();
     if (event.kind == Kind::fault && device) {
+      if (!outages_[event.probe].begin()) continue;
       const auto fault = session_.device_fault(event.probe);
       say("fault", session_.said_of(
                        event.probe,
                        fault.empty() ? describe::tr("The device does not answer: its force is off") : fault));
     } else if (event.kind == Kind::recovered && device) {
-      say("recovered", session_.said_of(event.probe, describe::tr("The device answers again")));
+      outages_[event.probe].note_works(now_s);
     } else if (const auto words = session_.event_words(event); !words.empty()) {
       say("info", words);
     } else if (event.kind == Kind::not_finite) {
       say("fault", describe::tr("The law gave a force that is not a number: the force is off"));
     }
   }
+  for (std::size_t hand = 0; hand < outages_.size(); ++hand)
+    if (outages_[hand].take_end(now_s))
+      say("recovered", session_.said_of(hand, describe::tr("The device answers again")));
 }
 
 void TouchHost::say(std::string level, std::string text, std::optional<std::int64_t> probe) {

@@ -9,8 +9,10 @@
 #include "palpable/haptics/servo/start_touch.hpp"
 #include "palpable/haptics/tick/tick.hpp"
 #include "palpable/session/share/shared_limits.hpp"
+#include "palpable/session/share/shared_textures.hpp"
 #include "palpable/session/share/virtual_link.hpp"
 #include "palpable/session/touch/haptic_scene.hpp"
+#include "palpable/session/touch/sent_textures.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -33,13 +35,14 @@ class RemoteBench {
     const auto current = std::make_shared<device::CurrentSurface>();
     host_ =
         std::make_unique<device::SharedDevice>(std::move(device), shared_, current, [this] { return t_s_; });
-    local_.touchable = std::make_shared<const haptics::LocalTouch>(kind, current);
-    near_ = std::make_unique<haptics::TickPipeline>(*host_, local_, haptics::tick_options(shared_servo({})),
-                                                    events_);
-    client_ = std::make_unique<device::RemoteDevice>(traits_, remote_, 1.0 / kTick_s, nullptr);
     const auto place = haptics::fit_workspace(scene, traits_);
     KeptSurfaces kept;
     auto prepared = prepare_scene(scene, settings, traits_, 1.0 / kTick_s, place, kept);
+    for (const device::LocalTexture& texture : sent_textures(prepared->materials)) textures_.put(texture);
+    local_.touchable = std::make_shared<const haptics::LocalTouch>(kind, current, textures_.textures());
+    near_ = std::make_unique<haptics::TickPipeline>(*host_, local_, haptics::tick_options(shared_servo({})),
+                                                    events_);
+    client_ = std::make_unique<device::RemoteDevice>(traits_, remote_, 1.0 / kTick_s, nullptr);
     far_scene_ = std::move(prepared->scene);
     far_ =
         std::make_unique<haptics::TickPipeline>(*client_, far_scene_, haptics::tick_options({}), far_events_);
@@ -56,8 +59,9 @@ class RemoteBench {
     const auto taken = remote_->surfaces.take(kTick_s);
     down_.put(t_s_, taken.command);
     if (const auto arrived = down_.take(t_s_))
-      shared_->surfaces.put(
-          limited_surface(*arrived, traits_, 1.0 / kTick_s, haptics::kLeastHandDamping_Ns_per_m));
+      shared_->surfaces.put(limited_surface(*arrived, traits_, 1.0 / kTick_s,
+                                            haptics::kLeastHandDamping_Ns_per_m,
+                                            textures_.stiffening(arrived->texture.number)));
     return sample;
   }
   void cut_link(bool is_cut) {
@@ -75,6 +79,7 @@ class RemoteBench {
   VirtualLink<device::RemoteReading> up_;
   VirtualLink<device::LocalSurface> down_;
   device::Traits traits_;
+  SharedTextures textures_;
   std::shared_ptr<device::SharedExchange> shared_ = std::make_shared<device::SharedExchange>();
   std::shared_ptr<device::RemoteExchange> remote_ = std::make_shared<device::RemoteExchange>();
   double t_s_ = 0.0;

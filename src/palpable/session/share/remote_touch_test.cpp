@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <map>
 #include <random>
 #include <string>
 
@@ -86,13 +87,15 @@ struct LinkCase {
   /// Else surfaces are mostly too old when they come, and the force is off.
   bool is_usable = true;
 };
-const LinkCase kLinks[]{{"none", {}},
-                        {"5 ms", {0.005, 0.0, 0.0}},
-                        {"5 ms, jitter 5 ms, loss 1 %", {0.005, 0.005, 0.01}},
-                        {"20 ms", {0.02, 0.0, 0.0}},
-                        {"20 ms, jitter 10 ms, loss 2 %", {0.02, 0.01, 0.02}},
-                        {"100 ms", {0.1, 0.0, 0.0}},
-                        {"100 ms, jitter 20 ms, loss 2 %", {0.1, 0.02, 0.02}, false}};
+const LinkCase kLinks[]{
+    {"none", {}},
+    {"5 ms", {0.005, 0.0, 0.0}},
+    {"5 ms, jitter 5 ms, loss 1 %", {0.005, 0.005, 0.01}},
+    {"20 ms", {0.02, 0.0, 0.0}},
+    {"20 ms, jitter 10 ms, loss 2 %", {0.02, 0.01, 0.02}},
+    {"20 ms, jitter 20 ms, loss 5 %, in any order, 10 % twice", {0.02, 0.02, 0.05, false, 0.1}},
+    {"100 ms", {0.1, 0.0, 0.0}},
+    {"100 ms, jitter 20 ms, loss 2 %", {0.1, 0.02, 0.02}, false}};
 
 TEST(RemoteTouch, IsPassiveAndNeverStepsWhateverTheLinkIsLike) {
   const models::Scene scene = hilly_scene(kHills_m);
@@ -125,6 +128,40 @@ TEST(RemoteTouch, HasTheForcesOfTheSceneWithoutADelay) {
   const Touched touched = touch(hilly_scene(kHills_m), {}, seconds_of_a_touch(), 4);
   EXPECT_GT(touched.rms_force_N, 0.1);
   EXPECT_LT(touched.rms_difference_N, 0.05 * touched.rms_force_N);
+}
+
+/// The hills with ridges 2 mm apart, rougher than usual.
+models::Scene ridged_scene() {
+  models::Scene scene = hilly_scene(kHills_m);
+  models::Material material;
+  material.static_friction = 0.5;
+  material.dynamic_friction = 0.4;
+  material.texture.kind = models::TouchTexture::Kind::ridges;
+  material.texture.pitch_m = 0.002;
+  material.texture.height_m = 40e-6;
+  scene.materials = {material};
+  return scene;
+}
+
+TEST(RemoteTouch, RendersFrictionAndTexturesAtTheDevice) {
+  const models::Scene ridged = ridged_scene();
+  models::Scene smooth = ridged;
+  smooth.materials.front().texture = {};
+  const Touched without_delay = touch(ridged, {}, seconds_of_a_touch(), 4);
+  EXPECT_LT(without_delay.rms_difference_N, 0.05 * without_delay.rms_force_N);
+  // A texture that was sent as forces would be that of 12 ms ago; one that is not sent makes this difference.
+  const LinkQuality late{0.005, 0.002, 0.01};
+  const Touched textured = touch(ridged, late, seconds_of_a_touch(), 4);
+  EXPECT_LT(textured.rms_difference_N, 0.1 * textured.rms_force_N);
+  EXPECT_LE(textured.counts.made_max_J, 1e-3);
+  if (std::getenv("PALPABLE_REMOTE_SECONDS") == nullptr) return;
+  for (const auto& [name, scene] :
+       std::map<std::string, const models::Scene*>{{"ridges", &ridged}, {"smooth", &smooth}})
+    for (const LinkCase& link : kLinks) {
+      const Touched touched = touch(*scene, link.quality, seconds_of_a_touch(), 4);
+      std::cout << name << ", " << link.name << ": difference " << touched.rms_difference_N << " N of "
+                << touched.rms_force_N << " N, made " << 1e6 * touched.counts.made_max_J << " uJ\n";
+    }
 }
 
 /// Presses a hand onto a flat relief over a link of 5 ms and returns the bench.

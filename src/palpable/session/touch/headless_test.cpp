@@ -63,7 +63,7 @@ TEST(TouchHeadless, ReplacesTheSceneByABetterOneDuringTheTouch) {
 
 TEST(TouchHeadless, SaysThatItsDeviceIsSilentAndThatItAnswersAgain) {
   device::VirtualTwoDiy board(device::kTwoDiyVariants[0]);
-  auto options = unprivileged(1.5);
+  auto options = unprivileged(2.5);
   options.device_url = "2diy:" + board.path();
   std::vector<std::string> notices;
   // It is silent until that is said: for a fixed time on a busy machine it could be taken for failed.
