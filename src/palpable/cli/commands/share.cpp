@@ -14,7 +14,6 @@
 #include <string>
 #include <vector>
 
-#include <boost/asio/ip/host_name.hpp>
 #include <fmt/format.h>
 
 namespace palpable::cli {
@@ -45,11 +44,9 @@ std::vector<std::string> addresses_for_others(const std::string& listen) {
 /// name, which others may not know.
 std::string words_for_others(const std::string& listen, std::uint16_t port, const std::string& token) {
   std::vector<std::string> places = addresses_for_others(listen);
-  if (listen == "0.0.0.0" || listen == "::") {
-    boost::system::error_code error;
-    const std::string name = boost::asio::ip::host_name(error);
-    if (!error && !name.empty()) places.push_back(name);
-  }
+  const bool has_names = listen == "0.0.0.0" || listen == "::";
+  if (const std::string name = page::name_of_this_computer(); has_names && !name.empty())
+    places.push_back(name);
   if (places.empty()) places.emplace_back("THIS-COMPUTER");
   std::string words;
   for (const std::string& place : places) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/device/remote/remote_wire.hpp"
 
+#include "palpable/device/drivers/open.hpp"
+
 #include <limits>
 #include <random>
 
@@ -164,6 +166,23 @@ TEST(RemoteWire, EndsAtBytesThatAreNoMessage) {
   other.take(next_version);
   EXPECT_FALSE(other.next());
   EXPECT_TRUE(other.is_other_version());
+}
+
+TEST(RemoteUrl, IsRefusedIfItIsIncomplete) {
+  const std::string token = "?token=" + std::string(kSecret_bytes, 'a');
+  for (const std::string& url :
+       {std::string("remote:"), "remote:host" + token, "remote:host:" + token, "remote::7" + token,
+        "remote:host:99999" + token, "remote:host:x" + token, std::string("remote:host:7"),
+        std::string("remote:host:7?token=short"), "remote:host:7" + token + "&other=1"})
+    EXPECT_EQ(open_device(url, {}).error().code, ErrorCode::usage) << url;
+  const auto nobody = open_device("remote:127.0.0.1:1" + token, {});
+  EXPECT_EQ(nobody.error().code, ErrorCode::device);
+  EXPECT_NE(nobody.error().message.find("nobody shares a device there"), std::string::npos)
+      << nobody.error().message;
+  const auto unknown = open_device("remote:nohost.invalid:7" + token, {});
+  EXPECT_EQ(unknown.error().code, ErrorCode::device);
+  EXPECT_EQ(unknown.error().message.find("the name of the computer is no address"), 0U)
+      << unknown.error().message;
 }
 
 }  // namespace

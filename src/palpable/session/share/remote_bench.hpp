@@ -15,11 +15,14 @@
 #include "palpable/session/touch/sent_textures.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <utility>
 
 // For tests.
 namespace palpable::session {
+
+enum class SentTextures : std::uint8_t { none, all };
 
 /// Two computers in simulated time, at 1000 ticks a second each: one with a device, one with a scene, and a
 /// virtual link between them. Everything but sockets and threads is the program's own.
@@ -29,7 +32,8 @@ class RemoteBench {
 
   RemoteBench(std::unique_ptr<device::Device> device, const models::Scene& scene,
               const TouchSettings& settings, const LinkQuality& quality,
-              device::LocalSurface::Kind kind = device::LocalSurface::Kind::plane)
+              device::LocalSurface::Kind kind = device::LocalSurface::Kind::plane,
+              SentTextures sent = SentTextures::all)
       : up_(quality, 1), down_(quality, 2), traits_(device->traits()) {
     shared_->connected = true;
     const auto current = std::make_shared<device::CurrentSurface>();
@@ -38,7 +42,8 @@ class RemoteBench {
     const auto place = haptics::fit_workspace(scene, traits_);
     KeptSurfaces kept;
     auto prepared = prepare_scene(scene, settings, traits_, 1.0 / kTick_s, place, kept);
-    for (const device::LocalTexture& texture : sent_textures(prepared->materials)) textures_.put(texture);
+    if (sent == SentTextures::all)
+      for (const device::LocalTexture& texture : sent_textures(prepared->materials)) textures_.put(texture);
     local_.touchable = std::make_shared<const haptics::LocalTouch>(kind, current, textures_.textures());
     near_ = std::make_unique<haptics::TickPipeline>(*host_, local_, haptics::tick_options(shared_servo({})),
                                                     events_);
