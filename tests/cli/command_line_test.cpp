@@ -141,6 +141,21 @@ TEST(CommandLine, MeasuresNoHandOnARecording) {
   EXPECT_THAT(outcome.err, HasSubstr("a recording does not move when it is pushed"));
 }
 
+TEST(CommandLine, MeasuresNoSimulatedHandThatExplores) {
+  const Outcome outcome = palpable({"doctor", "--measure-hand", "sim:?seed=3"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("add script=hold"));
+}
+
+TEST(CommandLine, NamesADeviceOnceInAnErrorAndAsksForNoButtonThatItLacks) {
+  const Outcome twice = palpable({"touch", "sample:drawing", "--device", "2diy:", "--device", "2diy:"});
+  EXPECT_EQ(twice.exit_code, 2);
+  EXPECT_THAT(twice.err, HasSubstr(" 2diy: the device is named twice"));
+  const Outcome stop = palpable({"touch", "sample:drawing", "--device", "2diy:", "--stop-button", "1"});
+  EXPECT_EQ(stop.exit_code, 2);
+  EXPECT_THAT(stop.err, HasSubstr("this device has no button"));
+}
+
 TEST(CommandLine, ListsWhatToDoForEachKindOfDevice) {
   const auto listed = palpable({"devices", "--json"}).json();
   for (const auto& kind : listed["devices"])

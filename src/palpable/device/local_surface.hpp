@@ -4,10 +4,26 @@
 
 #include "palpable/core/frame.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 
 namespace palpable::device {
+
+/// The texture of a plane, which the device's loop adds to it as the scene's law does.
+struct LaidTexture {
+  /// Of the list that was sent (LocalTextures), from 1; 0 = none.
+  std::uint16_t number = 0;
+  enum class Onto : std::uint8_t { plan, solid };
+  Onto onto = Onto::plan;
+  /// scene_from_device: rotation (row-major), metres, and metres in the scene per metre at the device.
+  std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  Vec3 translation_m;
+  double scale = 1.0;
+
+  bool operator==(const LaidTexture&) const = default;
+};
 
 /// What a hand touches near one place, simple enough for a device's own loop to compute its forces until a
 /// newer one arrives: over a network, a force would act too late, and generate energy (Adams & Hannaford 1999
@@ -38,6 +54,7 @@ struct LocalSurface {
   double damping_Ns_per_m = 0.0;
   double static_friction = 0.0;
   double dynamic_friction = 0.0;
+  LaidTexture texture;
   /// slope, force: the force at `hand`, without damping; and the energy that the slope stores there.
   Vector<DeviceFrame> force_N;
   double stored_J = 0.0;
@@ -47,6 +64,8 @@ struct LocalSurface {
 
   bool operator==(const LocalSurface&) const = default;
 };
+
+inline constexpr std::uint16_t kMostTextures = 256;
 
 /// Whether all values are finite and in the ranges that surfaces of Palpable have. Of a peer that sends
 /// others nothing is believed.
@@ -58,7 +77,11 @@ inline bool is_valid(const LocalSurface& surface) noexcept {
   };
   const bool has_normal = surface.kind != LocalSurface::Kind::plane ||
                           (is_finite(surface.normal) && std::abs(norm(surface.normal) - 1.0) < 1e-6);
-  return surface.kind <= LocalSurface::Kind::force && all_within(surface.hand.v, kFar_m) &&
+  const LaidTexture& laid = surface.texture;
+  bool is_laid = laid.number <= kMostTextures && laid.onto <= LaidTexture::Onto::solid &&
+                 all_within(laid.translation_m, kFar_m) && within(laid.scale, 1e-6, kMost);
+  for (const double value : laid.rotation) is_laid = is_laid && within(value, -1.001, 1.001);
+  return is_laid && surface.kind <= LocalSurface::Kind::force && all_within(surface.hand.v, kFar_m) &&
          within(surface.radius_m, 1e-6, kFar_m) && all_within(surface.place.v, kFar_m) && has_normal &&
          all_within(surface.normal.v, 2.0) && within(surface.stiffness_N_per_m, 0.0, kMost) &&
          within(surface.damping_Ns_per_m, 0.0, kMost) && within(surface.static_friction, 0.0, kMost) &&
@@ -74,6 +97,8 @@ struct CurrentSurface {
   bool is_usable = false;
 };
 
+class LocalTextures;
+
 /// An additional interface of devices that compute forces themselves from a local surface.
 class TakesLocalSurface {
  public:
@@ -81,6 +106,8 @@ class TakesLocalSurface {
   /// Called in each tick before Device::write(), whose force then only says what was computed here. Tick
   /// path.
   virtual void write_surface(const LocalSurface& surface) noexcept = 0;
+  /// Where the scene's textures are put; never null.
+  virtual std::shared_ptr<LocalTextures> textures() noexcept = 0;
 };
 
 }  // namespace palpable::device

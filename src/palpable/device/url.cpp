@@ -24,7 +24,7 @@ std::string shown(double number) {
 
 Result<DeviceUrl> DeviceUrl::parse(std::string_view url) {
   const auto usage = [&](std::string message) {
-    return Error{ErrorCode::usage, std::move(message), public_url(url)};
+    return Error{ErrorCode::usage, std::move(message), url_as_place(url)};
   };
   DeviceUrl parsed;
   parsed.url_ = url;
@@ -99,7 +99,7 @@ std::string DeviceUrl::take_text(const std::string& name) { return extract(name)
 
 Result<void> DeviceUrl::finish() {
   const auto usage = [&](std::string message) {
-    return Error{ErrorCode::usage, std::move(message), public_url(url_)};
+    return Error{ErrorCode::usage, std::move(message), url_as_place(url_)};
   };
   if (!first_error_.empty()) return usage(first_error_);
   if (!options_.empty())
@@ -121,6 +121,12 @@ std::string public_url(std::string_view url) {
       shown.replace(begin, std::min(shown.find('&', begin), shown.size()) - begin, "…");
     }
   return shown;
+}
+
+std::string url_as_place(std::string_view url) {
+  std::string place = public_url(url);
+  if (place.ends_with(':')) place.pop_back();
+  return place;
 }
 
 }  // namespace palpable::device

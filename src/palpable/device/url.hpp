@@ -63,5 +63,7 @@ class DeviceUrl {
 
 /// A URL as it may be shown and kept: the value of the option token is replaced by "…".
 std::string public_url(std::string_view url);
+/// The same as the place of an error: "2diy:" without its colon, which the sentence has.
+std::string url_as_place(std::string_view url);
 
 }  // namespace palpable::device

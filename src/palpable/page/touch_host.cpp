@@ -26,6 +26,7 @@ static_assert(protocol::kMostProbes == haptics::kMaxLiveProbes);
 TouchHost::TouchHost(session::TouchSession& session, Options options)
     : session_(session),
       options_(std::move(options)),
+      outages_(session.hands()),
       unsaved_(options_.save_as),
       worker_([this] { work(); }) {
   for (auto& sentence : session_.notices()) say("info", std::move(sentence));
@@ -298,44 +299,6 @@ void TouchHost::move_explorer(const protocol::MoveExplorer& pose) {
   put([&](Tasks& tasks) {
     tasks.pose = session::ExplorerPose{pose.x_m, pose.y_m, pose.heading_deg / kDegrees};
   });
-}
-
-std::optional<protocol::Notice> TouchHost::next_notice() {
-  language_ = describe::current_language();
-  take_notices();
-  const std::lock_guard lock(mutex_);
-  if (notices_.empty()) return {};
-  auto notice = std::move(notices_.front());
-  notices_.pop_front();
-  return notice;
-}
-
-void TouchHost::take_notices() {
-  using Kind = haptics::TouchEvent::Kind;
-  if (const auto fault = session_.take_recording_fault())
-    say("warning", describe::phrase("The recording has ended: {}", fault->sentence()));
-  if (const std::string step = session_.take_guidance(); !step.empty()) say("info", step);
-  for (const auto& event : session_.take_events()) {
-    // No fault: a pointer is lost whenever no page is open, an additional probe whenever it is lifted.
-    const bool device = event.probe < session_.hands() && !pointer_moves();
-    if (event.kind == Kind::fault && device) {
-      const auto fault = session_.device_fault(event.probe);
-      say("fault", session_.said_of(
-                       event.probe,
-                       fault.empty() ? describe::tr("The device does not answer: its force is off") : fault));
-    } else if (event.kind == Kind::recovered && device) {
-      say("recovered", session_.said_of(event.probe, describe::tr("The device answers again")));
-    } else if (const auto words = session_.event_words(event); !words.empty()) {
-      say("info", words);
-    } else if (event.kind == Kind::not_finite) {
-      say("fault", describe::tr("The law gave a force that is not a number: the force is off"));
-    }
-  }
-}
-
-void TouchHost::say(std::string level, std::string text, std::optional<std::int64_t> probe) {
-  const std::lock_guard lock(mutex_);
-  notices_.push_back({std::move(level), std::move(text), probe});
 }
 
 void TouchHost::work() {

@@ -10,6 +10,7 @@
 #include "palpable/page/page_robot.hpp"
 #include "palpable/page/spoken_words.hpp"
 #include "palpable/session/touch/find_pull.hpp"
+#include "palpable/session/touch/outage.hpp"
 #include "palpable/session/touch/robot_control.hpp"
 #include "palpable/session/touch/touch_session.hpp"
 
@@ -142,6 +143,8 @@ class TouchHost final : public PageHost {
   std::shared_ptr<const models::Scene> named_;
   session::FindPull pull_;
   RobotNews robot_news_;
+  /// Of each hand's device.
+  std::vector<session::Outage> outages_;
   /// The scene's own guide while a pull takes its place.
   std::shared_ptr<const models::RouteGuide> own_guide_;
   std::chrono::steady_clock::time_point watched_;

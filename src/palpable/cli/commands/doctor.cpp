@@ -214,25 +214,45 @@ std::string_view name_of(Finding::State state) {
   return "missing";
 }
 
-/// Measures the hand that holds a device, for --hand-damping.
-Result<Answer> examine_hand(const std::string& device_url, Console& console) {
-  if (const auto url = device::DeviceUrl::parse(device_url); url && url->scheme() == "replay")
+/// Whether what moves a device can be measured by pushing it.
+Result<void> check_held(const std::string& device_url) {
+  auto url = device::DeviceUrl::parse(device_url);
+  if (!url) return std::move(url).error();
+  if (url->scheme() == "replay")
     return Error{ErrorCode::usage,
                  "a recording does not move when it is pushed: name a device that a hand holds", device_url};
+  if (url->scheme() == "remote")
+    return Error{ErrorCode::usage,
+                 "no forces are sent to a device at another computer: measure the hand there", "remote:"};
+  if (url->scheme() == "sim" && url->take_text("script") != "hold")
+    return Error{ErrorCode::usage,
+                 "this simulated hand explores, and would be measured while it moves: add script=hold",
+                 device_url};
+  return {};
+}
+
+/// Measures the hand that holds a device, for --hand-damping.
+Result<Answer> examine_hand(const std::string& device_url, Console& console) {
+  const bool is_simulated = device::is_virtual_device(device_url);
+  if (auto held = check_held(device_url); !held) return std::move(held).error();
   device::OpenOptions open;
   open.seed = console.options().seed;
   auto device = device::open_device(device_url, open);
   if (!device) return std::move(device).error();
   const haptics::PulseOptions pulses;
-  console.note(fmt::format(
-      "Hold the device in the middle of its workspace, as you do when you touch, and do not move: it will "
-      "push {} times, in {:.0f} s.",
-      pulses.pulses, pulses.duration_s()));
+  if (is_simulated)
+    console.note("This hand is simulated: the figures check the measurement, and say nothing of a person's.");
+  else
+    console.note(fmt::format(
+        "Hold the device in the middle of its workspace, as you do when you touch, and do not move: it will "
+        "push {} times, in {:.0f} s.",
+        pulses.pulses, pulses.duration_s()));
   const std::string name = (*device)->traits().name;
   const auto hand = haptics::measure_hand(std::move(*device), pulses);
   if (!hand) return hand.error();
   Answer answer;
   answer.json = {{"device", name},
+                 {"simulated", is_simulated},
                  {"pulses", hand->pulses},
                  {"hand_damping_Ns_per_m",
                   {{"least", hand->least_damping_Ns_per_m},
@@ -243,12 +263,13 @@ Result<Answer> examine_hand(const std::string& device_url, Console& console) {
                    {"damping_Ns_per_m", hand->together.damping_Ns_per_m},
                    {"stiffness_N_per_m", hand->together.stiffness_N_per_m}}}};
   answer.text = fmt::format(
-      "The hand adds {:.1f} N·s/m of damping ({:.1f} to {:.1f} in {} pulses) to {}; together they have "
+      "The {}hand adds {:.1f} N·s/m of damping ({:.1f} to {:.1f} in {} pulses) to {}; together they have "
       "{:.2f} kg and {:.0f} N/m.\n",
-      hand->median_damping_Ns_per_m, hand->least_damping_Ns_per_m, hand->greatest_damping_Ns_per_m,
-      hand->pulses, name, hand->together.mass_kg, hand->together.stiffness_N_per_m);
+      is_simulated ? "simulated " : "", hand->median_damping_Ns_per_m, hand->least_damping_Ns_per_m,
+      hand->greatest_damping_Ns_per_m, hand->pulses, name, hand->together.mass_kg,
+      hand->together.stiffness_N_per_m);
   constexpr double kSmallest = 0.1;
-  if (hand->least_damping_Ns_per_m > kSmallest)
+  if (!is_simulated && hand->least_damping_Ns_per_m > kSmallest)
     answer.text +=
         fmt::format("A hand sometimes holds a device more loosely: use --hand-damping {:.1f} or less.\n",
                     hand->least_damping_Ns_per_m);

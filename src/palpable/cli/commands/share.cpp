@@ -5,22 +5,16 @@
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/haptics/safety/zero_force.hpp"
 #include "palpable/haptics/servo/signal_thread.hpp"
+#include "palpable/page/share/local_network.hpp"
 #include "palpable/session/share/share_device.hpp"
 
-#include <array>
-#include <limits>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
-#include <ifaddrs.h>
-#include <net/if.h>
-#include <netdb.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 namespace palpable::cli {
 namespace {
@@ -33,34 +27,33 @@ struct ShareArguments {
   std::optional<double> seconds;
 };
 
-/// What another computer calls this one, if it listens at all of its addresses.
-std::string name_for_others(const std::string& listen) {
-  if (listen != "0.0.0.0" && listen != "::")
-    return listen.find(':') == std::string::npos ? listen : "[" + listen + "]";
-  std::array<char, 256> name{};
-  const bool known = ::gethostname(name.data(), name.size() - 1) == 0 && name.front() != '\0';
-  return known ? name.data() : "THIS-COMPUTER";
+/// The addresses by which other computers reach this one, as they stand before a port.
+std::vector<std::string> addresses_for_others(const std::string& listen) {
+  const auto in_brackets = [](const std::string& address) {
+    return address.find(':') == std::string::npos ? address : "[" + address + "]";
+  };
+  if (listen != "0.0.0.0" && listen != "::") return {in_brackets(listen)};
+  std::vector<std::string> found;
+  const auto addresses = page::addresses_in_network();
+  for (const std::string& address : addresses ? *addresses : std::vector<std::string>{})
+    if (listen == "::" || address.find(':') == std::string::npos) found.push_back(in_brackets(address));
+  return found;
 }
 
-/// The numeric addresses by which other computers may reach this one.
-std::vector<std::string> addresses_of_this_computer(bool with_version_6) {
-  std::vector<std::string> found;
-  ifaddrs* list = nullptr;
-  if (::getifaddrs(&list) != 0) return found;
-  for (const ifaddrs* one = list; one != nullptr; one = one->ifa_next) {
-    if (one->ifa_addr == nullptr || (one->ifa_flags & IFF_LOOPBACK) != 0) continue;
-    const bool is_4 = one->ifa_addr->sa_family == AF_INET;
-    if (!is_4 && (!with_version_6 || one->ifa_addr->sa_family != AF_INET6)) continue;
-    std::array<char, NI_MAXHOST> text{};
-    const socklen_t size = is_4 ? sizeof(sockaddr_in) : sizeof(sockaddr_in6);
-    if (::getnameinfo(one->ifa_addr, size, text.data(), text.size(), nullptr, 0, NI_NUMERICHOST) != 0)
-      continue;
-    // Addresses of one link only (fe80::…%eth0) are none that another computer can be told.
-    const std::string address = text.data();
-    if (address.find('%') == std::string::npos) found.push_back(is_4 ? address : "[" + address + "]");
+/// What is typed at the other computer, by the first address; and the other addresses, and this computer's
+/// name, which others may not know.
+std::string words_for_others(const std::string& listen, std::uint16_t port, const std::string& token) {
+  std::vector<std::string> places = addresses_for_others(listen);
+  const bool has_names = listen == "0.0.0.0" || listen == "::";
+  if (const std::string name = page::name_of_this_computer(); has_names && !name.empty())
+    places.push_back(name);
+  if (places.empty()) places.emplace_back("THIS-COMPUTER");
+  std::string words;
+  for (const std::string& place : places) {
+    const std::string url = fmt::format("remote:{}:{}?token={}", place, port, token);
+    words += words.empty() ? fmt::format("palpable touch SCENE --device '{}'", url) : "\n  or: " + url;
   }
-  ::freeifaddrs(list);
-  return found;
+  return words;
 }
 
 Result<Answer> share(const ShareArguments& arguments, Console& console) {
@@ -78,12 +71,7 @@ Result<Answer> share(const ShareArguments& arguments, Console& console) {
       console.note(
           "Only programs of this computer can connect. With --listen 0.0.0.0 those of your network can, by "
           "the address that is printed; what they send is not encrypted.");
-    console.say(fmt::format("palpable touch SCENE --device 'remote:{}:{}?token={}'",
-                            name_for_others(arguments.listen), port, token));
-    // Its name may not be known there.
-    if (arguments.listen == "0.0.0.0" || arguments.listen == "::")
-      for (const std::string& address : addresses_of_this_computer(arguments.listen == "::"))
-        console.say(fmt::format("  or, by its address: remote:{}:{}?token={}", address, port, token));
+    console.say(words_for_others(arguments.listen, port, token));
   };
   options.on_news = [&console](const std::string& sentence) { console.note(sentence); };
   std::optional<Result<haptics::ServoStatistics>> ended;

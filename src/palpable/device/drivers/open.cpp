@@ -42,6 +42,7 @@ struct Driver {
   Result<void> (*check)(DeviceUrl&) = nullptr;
   /// Adds to the entry of the list what is known of this port; null: nothing.
   void (*describe)(DeviceKind&, const std::string& port) = nullptr;
+  bool has_buttons = true;
   /// It calls a vendor's library, so that it runs in a process of its own.
   bool calls_vendor = false;
 };
@@ -78,7 +79,8 @@ constexpr std::array kDrivers{
                    "v1, folded against them, and of variant 2018 with the inner links apart on one line",
            .advice = "plug in its USB cable, or name its port: 2diy:/dev/ttyACM0",
            .ports = serial_ports,
-           .describe = describe_port},
+           .describe = describe_port,
+           .has_buttons = false},
     Driver{.scheme = "falcon",
            .open = open_falcon,
            .name = "Novint Falcon",
@@ -105,7 +107,8 @@ constexpr std::array kDrivers{
            .hold = "Hold the handle of the Inverse3 where the middle of the scene shall be",
            .advice = "plug it in, and install and start its maker's service (haply.co), or name its port: "
                      "inverse3:?port=10001",
-           .ports = inverse3_ports},
+           .ports = inverse3_ports,
+           .has_buttons = false},
     Driver{
         .scheme = "touch",
         .open = open_open_haptics,
@@ -140,6 +143,11 @@ Result<const Driver*> driver_of(const DeviceUrl& url) {
     known += (known.empty() ? "" : ", ") + std::string(driver.scheme) + ":";
   }
   return Error{ErrorCode::usage, "there is no device " + url.scheme() + ": (known: " + known + ")", {}};
+}
+
+Result<const Driver*> driver_named_by(std::string_view url) {
+  const auto parsed = DeviceUrl::parse(url);
+  return parsed ? driver_of(*parsed) : Result<const Driver*>(parsed.error());
 }
 
 /// The same for all names of one file or device: links, and ways through other folders. It need not exist.
@@ -194,10 +202,10 @@ Result<void> check_together(const std::vector<std::string>& urls) {
     auto parsed = DeviceUrl::parse(url);
     const std::string file = parsed ? parsed->take_text("motors") : std::string();
     if (!file.empty() && !motors.insert(identity_of(file)).second)
-      return Error{ErrorCode::usage, "two devices cannot write the same file of motors", public_url(url)};
+      return Error{ErrorCode::usage, "two devices cannot write the same file of motors", url_as_place(url)};
     if (url.starts_with("pointer:"))
       return Error{ErrorCode::usage, "the page's pointers touch beside devices anyway: leave it out",
-                   public_url(url)};
+                   url_as_place(url)};
     // Its library has one scheduler for all devices, which ends with the first that is closed.
     const std::string path = parsed ? parsed->path() : std::string();
     const std::string one = url.starts_with("touch:")     ? "touch:"
@@ -207,21 +215,31 @@ Result<void> check_together(const std::vector<std::string>& urls) {
       return Error{
           ErrorCode::usage,
           one == "touch:" ? "only one device of this kind can be touched" : "the device is named twice",
-          public_url(url)};
+          url_as_place(url)};
   }
   return {};
 }
 
 bool is_virtual_device(std::string_view url) {
-  const auto parsed = DeviceUrl::parse(url);
-  const auto driver = parsed ? driver_of(*parsed) : Result<const Driver*>(parsed.error());
+  const auto driver = driver_named_by(url);
   return driver && (*driver)->is_virtual;
 }
 
+bool has_buttons(std::string_view url) {
+  const auto driver = driver_named_by(url);
+  return driver && (*driver)->has_buttons;
+}
+
 std::string hold_words(std::string_view url) {
-  const auto parsed = DeviceUrl::parse(url);
-  const auto driver = parsed ? driver_of(*parsed) : Result<const Driver*>(parsed.error());
-  return driver ? std::string((*driver)->hold) : std::string();
+  const auto driver = driver_named_by(url);
+  if (!driver) return {};
+  // Nobody holds a device that is not plugged in. Who names its place or an option knows more than the list.
+  const bool is_any = url.ends_with(':') && !(*driver)->calls_vendor && (*driver)->ports != nullptr;
+  if (is_any && !(*driver)->hold.empty()) {
+    const auto ports = (*driver)->ports();
+    if (!ports || ports->empty()) return {};
+  }
+  return std::string((*driver)->hold);
 }
 
 Result<std::unique_ptr<Device>> open_device(std::string_view url, const OpenOptions& options) {

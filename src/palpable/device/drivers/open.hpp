@@ -36,8 +36,11 @@ Result<void> check_together(const std::vector<std::string>& urls);
 /// Whether a URL names a device without real motors: a simulation, the pointer, a recording.
 bool is_virtual_device(std::string_view url);
 
+/// Whether this kind of device has buttons that the driver reads.
+bool has_buttons(std::string_view url);
+
 /// How the handle must be held while this device is opened, as one sentence without a full stop; empty if
-/// anyhow.
+/// anyhow, or if none is plugged in. Looks for devices; not for the tick path.
 std::string hold_words(std::string_view url);
 
 /// A kind of device that can be opened, for `palpable devices`.

@@ -69,7 +69,7 @@ void LibraryHost::answer() {
   }
   constexpr unsigned kPause = 100;
   const auto status = static_cast<Status>(state.status);
-  if (status != told_ || (status != Status::ok && ++since_told_ > kPause)) tell_texts();
+  if (status != told_ || ++since_told_ > kPause) tell_texts();
   told_ = status;
   shared_.states.put(state);
   advance(shared_.answered);

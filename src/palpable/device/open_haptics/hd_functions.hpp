@@ -62,6 +62,7 @@ inline constexpr unsigned kCallbackContinue = 1;
 inline constexpr unsigned kNoHandle = 0xFFFFFFFF;
 /// Errors after which the loop goes on: motors that are warm, a force or velocity above the limit.
 inline constexpr unsigned kFirstForceError = 0x0200;
+inline constexpr unsigned kWarmMotors = 0x0200;
 inline constexpr unsigned kLastForceError = 0x02FF;
 inline constexpr unsigned short kHighestPriority = 0xFFFF;
 }  // namespace hd

@@ -28,6 +28,8 @@ constexpr auto kPatience = std::chrono::milliseconds(20);
 constexpr double kCallPeriod_s = 0.001;
 /// Calls between two looks at the calibration: it may be lost during a touch.
 constexpr int kCalibrationPause = 100;
+/// Calls without another error of the forces, after which the last one is over.
+constexpr int kForceErrorPause = 2000;
 
 bool stops_the_loop(unsigned code) noexcept {
   return code != 0 && (code < hd::kFirstForceError || code > hd::kLastForceError);
@@ -144,12 +146,21 @@ void OpenHaptics::exchange() noexcept {
   hd_.hdEndFrame(handle_);
   forces_.sent(taken);
 
-  const HdError error = hd_.hdGetError();
-  if (stops_the_loop(error.code)) {
-    error_.store(error.code, std::memory_order_relaxed);
-    return;
+  if (note_error(hd_.hdGetError().code)) states_.put(state);
+}
+
+bool OpenHaptics::note_error(unsigned code) noexcept {
+  if (stops_the_loop(code)) {
+    error_.store(code, std::memory_order_relaxed);
+    return false;
   }
-  states_.put(state);
+  if (code != 0) {
+    force_error_.store(code, std::memory_order_relaxed);
+    since_force_error_ = 0;
+  } else if (++since_force_error_ == kForceErrorPause) {
+    force_error_.store(0, std::memory_order_relaxed);
+  }
+  return true;
 }
 
 Reading OpenHaptics::read() noexcept {
@@ -175,8 +186,14 @@ std::string OpenHaptics::fault() const {
 }
 
 std::string OpenHaptics::guidance() const {
-  return calibrated_ ? std::string()
-                     : "Put the stylus into its well: there is no force until the device has its calibration";
+  if (!calibrated_)
+    return "Put the stylus into its well: there is no force until the device has its calibration";
+  const unsigned code = force_error_.load(std::memory_order_relaxed);
+  if (code == 0) return {};
+  if (code == hd::kWarmMotors)
+    return "The device says that its motors are warm: press less until they have cooled";
+  return "The device limits the force (" + vendor_text(hd_.hdGetErrorString(code), "no reason given") +
+         "): press less, and move more slowly";
 }
 
 Result<std::vector<std::string>> open_haptics_ports() {

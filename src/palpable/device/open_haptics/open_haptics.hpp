@@ -62,6 +62,8 @@ class OpenHaptics final : public Device, public CallsByThread {
   static unsigned on_call(void* self);
   void exchange() noexcept;
   bool is_calibrated() noexcept;
+  /// Whether the loop goes on; keeps what the library says.
+  bool note_error(unsigned code) noexcept;
 
   HdFunctions hd_;
   std::atomic<std::int64_t> in_call_since_ns_{0};
@@ -75,10 +77,13 @@ class OpenHaptics final : public Device, public CallsByThread {
   /// The last error that stopped the loop, 0 for none.
   std::atomic<unsigned> error_{0};
 
-  // The library's thread writes it.
+  // The library's thread writes them.
   std::atomic<bool> calibrated_{false};
+  /// The last error of the forces (hd::kFirstForceError …), 0 when none has come for a while.
+  std::atomic<unsigned> force_error_{0};
   // The library's thread only.
   int until_calibration_check_ = 0;
+  int since_force_error_ = 0;
 
   // The servo's thread only.
   State state_;

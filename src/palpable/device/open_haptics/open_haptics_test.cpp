@@ -27,6 +27,7 @@ struct HdBench {
   void (*force)(double*, double*, double*) = nullptr;
   int (*is_open)() = nullptr;
   unsigned (*updated_by)() = nullptr;
+  void (*fail)(unsigned) = nullptr;
 };
 
 class TouchDevice : public testing::Test {
@@ -43,6 +44,7 @@ class TouchDevice : public testing::Test {
     ASSERT_TRUE(library->bind(bench_.force, "virtual_hd_force"));
     ASSERT_TRUE(library->bind(bench_.is_open, "virtual_hd_is_open"));
     ASSERT_TRUE(library->bind(bench_.updated_by, "virtual_hd_updated_by"));
+    ASSERT_TRUE(library->bind(bench_.fail, "virtual_hd_fail"));
     bench_.reset();
   }
   static Result<std::unique_ptr<Device>> open(const std::string& name = {}, const std::string& options = {}) {
@@ -94,6 +96,24 @@ TEST_F(TouchDevice, WritesTheNewestForce) {
   EXPECT_EQ(motors(), (Vec3{0.1, 0.2, 0.3}));
   bench_.press(2);
   EXPECT_EQ(ticks(**device, 2).buttons, 2U);
+}
+
+TEST_F(TouchDevice, SaysThatTheLibraryFindsItsMotorsWarmOrTheForceTooGreat) {
+  const auto device = open();
+  ASSERT_TRUE(device);
+  constexpr unsigned kWarm = 0x0200, kExceeded = 0x0201;
+  ticks(**device, 3, {0.5, 0.0, 0.0});
+  EXPECT_EQ((*device)->guidance(), "");
+  bench_.fail(kWarm);
+  // It goes on, and says so until it has not happened for two seconds.
+  EXPECT_EQ(ticks(**device, 1000, {0.5, 0.0, 0.0}).status, Status::ok);
+  EXPECT_EQ(motors(), (Vec3{0.5, 0.0, 0.0}));
+  EXPECT_NE((*device)->guidance().find("motors are warm"), std::string::npos);
+  bench_.fail(kExceeded);
+  ticks(**device, 1000, {0.5, 0.0, 0.0});
+  EXPECT_NE((*device)->guidance().find("Exceeded max force"), std::string::npos) << (*device)->guidance();
+  ticks(**device, 1001, {0.5, 0.0, 0.0});
+  EXPECT_EQ((*device)->guidance(), "");
 }
 
 TEST_F(TouchDevice, IsFreeAfterFiveCallsWithoutTheServo) {

@@ -5,6 +5,7 @@
 #include "palpable/core/system/hand_off.hpp"
 #include "palpable/device/device.hpp"
 #include "palpable/device/local_surface.hpp"
+#include "palpable/device/local_textures.hpp"
 #include "palpable/device/remote/remote_wire.hpp"
 #include "palpable/device/transport/force_hand_off.hpp"
 #include "palpable/device/transport/fresh_reading.hpp"
@@ -25,6 +26,7 @@ struct RemoteExchange {
   static constexpr double kUnwritten_s = 0.1;
   LatestValue<RemoteReading> readings;
   CommandHandOff<LocalSurface> surfaces{kUnwritten_s};
+  LocalTextures textures;
   /// The session has ended: no connection will come again.
   std::atomic<bool> failed{false};
 };
@@ -50,6 +52,7 @@ class RemoteDevice final : public Device, public TakesLocalSurface {
   /// kCatchUp_m_per_s, so that a proxy can follow on the surface.
   Reading read() noexcept override;
   void write_surface(const LocalSurface& surface) noexcept override;
+  std::shared_ptr<LocalTextures> textures() noexcept override { return {exchange_, &exchange_->textures}; }
   void write(Vector<DeviceFrame> /*force_N*/) noexcept override {}
   void stop() noexcept override { exchange_->surfaces.cut(); }
   /// Nothing: a surface is passive and is not used for longer than a tenth of a second; the watchdog at the

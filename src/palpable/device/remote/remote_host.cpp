@@ -157,6 +157,11 @@ std::string RemoteHost::take_messages() {
 
 std::string RemoteHost::take(const Message& message) {
   if (message.kind == MessageKind::bye) return "The program that touched has ended.";
+  if (message.kind == MessageKind::texture) {
+    const auto texture = parse_texture(message);
+    const bool is_one = texture && (!options_.on_texture || options_.on_texture(*texture));
+    return is_one ? std::string() : "The program that touched sent a texture that is out of range.";
+  }
   const auto surface = parse_surface(message);
   if (message.kind != MessageKind::surface)
     return "The program that touched sent a message that has no place in a touch.";

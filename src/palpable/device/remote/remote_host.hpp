@@ -30,6 +30,9 @@ struct HostOptions {
   Traits traits;
   /// Limits a surface to what this computer's device can render; by the host's thread.
   std::function<LocalSurface(const LocalSurface&)> limited;
+  /// Called by the host's thread with each texture that came; false for values that no texture has. May be
+  /// empty.
+  std::function<bool(const LocalTexture&)> on_texture;
   /// Called by the host's thread with a sentence about who came, went or was refused; may be empty.
   std::function<void(const std::string&)> on_news;
 };

@@ -30,6 +30,11 @@ class RemoteHostTest : public testing::Test {
     options.port = port;
     options.traits.name = "shared test device";
     options.traits.max_force_N = 4.5;
+    options.on_texture = [this](const LocalTexture& texture) {
+      const std::lock_guard lock(mutex_);
+      textures_.push_back(texture);
+      return texture.kind < 5;
+    };
     options.on_news = [this](const std::string& sentence) {
       const std::lock_guard lock(mutex_);
       news_.push_back(sentence);
@@ -101,6 +106,7 @@ class RemoteHostTest : public testing::Test {
   LocalSurface came_;
   std::mutex mutex_;
   std::vector<std::string> news_;
+  std::vector<LocalTexture> textures_;
   std::unique_ptr<RemoteHost> host_;
 };
 
@@ -119,6 +125,25 @@ TEST_F(RemoteHostTest, PassesReadingsAndSurfaces) {
   (*device)->stop();
   EXPECT_TRUE(
       tick_until(**device, {}, [&](const Reading&) { return came_.kind == LocalSurface::Kind::none; }));
+}
+
+TEST_F(RemoteHostTest, PassesTexturesOnBeforeTheSurfacesThatNameThem) {
+  auto device = connect();
+  ASSERT_TRUE(device) << device.error().sentence();
+  const std::vector<LocalTexture> sent{{1, 2, 0.002, 30e-6, 0.1}, {7, 4, 0.001, 10e-6, 0.0, {0.5F, -0.5F}}};
+  dynamic_cast<TakesLocalSurface&>(**device).textures()->put(sent);
+  LocalSurface surface = a_plane();
+  surface.texture.number = 7;
+  EXPECT_TRUE(tick_until(**device, surface, [&](const Reading&) { return came_.texture.number == 7; }));
+  const std::lock_guard lock(mutex_);
+  EXPECT_EQ(textures_, sent);
+}
+
+TEST_F(RemoteHostTest, EndsTheSessionForATextureThatIsNone) {
+  auto device = connect();
+  ASSERT_TRUE(device) << device.error().sentence();
+  dynamic_cast<TakesLocalSurface&>(**device).textures()->put({{1, 9, 0.002, 30e-6, 0.1}});
+  EXPECT_TRUE(has_news("texture that is out of range"));
 }
 
 TEST_F(RemoteHostTest, TakesATokenOnce) {
@@ -344,23 +369,6 @@ TEST_F(RemoteHostTest, DriverHasFailedWhenTheSharingEnds) {
   EXPECT_TRUE(tick_until(**device, a_plane(),
                          [](const Reading& reading) { return reading.status == Status::fault; }));
   EXPECT_NE((*device)->fault().find("ended the sharing"), std::string::npos) << (*device)->fault();
-}
-
-TEST(RemoteUrl, IsRefusedIfItIsIncomplete) {
-  const std::string token = "?token=" + std::string(kSecret_bytes, 'a');
-  for (const std::string& url :
-       {std::string("remote:"), "remote:host" + token, "remote:host:" + token, "remote::7" + token,
-        "remote:host:99999" + token, "remote:host:x" + token, std::string("remote:host:7"),
-        std::string("remote:host:7?token=short"), "remote:host:7" + token + "&other=1"})
-    EXPECT_EQ(open_device(url, {}).error().code, ErrorCode::usage) << url;
-  const auto nobody = open_device("remote:127.0.0.1:1" + token, {});
-  EXPECT_EQ(nobody.error().code, ErrorCode::device);
-  EXPECT_NE(nobody.error().message.find("nobody shares a device there"), std::string::npos)
-      << nobody.error().message;
-  const auto unknown = open_device("remote:nohost.invalid:7" + token, {});
-  EXPECT_EQ(unknown.error().code, ErrorCode::device);
-  EXPECT_EQ(unknown.error().message.find("the name of the computer is no address"), 0U)
-      << unknown.error().message;
 }
 
 TEST_F(RemoteHostTest, APortInUseIsTheSystemsFault) {

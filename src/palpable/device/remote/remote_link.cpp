@@ -67,6 +67,7 @@ Result<Welcome> RemoteLink::connect(const std::string& secret) {
       if (!welcome) return no_welcome("what answers there shares no device of Palpable");
       stream_ = *std::move(stream);
       heard_ = last_take_ = last_sent_ = Clock::now();
+      sent_textures_ = 0;
       return *std::move(welcome);
     }
     if (reader_.is_other_version()) return no_welcome(std::string(sentence_of(Refusal::wrong_version)));
@@ -113,6 +114,7 @@ bool RemoteLink::exchange_once() {
     note_trouble("the other computer does not answer any more");
     return false;
   }
+  send_textures();
   const auto taken =
       exchange_->surfaces.take(std::chrono::duration<double>(now - std::exchange(last_take_, now)).count());
   if ((has_news_ || now - last_sent_ >= kLinkLeastOften) && stream_->has_sent_all()) {
@@ -124,6 +126,14 @@ bool RemoteLink::exchange_once() {
   stream_->flush();
   wait_for_any(std::array{stream_->descriptor()}, kLinkLook);
   return !stream_->is_lost();
+}
+
+/// Before the surfaces that name them.
+void RemoteLink::send_textures() {
+  if (exchange_->textures.version() == sent_textures_) return;
+  const auto list = exchange_->textures.list();
+  for (const LocalTexture& texture : list.textures) stream_->send(texture_message(texture));
+  sent_textures_ = list.version;
 }
 
 bool RemoteLink::take_messages() {

@@ -46,6 +46,7 @@ class RemoteLink {
   /// One round of the exchange; false if the connection is lost.
   bool exchange_once();
   bool take_messages();
+  void send_textures();
   void note_trouble(std::string sentence);
 
   Address address_;
@@ -58,6 +59,8 @@ class RemoteLink {
   Clock::time_point last_take_;
   Clock::time_point last_sent_;
   bool has_news_ = false;
+  /// The version of the list of textures that was sent over this connection.
+  std::uint32_t sent_textures_ = 0;
   mutable std::mutex mutex_;
   std::string trouble_;
   std::atomic<bool> ends_{false};

@@ -9,11 +9,13 @@
 #include "palpable/device/recording/traits_json.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <utility>
 
 namespace palpable::device {
 namespace {
 
-constexpr std::uint8_t kFirstLetter = 'P', kSecondLetter = 'R', kRemoteVersion = 1;
+constexpr std::uint8_t kFirstLetter = 'P', kSecondLetter = 'R', kRemoteVersion = 2;
 /// What a reader keeps at most: a whole message, and what came with it.
 constexpr std::size_t kMostKept_bytes = std::size_t{64} << 10U;
 
@@ -104,7 +106,25 @@ std::vector<std::byte> surface_message(const LocalSurface& surface) {
        {surface.radius_m, surface.stiffness_N_per_m, surface.damping_Ns_per_m, surface.static_friction,
         surface.dynamic_friction, surface.stored_J, surface.read_at_s})
     out.f64(number);
+  const LaidTexture& laid = surface.texture;
+  out.u16(laid.number);
+  if (laid.number > 0) {
+    out.u8(static_cast<std::uint8_t>(laid.onto));
+    for (const double number : laid.rotation) out.f64(number);
+    put_vec3(out, laid.translation_m);
+    out.f64(laid.scale);
+  }
   return remote_message(MessageKind::surface, out.bytes());
+}
+
+std::vector<std::byte> texture_message(const LocalTexture& texture) {
+  PALPABLE_CHECK(texture.tile.size() <= kMostTile);
+  ByteWriter out;
+  out.u16(texture.number);
+  out.u8(texture.kind);
+  for (const double number : {texture.pitch_m, texture.height_m, texture.angle_rad}) out.f64(number);
+  for (const float value : texture.tile) out.u32(std::bit_cast<std::uint32_t>(value));
+  return remote_message(MessageKind::texture, out.bytes());
 }
 
 std::vector<std::byte> bye_message() { return remote_message(MessageKind::bye, std::string_view{}); }
@@ -156,8 +176,30 @@ std::optional<LocalSurface> parse_surface(const Message& message) {
        {&surface.radius_m, &surface.stiffness_N_per_m, &surface.damping_Ns_per_m, &surface.static_friction,
         &surface.dynamic_friction, &surface.stored_J, &surface.read_at_s})
     *number = in.f64();
+  LaidTexture& laid = surface.texture;
+  laid.number = in.u16();
+  if (laid.number > 0) {
+    laid.onto = static_cast<LaidTexture::Onto>(in.u8());
+    for (double& number : laid.rotation) number = in.f64();
+    laid.translation_m = vec3_from(in);
+    laid.scale = in.f64();
+  }
   if (message.kind != MessageKind::surface || !in.ok() || in.left() != 0 || !is_valid(surface)) return {};
   return surface;
+}
+
+std::optional<LocalTexture> parse_texture(const Message& message) {
+  ByteReader in(message.body);
+  LocalTexture texture;
+  texture.number = in.u16();
+  texture.kind = in.u8();
+  for (double* number : {&texture.pitch_m, &texture.height_m, &texture.angle_rad}) *number = in.f64();
+  const std::size_t values = in.left() / sizeof(float);
+  if (message.kind != MessageKind::texture || !in.ok() || values > kMostTile) return {};
+  texture.tile.resize(values);
+  for (float& value : texture.tile) value = in.f32();
+  const bool is_numbered = texture.number > 0 && texture.number <= kMostTextures;
+  return is_numbered && in.ok() && in.left() == 0 ? std::optional(std::move(texture)) : std::nullopt;
 }
 
 bool MessageReader::take(std::span<const std::byte> bytes) {

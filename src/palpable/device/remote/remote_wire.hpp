@@ -5,6 +5,7 @@
 #include "palpable/core/result.hpp"
 #include "palpable/device/device.hpp"
 #include "palpable/device/local_surface.hpp"
+#include "palpable/device/local_textures.hpp"
 
 #include <array>
 #include <cstddef>
@@ -21,7 +22,9 @@
 namespace palpable::device {
 
 inline constexpr std::size_t kMessageHead_bytes = 10;
-inline constexpr std::size_t kMostBody_bytes = 2048;
+inline constexpr std::size_t kMostBody_bytes = 17U << 10U;
+/// Control values of a texture's tile.
+inline constexpr std::size_t kMostTile = std::size_t{64} * 64;
 /// Characters of a token and of a session's secret.
 inline constexpr std::size_t kSecret_bytes = 32;
 
@@ -35,7 +38,9 @@ enum class MessageKind : std::uint8_t {
   reading = 4,
   surface = 5,
   /// Either side ends the session.
-  bye = 6
+  bye = 6,
+  /// The client's: a texture that surfaces name.
+  texture = 7
 };
 
 enum class Refusal : std::uint8_t { wrong_token = 1, in_use = 2, wrong_version = 3, not_understood = 4 };
@@ -62,6 +67,8 @@ std::vector<std::byte> welcome_message(std::string_view secret, const Traits& tr
 std::vector<std::byte> refused_message(Refusal refusal);
 std::vector<std::byte> reading_message(const RemoteReading& reading);
 std::vector<std::byte> surface_message(const LocalSurface& surface);
+/// The tile must have at most kMostTile values.
+std::vector<std::byte> texture_message(const LocalTexture& texture);
 std::vector<std::byte> bye_message();
 
 /// A body; nullopt if it is none of that kind, or has values that are out of range or not finite.
@@ -74,6 +81,8 @@ std::optional<Welcome> parse_welcome(const Message& message);
 std::optional<Refusal> parse_refused(const Message& message);
 std::optional<RemoteReading> parse_reading(const Message& message);
 std::optional<LocalSurface> parse_surface(const Message& message);
+/// Whether a texture of this kind has these values is not checked.
+std::optional<LocalTexture> parse_texture(const Message& message);
 
 /// Finds the messages in a stream of bytes from an untrusted peer, in bounded memory.
 class MessageReader {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/device/remote/remote_wire.hpp"
 
+#include "palpable/device/drivers/open.hpp"
+
 #include <limits>
 #include <random>
 
@@ -45,6 +47,43 @@ TEST(RemoteWire, ReturnsSurfacesAndReadingsToTheLastBit) {
   EXPECT_EQ(read->read_at_s, reading.read_at_s);
   EXPECT_EQ(read->buttons, 5U);
   EXPECT_FALSE(parse_surface(*sent));
+}
+
+LocalTexture a_texture() {
+  LocalTexture texture{3, 4, 0.002, 25e-6, 0.7, std::vector<float>(kMostTile)};
+  for (std::size_t k = 0; k < texture.tile.size(); ++k)
+    texture.tile[k] = 0.25F * static_cast<float>(k % 7) - 0.5F;
+  return texture;
+}
+
+TEST(RemoteWire, ReturnsTexturesAndHowTheyLieToTheLastBit) {
+  const auto message = read_back(texture_message(a_texture()));
+  ASSERT_TRUE(message);
+  EXPECT_EQ(parse_texture(*message), a_texture());
+  EXPECT_FALSE(parse_surface(*message));
+  LocalSurface surface = a_plane();
+  surface.texture = {3, LaidTexture::Onto::solid, {0, -1, 0, 1, 0, 0, 0, 0, 1}, {0.01, 0.02, 0.03}, 1.5};
+  const auto laid = read_back(surface_message(surface));
+  ASSERT_TRUE(laid);
+  EXPECT_EQ(parse_surface(*laid), surface);
+}
+
+TEST(RemoteWire, BelievesNoTextureThatIsOutOfRange) {
+  LocalTexture texture = a_texture();
+  texture.number = 0;
+  EXPECT_FALSE(parse_texture(*read_back(texture_message(texture))));
+  texture.number = kMostTextures + 1;
+  EXPECT_FALSE(parse_texture(*read_back(texture_message(texture))));
+  for (const double bad : {0.0, -1.0, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
+    LocalSurface surface = a_plane();
+    surface.texture.number = 3;
+    surface.texture.scale = bad;
+    EXPECT_FALSE(parse_surface(*read_back(surface_message(surface)))) << bad;
+  }
+  LocalSurface surface = a_plane();
+  surface.texture.number = 3;
+  surface.texture.rotation[4] = 2.0;
+  EXPECT_FALSE(parse_surface(*read_back(surface_message(surface))));
 }
 
 TEST(RemoteWire, PassesTraitsOn) {
@@ -123,10 +162,27 @@ TEST(RemoteWire, EndsAtBytesThatAreNoMessage) {
   EXPECT_TRUE(reader.is_broken());
   MessageReader other;
   auto next_version = hello_message(std::string(kSecret_bytes, 'x'));
-  next_version[2] = std::byte{2};
+  next_version[2] = std::byte{3};
   other.take(next_version);
   EXPECT_FALSE(other.next());
   EXPECT_TRUE(other.is_other_version());
+}
+
+TEST(RemoteUrl, IsRefusedIfItIsIncomplete) {
+  const std::string token = "?token=" + std::string(kSecret_bytes, 'a');
+  for (const std::string& url :
+       {std::string("remote:"), "remote:host" + token, "remote:host:" + token, "remote::7" + token,
+        "remote:host:99999" + token, "remote:host:x" + token, std::string("remote:host:7"),
+        std::string("remote:host:7?token=short"), "remote:host:7" + token + "&other=1"})
+    EXPECT_EQ(open_device(url, {}).error().code, ErrorCode::usage) << url;
+  const auto nobody = open_device("remote:127.0.0.1:1" + token, {});
+  EXPECT_EQ(nobody.error().code, ErrorCode::device);
+  EXPECT_NE(nobody.error().message.find("nobody shares a device there"), std::string::npos)
+      << nobody.error().message;
+  const auto unknown = open_device("remote:nohost.invalid:7" + token, {});
+  EXPECT_EQ(unknown.error().code, ErrorCode::device);
+  EXPECT_EQ(unknown.error().message.find("the name of the computer is no address"), 0U)
+      << unknown.error().message;
 }
 
 }  // namespace

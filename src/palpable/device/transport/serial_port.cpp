@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/device/transport/serial_port.hpp"
 
+#include "palpable/device/transport/port_state.hpp"
+
 #include <cerrno>
 #include <system_error>
 
@@ -19,7 +21,10 @@ Error not_opened(const std::string& path, int why) {
   std::string message = "cannot be opened: " + std::generic_category().message(why);
   if (why == ENOENT) message = "is not there: plug the device in, or name its port (palpable devices)";
   if (why == EACCES) message = "may not be opened: add yourself to the group dialout and log in again";
-  if (why == EBUSY) message = "is used by another program";
+  if (why == EBUSY) {
+    const auto holder = holder_of(path);
+    message = "is used by " + (holder ? holder->words() : "another program");
+  }
   return {ErrorCode::device, std::move(message), path};
 }
 

@@ -303,7 +303,7 @@ TEST_P(TwoDiyWithAFault, IsFreeWithinTenTicksAndHasFailedAfterHalfASecond) {
     push(10);
     EXPECT_NE(reading.status, Status::ok);
     // It takes commands although its answers are bad.
-    board.wait_until_free();
+    EXPECT_TRUE(board.wait_until_free());
     push(600);
     EXPECT_TRUE(motors_are_free(board));
     EXPECT_EQ(reading.status, Status::fault);

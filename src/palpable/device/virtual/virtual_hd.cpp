@@ -47,6 +47,7 @@ struct HdError {
 constexpr unsigned kHandle = 7;
 constexpr unsigned kDeviceFault = 0x0300;
 constexpr unsigned kInvalidValue = 0x0101;
+constexpr unsigned kExceededForce = 0x0201;
 /// The middle of the usable workspace is not the origin, as of the real device.
 constexpr Vec3 kMiddle_mm{0.0, 20.0, -10.0};
 
@@ -182,6 +183,7 @@ HdError hdGetError() {
   return error;
 }
 const char* hdGetErrorString(unsigned code) {
+  if (code == kExceededForce) return "Exceeded max force";
   return code == kDeviceFault ? "Device fault" : "Invalid value";
 }
 
@@ -253,6 +255,8 @@ void virtual_hd_report(void (*on_force)(void*, double, double, double), void* da
   the_device().on_force = on_force;
   the_device().reported_to = data;
 }
+/// The next call of hdGetError() returns this.
+void virtual_hd_fail(unsigned code) { fail(code); }
 void virtual_hd_press(int buttons) { the_device().buttons = buttons; }
 /// The force that the motors hold.
 void virtual_hd_force(double* x, double* y, double* z) {

@@ -25,6 +25,7 @@ constexpr double kMass_kg = 0.3;
 constexpr double kDamping_Ns_per_m = 5.0;
 constexpr double kStiffness_N_per_m = 100.0;
 constexpr double kStep_s = 0.001;
+constexpr std::chrono::seconds kLongestWait{20};
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 InPlane plus(InPlane a, double s, InPlane b) { return {a.x + s * b.x, a.y + s * b.y}; }
@@ -106,12 +107,12 @@ std::uint64_t VirtualTwoDiy::strange() const {
 
 void VirtualTwoDiy::wait_for(std::uint64_t messages) const {
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [&] { return messages_ >= messages; });
+  changed_.wait_for(lock, kLongestWait, [&] { return messages_ >= messages; });
 }
 
-void VirtualTwoDiy::wait_until_free() const {
+bool VirtualTwoDiy::wait_until_free() const {
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [&] { return torques_ == std::array{0.0F, 0.0F}; });
+  return changed_.wait_for(lock, kLongestWait, [&] { return torques_ == std::array{0.0F, 0.0F}; });
 }
 
 void VirtualTwoDiy::pull_to(InPlane goal) {

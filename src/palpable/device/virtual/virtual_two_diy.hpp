@@ -58,10 +58,10 @@ class VirtualTwoDiy {
   InPlane handle() const;
   /// The last setup message.
   std::vector<std::uint8_t> setup() const;
-  /// Waits until it has handled so many messages with torques.
+  /// Waits, for 20 s at most, until it has handled so many messages with torques.
   void wait_for(std::uint64_t messages) const;
-  /// Waits until the motors are free.
-  void wait_until_free() const;
+  /// Waits until the motors are free; false: not within 20 s.
+  [[nodiscard]] bool wait_until_free() const;
   std::uint64_t messages() const;
   /// Bytes that began no message, and torques that were no numbers.
   std::uint64_t strange() const;

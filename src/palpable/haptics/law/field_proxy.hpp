@@ -72,9 +72,13 @@ class FieldProxyLaw : public ContactLaw<Surface> {
   TangentPlane tangent_plane(const Hand& hand, const State& state) const noexcept {
     const bool touches = state.proxy.holds_the_hand();
     const Vec3 at = touches ? state.proxy.place_m : hand.position.v;
-    const Contact& here = this->materials().contact(this->materials().label_at(at.x, at.y));
+    const std::uint16_t label = this->materials().label_at(at.x, at.y);
+    const Contact& here = this->materials().contact(label);
+    const int texture = textures_.of(label) != nullptr ? label : -1;
+    constexpr auto kOnto = device::LaidTexture::Onto::solid;
     if (touches)
-      return {true, {at}, {state.proxy.normal}, state.memory.is_known ? state.memory.contact : here};
+      return {true,    {at}, {state.proxy.normal}, state.memory.is_known ? state.memory.contact : here,
+              texture, kOnto};
     FoundInField found;
     const DilatedSolid<Surface> solid(this->surface(), radius_m_, found);
     const models::DistanceSample s = solid.sample(at);
@@ -83,7 +87,7 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     constexpr double kShortest = 0.1;
     if (!(length > kShortest)) return {};
     const Vec3 normal = s.gradient / length;
-    return {true, {at - (s.distance_m / length) * normal}, {normal}, here};
+    return {true, {at - (s.distance_m / length) * normal}, {normal}, here, texture, kOnto};
   }
 
   /// FieldFollower::take_over().

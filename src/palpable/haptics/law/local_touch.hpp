@@ -4,7 +4,9 @@
 
 #include "palpable/device/local_surface.hpp"
 #include "palpable/haptics/law/touchable.hpp"
+#include "palpable/haptics/proxy/proxy_force.hpp"
 
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -12,18 +14,21 @@ namespace palpable::haptics {
 
 /// The law of a device whose scene is at another computer: the force of the local surface that came last
 /// (device/local_surface.hpp). A plane has a proxy of its own, which stays on it under a friction cone; the
-/// force is a spring to it with the dampers of proxy_force(). A new plane that would store more energy at the
-/// hand than the last one is lowered until it stores as much: it comes up by the energy that falling planes,
-/// the damper and friction took in the last kTank_s, at most kTank_J and at most kComesUp_m_per_s. So a late
-/// change of the surface does not push the hand with energy that the hand did not give. The scene's frame is
+/// force is a spring to it with the dampers of proxy_force(), and the plane's texture is added to it. A new
+/// plane that would push or store more at the hand than the last one is lowered until it does not: it comes
+/// up by the energy that falling planes, the damper and friction took in the last kTank_s, at most kTank_J
+/// and at most kComesUp_m_per_s; nor does it stretch the spring along the plane. So a late change of the
+/// surface does not push the hand with energy that the hand did not give. The scene's frame is
 /// the device's. Unlike other touchables it follows what the device's read() has just written, in the same
 /// tick and thread. Surfaces of another kind than its own make no force: the loop changes to another
 /// touchable.
 class LocalTouch final : public Touchable {
  public:
-  /// `kind`: plane, slope or force. `current` must not be null.
-  LocalTouch(device::LocalSurface::Kind kind, std::shared_ptr<const device::CurrentSurface> current)
-      : kind_(kind), current_(std::move(current)) {}
+  /// `kind`: plane, slope or force. `current` must not be null. `textures`: by their numbers less one; a
+  /// plane whose texture is not among them has none.
+  LocalTouch(device::LocalSurface::Kind kind, std::shared_ptr<const device::CurrentSurface> current,
+             Textures textures = Textures({}))
+      : kind_(kind), current_(std::move(current)), textures_(std::move(textures)) {}
 
   LawOutput evaluate(const Hand& hand, TouchState& state) const noexcept override;
   std::uint64_t state_family() const noexcept override { return static_cast<std::uint64_t>(kind_); }
@@ -42,6 +47,8 @@ class LocalTouch final : public Touchable {
     Vec3 place_m;
     Vec3 normal;
     double read_at_s;
+    /// Its stiffness, N/m, as far as it was valid.
+    double stiffness_N_per_m;
     /// By how much the plane is rendered lower than it came, m, >= 0; and the energy that may be spent to
     /// raise it, J.
     double lowered_m;
@@ -49,10 +56,21 @@ class LocalTouch final : public Touchable {
     bool has_plane;
     bool touching;
     bool slipping;
+    TextureTouch texture;
   };
-  /// The depth that is rendered below a plane at `depth_m`, after it changed or not.
-  double rendered_depth_m(const Hand& hand, double depth_m, double stiffness_N_per_m,
-                          State& state) const noexcept;
+  struct Depth {
+    double rendered_m = 0.0;
+    /// How far the spring may be stretched on a new plane, and what it stored on the last one.
+    double most_stretched_m = std::numeric_limits<double>::infinity();
+    double held_J = 0.0;
+  };
+  /// Of a hand below a plane at `depth_m`, which is new or not.
+  Depth depth_below(const Hand& hand, double depth_m, double stiffness_N_per_m, State& state) const noexcept;
+  /// Moves the proxy; the energy that friction took, J.
+  double slide(const Hand& hand, const Contact& contact, const Depth& depth, const ProxyBefore& before,
+               State& state) const noexcept;
+  void add_laid_texture(const Hand& hand, const TexturedPlace& at, State& state,
+                        LawOutput& output) const noexcept;
   LawOutput on_plane(const Hand& hand, State& state) const noexcept;
   LawOutput on_slope(const Hand& hand) const noexcept;
   /// 1 within the surface's radius, 0 from twice of it on.
@@ -60,6 +78,7 @@ class LocalTouch final : public Touchable {
 
   device::LocalSurface::Kind kind_;
   std::shared_ptr<const device::CurrentSurface> current_;
+  Textures textures_;
 };
 
 }  // namespace palpable::haptics

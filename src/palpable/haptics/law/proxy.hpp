@@ -66,11 +66,13 @@ class ProxyLaw : public ContactLaw<Surface> {
     const Vec3 at = touches ? state.proxy.place_m : hand.position.v;
     const models::HeightSample below = this->surface().sample(at.x, at.y);
     const bool is_eased = touches && state.memory.is_known;
-    return {
-        true,
-        {{at.x, at.y, touches ? at.z : below.z_m}},
-        {unit(Vec3{-below.dzdx, -below.dzdy, 1.0})},
-        is_eased ? state.memory.contact : this->materials().contact(this->materials().label_at(at.x, at.y))};
+    const std::uint16_t label = this->materials().label_at(at.x, at.y);
+    return {true,
+            {{at.x, at.y, touches ? at.z : below.z_m}},
+            {unit(Vec3{-below.dzdx, -below.dzdy, 1.0})},
+            is_eased ? state.memory.contact : this->materials().contact(label),
+            textures_.of(label) != nullptr ? label : -1,
+            device::LaidTexture::Onto::plan};
   }
 
   /// A proxy that was in contact moves vertically onto this surface and keeps its friction state. A free one

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/device/local_surface.hpp"
 #include "palpable/haptics/effect/law_output.hpp"
 #include "palpable/haptics/effect/material_map.hpp"
 #include "palpable/haptics/effect/route_pull.hpp"
@@ -58,6 +59,9 @@ struct TangentPlane {
   Point<SceneFrame> place;
   Vector<SceneFrame> normal;
   Contact contact;
+  /// The label of a texture that is added to it; none if negative.
+  int texture = -1;
+  device::LaidTexture::Onto onto = device::LaidTexture::Onto::plan;
 };
 
 /// A surface with a law and effects, which the servo loop evaluates once per tick. Immutable; changed

@@ -46,6 +46,9 @@ device::LocalSurface TickPipeline::local_surface() const noexcept {
       surface.damping_Ns_per_m = scale * plane.contact.damping_Ns_per_m;
       surface.static_friction = plane.contact.static_friction;
       surface.dynamic_friction = plane.contact.dynamic_friction;
+      if (plane.texture >= 0)
+        surface.texture = {static_cast<std::uint16_t>(plane.texture + 1), plane.onto,
+                           scene_from_device.rotation, scene_from_device.translation_m, scale};
     } else {
       surface =
           across_spring(side.output, hand.position, touchable.damping_Ns_per_m(), device_from_scene, scale);

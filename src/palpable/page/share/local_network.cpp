@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 
+#include <boost/asio/ip/host_name.hpp>
 #include <boost/asio/ip/network_v4.hpp>
 #include <boost/asio/ip/network_v6.hpp>
 #include <boost/asio/ip/udp.hpp>
@@ -104,6 +105,12 @@ Result<std::vector<std::string>> addresses_in_network() {
   add(address_towards("2001:db8::1"), false);  // RFC 3849
   if (!found.empty()) return found;
   return Error{ErrorCode::failed, "this computer is in no network, so that nothing can be shared", {}};
+}
+
+std::string name_of_this_computer() {
+  boost::system::error_code error;
+  const std::string name = ip::host_name(error);
+  return error ? std::string() : name;
 }
 
 Result<IpAddress> ip_address(std::string_view text) {

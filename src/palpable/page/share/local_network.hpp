@@ -29,6 +29,9 @@ std::vector<NetworkAddress> network_addresses();
 /// version 6, link-local (browsers cannot be sent there). Sends nothing. Errors: failed, if there is none.
 Result<std::vector<std::string>> addresses_in_network();
 
+/// Which other computers may not know. Empty: it has none.
+std::string name_of_this_computer();
+
 /// An address in the usual notation, with or without brackets and a zone ("[fd00::2]", "fe80::1%eth0").
 /// Errors: invalid_input.
 Result<IpAddress> ip_address(std::string_view text);

@@ -9,15 +9,20 @@
 #include "palpable/haptics/servo/start_touch.hpp"
 #include "palpable/haptics/tick/tick.hpp"
 #include "palpable/session/share/shared_limits.hpp"
+#include "palpable/session/share/shared_textures.hpp"
 #include "palpable/session/share/virtual_link.hpp"
 #include "palpable/session/touch/haptic_scene.hpp"
+#include "palpable/session/touch/sent_textures.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <utility>
 
 // For tests.
 namespace palpable::session {
+
+enum class SentTextures : std::uint8_t { none, all };
 
 /// Two computers in simulated time, at 1000 ticks a second each: one with a device, one with a scene, and a
 /// virtual link between them. Everything but sockets and threads is the program's own.
@@ -27,19 +32,22 @@ class RemoteBench {
 
   RemoteBench(std::unique_ptr<device::Device> device, const models::Scene& scene,
               const TouchSettings& settings, const LinkQuality& quality,
-              device::LocalSurface::Kind kind = device::LocalSurface::Kind::plane)
+              device::LocalSurface::Kind kind = device::LocalSurface::Kind::plane,
+              SentTextures sent = SentTextures::all)
       : up_(quality, 1), down_(quality, 2), traits_(device->traits()) {
     shared_->connected = true;
     const auto current = std::make_shared<device::CurrentSurface>();
     host_ =
         std::make_unique<device::SharedDevice>(std::move(device), shared_, current, [this] { return t_s_; });
-    local_.touchable = std::make_shared<const haptics::LocalTouch>(kind, current);
-    near_ = std::make_unique<haptics::TickPipeline>(*host_, local_, haptics::tick_options(shared_servo({})),
-                                                    events_);
-    client_ = std::make_unique<device::RemoteDevice>(traits_, remote_, 1.0 / kTick_s, nullptr);
     const auto place = haptics::fit_workspace(scene, traits_);
     KeptSurfaces kept;
     auto prepared = prepare_scene(scene, settings, traits_, 1.0 / kTick_s, place, kept);
+    if (sent == SentTextures::all)
+      for (const device::LocalTexture& texture : sent_textures(prepared->materials)) textures_.put(texture);
+    local_.touchable = std::make_shared<const haptics::LocalTouch>(kind, current, textures_.textures());
+    near_ = std::make_unique<haptics::TickPipeline>(*host_, local_, haptics::tick_options(shared_servo({})),
+                                                    events_);
+    client_ = std::make_unique<device::RemoteDevice>(traits_, remote_, 1.0 / kTick_s, nullptr);
     far_scene_ = std::move(prepared->scene);
     far_ =
         std::make_unique<haptics::TickPipeline>(*client_, far_scene_, haptics::tick_options({}), far_events_);
@@ -56,8 +64,9 @@ class RemoteBench {
     const auto taken = remote_->surfaces.take(kTick_s);
     down_.put(t_s_, taken.command);
     if (const auto arrived = down_.take(t_s_))
-      shared_->surfaces.put(
-          limited_surface(*arrived, traits_, 1.0 / kTick_s, haptics::kLeastHandDamping_Ns_per_m));
+      shared_->surfaces.put(limited_surface(*arrived, traits_, 1.0 / kTick_s,
+                                            haptics::kLeastHandDamping_Ns_per_m,
+                                            textures_.stiffening(arrived->texture.number)));
     return sample;
   }
   void cut_link(bool is_cut) {
@@ -75,6 +84,7 @@ class RemoteBench {
   VirtualLink<device::RemoteReading> up_;
   VirtualLink<device::LocalSurface> down_;
   device::Traits traits_;
+  SharedTextures textures_;
   std::shared_ptr<device::SharedExchange> shared_ = std::make_shared<device::SharedExchange>();
   std::shared_ptr<device::RemoteExchange> remote_ = std::make_shared<device::RemoteExchange>();
   double t_s_ = 0.0;

@@ -9,15 +9,15 @@ namespace palpable::session {
 using SharedKind = device::LocalSurface::Kind;
 
 device::LocalSurface limited_surface(const device::LocalSurface& surface, const device::Traits& device,
-                                     double rate_hz, double hand_damping_Ns_per_m) {
+                                     double rate_hz, double hand_damping_Ns_per_m, double stiffening) {
   device::LocalSurface limited = surface;
   constexpr double kSoftest_N_per_m = 1e-3;
   if (surface.kind == SharedKind::plane && surface.stiffness_N_per_m < kSoftest_N_per_m)
     limited.kind = SharedKind::free;
   if (limited.kind == SharedKind::plane) {
-    const auto safe = haptics::safe_contact(device, rate_hz, 1.0, surface.stiffness_N_per_m,
+    const auto safe = haptics::safe_contact(device, rate_hz, 1.0, stiffening * surface.stiffness_N_per_m,
                                             surface.damping_Ns_per_m, hand_damping_Ns_per_m);
-    limited.stiffness_N_per_m = safe.stiffness_N_per_m;
+    limited.stiffness_N_per_m = safe.stiffness_N_per_m / stiffening;
     limited.damping_Ns_per_m = safe.damping_Ns_per_m;
   }
   if (limited.kind == SharedKind::slope && surface.damping_Ns_per_m > 0.0)

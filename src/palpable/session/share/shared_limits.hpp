@@ -12,9 +12,9 @@ namespace palpable::session {
 inline constexpr double kSharedRampDown_s = 0.008;
 
 /// A surface as this device can render it: its stiffness and damping limited as those of a scene would be
-/// (safe_contact(), safe_slopes()).
+/// (safe_contact(), safe_slopes()). `stiffening`: of its texture (haptics::texture_stiffening()).
 device::LocalSurface limited_surface(const device::LocalSurface& surface, const device::Traits& device,
-                                     double rate_hz, double hand_damping_Ns_per_m);
+                                     double rate_hz, double hand_damping_Ns_per_m, double stiffening = 1.0);
 
 /// The tick's options of a loop that renders the surfaces of another computer.
 haptics::ServoOptions shared_servo(haptics::ServoOptions servo);

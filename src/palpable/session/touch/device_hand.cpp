@@ -8,8 +8,10 @@
 #include "palpable/device/url.hpp"
 #include "palpable/haptics/servo/pacing.hpp"
 #include "palpable/haptics/servo/start_touch.hpp"
+#include "palpable/haptics/tick/transient_player.hpp"
 #include "palpable/session/touch/recorded_touch.hpp"
 #include "palpable/session/touch/recording_header.hpp"
+#include "palpable/session/touch/sent_textures.hpp"
 #include "palpable/session/touch/surface_strokes.hpp"
 
 #include <algorithm>
@@ -102,15 +104,27 @@ Opened opened_device(const DeviceHand::Begin& begin, const SessionOptions& optio
       !((*device)->traits().max_force_N <= kMostUnlimited_N))
     return Error{ErrorCode::usage,
                  "the limits may be off on simulated devices and on those of at most 4 N only",
-                 device::public_url(begin.url)};
+                 device::url_as_place(begin.url)};
   const auto& workspace = options.workspace;
   const bool is_moved = workspace.magnification > 1.0 || workspace.clutch_button || workspace.stop_button;
   if (is_moved && !can_be_moved(**device, begin.url))
     return Error{ErrorCode::usage,
                  "only a device with motors at this computer can magnify a scene, have a clutch or a button "
                  "that ends the force",
-                 device::public_url(begin.url)};
+                 device::url_as_place(begin.url)};
   return moved(*std::move(device), options, begin.url, state);
+}
+
+/// What a device that renders surfaces itself does not get.
+void leave_out_unsent(const models::Scene& scene, PreparedScene& prepared) {
+  constexpr auto kNone = haptics::TransientKind::none;
+  if (std::exchange(prepared.transient, kNone) != kNone)
+    prepared.notices.emplace_back(
+        "The contact transient was left out: only surfaces are sent to a device at another computer.");
+  prepared.scene.transient = haptics::transient_of(kNone);
+  if (scene.guide != nullptr)
+    prepared.notices.emplace_back(
+        "The pull along the way is not felt: only surfaces are sent to a device at another computer.");
 }
 
 }  // namespace
@@ -133,6 +147,8 @@ Result<std::unique_ptr<DeviceHand>> DeviceHand::open(const Begin& begin, SceneCa
   for (auto& sample : hand->latest_) sample.status = device::Status::not_ready;
   auto device = opened_device(begin, hand->options_, hand->workspace_);
   if (!device) return std::move(device).error();
+  if (auto* takes = dynamic_cast<device::TakesLocalSurface*>(device->get()); takes != nullptr)
+    hand->sent_textures_ = takes->textures();
   const auto place = placed(*begin.scene, (*device)->traits(), hand->options_);
   auto prepared = hand->prepared_for((*device)->traits(), begin.scene, begin.settings, place, caches);
   if (!prepared) return std::move(prepared).error();
@@ -185,6 +201,7 @@ Result<DeviceHand::Prepared> DeviceHand::prepared_for(const device::Traits& trai
       prepare_scene(*to, settings, traits, options_.servo.rate_hz, place, caches.kept, options_.work);
   if (!scene) return std::move(scene).error();
   scene->scene.id = last_scene_id_ + 1;
+  if (sent_textures_) leave_out_unsent(*to, *scene);
   auto description = described(*scene, to, settings, caches);
   return Prepared{*std::move(scene), std::move(description), place, reach_of(*to, place)};
 }
@@ -202,6 +219,7 @@ void DeviceHand::take_over(const Prepared& prepared) {
   radius_in_use_m_ = prepared.scene.law.radius_m.value_or(0.0);
   scene_from_device_ = prepared.place;
   notices_ = prepared.scene.notices;
+  if (sent_textures_) sent_textures_->put(sent_textures(prepared.scene.materials));
   workspace_->scene_m[0] = prepared.reach_m.x;
   workspace_->scene_m[1] = prepared.reach_m.y;
   workspace_->scene_m[2] = prepared.reach_m.z;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/result.hpp"
+#include "palpable/device/local_textures.hpp"
 #include "palpable/device/pointer/pointer.hpp"
 #include "palpable/device/recording/recording.hpp"
 #include "palpable/haptics/servo/reopening_loop.hpp"
@@ -118,6 +119,8 @@ class DeviceHand {
   SessionOptions options_;
   std::string url_;
   std::int64_t servo_begin_ns_ = 0;
+  /// Of a device that renders surfaces itself; else null.
+  std::shared_ptr<device::LocalTextures> sent_textures_;
   std::shared_ptr<haptics::WorkspaceState> workspace_ = std::make_shared<haptics::WorkspaceState>();
   std::unique_ptr<haptics::ReopeningLoop> loop_;
   std::uint32_t last_scene_id_ = 0;

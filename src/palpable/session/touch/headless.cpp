@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/touch/headless.hpp"
 
+#include "palpable/device/url.hpp"
 #include "palpable/haptics/servo/pacing.hpp"
+#include "palpable/session/touch/outage.hpp"
 
 #include <chrono>
 #include <memory>
@@ -31,32 +33,33 @@ Result<void> walk_on(TouchSession& session, const HeadlessOptions& options, doub
 /// Tells which hands' devices do not answer, and when they answer again.
 class DeviceNews {
  public:
-  explicit DeviceNews(const TouchSession& session) : session_(session), silent_(session.hands(), false) {}
+  explicit DeviceNews(const TouchSession& session) : session_(session), outages_(session.hands()) {}
 
   /// What is said of an event; empty for most.
-  std::string of(const haptics::TouchEvent& event) {
+  std::string of(const haptics::TouchEvent& event, double now_s) {
     using Kind = haptics::TouchEvent::Kind;
     const std::size_t hand = event.probe;
-    if (hand >= silent_.size()) return {};
+    if (hand >= outages_.size()) return {};
+    if (event.kind == Kind::recovered) outages_[hand].note_works(now_s);
     // A device that is not ready says itself what the person does next.
     const bool is_lost =
         event.kind == Kind::fault && event.value != static_cast<std::uint32_t>(device::Status::not_ready);
-    if (is_lost && !silent_[hand]) {
-      silent_[hand] = true;
-      const std::string fault = session_.device_fault(hand);
-      return session_.said_of(
-          hand, "The device does not answer: its force is off" + (fault.empty() ? "." : " (" + fault + ")."));
-    }
-    if (event.kind == Kind::recovered && silent_[hand]) {
-      silent_[hand] = false;
-      return session_.said_of(hand, "The device answers again.");
-    }
-    return session_.event_words(event);
+    if (!is_lost || !outages_[hand].begin()) return session_.event_words(event);
+    const std::string fault = session_.device_fault(hand);
+    return session_.said_of(
+        hand, "The device does not answer: its force is off" + (fault.empty() ? "." : " (" + fault + ")."));
+  }
+  /// The sentences about devices that answer again.
+  std::vector<std::string> take_ends(double now_s) {
+    std::vector<std::string> ends;
+    for (std::size_t hand = 0; hand < outages_.size(); ++hand)
+      if (outages_[hand].take_end(now_s)) ends.push_back(session_.said_of(hand, "The device answers again."));
+    return ends;
   }
 
  private:
   const TouchSession& session_;
-  std::vector<bool> silent_;
+  std::vector<Outage> outages_;
 };
 
 std::optional<std::size_t> failed_hand(const TouchSession& session) {
@@ -116,11 +119,12 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
     for (const auto& missed : session.take_missed())
       if (options.on_missed) options.on_missed(missed);
     for (const auto& event : session.take_events()) {
-      if (const std::string words = news.of(event); !words.empty() && options.on_device)
-        options.on_device(words, event.kind == haptics::TouchEvent::Kind::fault ||
-                                     event.kind == haptics::TouchEvent::Kind::recovered);
+      if (const std::string words = news.of(event, t_s); !words.empty() && options.on_device)
+        options.on_device(words, event.kind == haptics::TouchEvent::Kind::fault);
       if (options.on_event) options.on_event(event, *session.scene());
     }
+    for (const std::string& words : news.take_ends(t_s))
+      if (options.on_device) options.on_device(words, true);
     std::this_thread::sleep_until(before + kLook);
   }
   maker.cancel();
@@ -131,7 +135,7 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
   if (!recorded) return std::move(recorded).error();
   if (failed)
     return Error{ErrorCode::device, fault.empty() ? "the device has failed" : fault,
-                 session.device_url(*failed)};
+                 device::url_as_place(session.device_url(*failed))};
   auto statistics = session.statistics();
   if (options.live != nullptr) statistics.live = options.live->statistics();
   return statistics;

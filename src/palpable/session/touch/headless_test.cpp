@@ -13,6 +13,7 @@
 #include "palpable/session/touch/test_session.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -63,20 +64,25 @@ TEST(TouchHeadless, ReplacesTheSceneByABetterOneDuringTheTouch) {
 
 TEST(TouchHeadless, SaysThatItsDeviceIsSilentAndThatItAnswersAgain) {
   device::VirtualTwoDiy board(device::kTwoDiyVariants[0]);
-  auto options = unprivileged(1.5);
+  auto options = unprivileged(20.0);
   options.device_url = "2diy:" + board.path();
   std::vector<std::string> notices;
-  // It is silent until that is said: for a fixed time on a busy machine it could be taken for failed.
+  std::atomic<bool> answers_again{false};
   options.on_device = [&](const std::string& notice, bool tells_of_force) {
     EXPECT_TRUE(tells_of_force) << notice;
     notices.push_back(notice);
-    board.inject(device::VirtualTwoDiy::Fault::none);
+    answers_again = answers_again || notice == "The device answers again.";
   };
+  // Long enough to be noticed, and too short for a failed device.
   std::thread trouble([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    board.wait_for(200);
     board.inject(device::VirtualTwoDiy::Fault::silent);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    board.inject(device::VirtualTwoDiy::Fault::none);
   });
-  const auto statistics = touch_headless(two_scenes, options, {});
+  Work until_then;
+  until_then.cancel = &answers_again;
+  const auto statistics = touch_headless(two_scenes, options, until_then);
   trouble.join();
   ASSERT_TRUE(statistics) << statistics.error().sentence();
   const auto place_of = [&](const std::string& words) {
@@ -103,7 +109,7 @@ TEST(TouchHeadless, EndsWithASentenceWhenItsDeviceFails) {
   ASSERT_FALSE(statistics);
   EXPECT_EQ(statistics.error().code, ErrorCode::device);
   EXPECT_NE(statistics.error().message.find("gives no valid position"), std::string::npos);
-  board.wait_until_free();
+  EXPECT_TRUE(board.wait_until_free());
 }
 
 TEST(TouchHeadless, AnExplorerStandsInABetterSceneAsTheyStood) {

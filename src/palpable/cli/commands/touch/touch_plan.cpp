@@ -4,6 +4,7 @@
 
 #include "palpable/cli/arguments/route_option.hpp"
 #include "palpable/device/drivers/open.hpp"
+#include "palpable/device/url.hpp"
 
 #include <limits>
 #include <set>
@@ -13,6 +14,16 @@
 
 namespace palpable::cli {
 namespace {
+
+/// A button that ends the force, or moves the scene, must be one that can be pressed.
+Result<void> check_buttons(const TouchArguments& arguments) {
+  if (arguments.stop_button == 0 && arguments.clutch.value_or(0) == 0) return {};
+  for (const std::string& url : arguments.devices)
+    if (!device::has_buttons(url))
+      return Error{ErrorCode::usage, "this device has no button: leave out --clutch and --stop-button",
+                   device::url_as_place(url)};
+  return {};
+}
 
 Result<session::TouchSettings> settings_of(const TouchArguments& arguments,
                                            const std::optional<Published>& published) {
@@ -105,6 +116,7 @@ Result<void> check_touch_options(const TouchArguments& arguments,
   if (arguments.devices.size() > haptics::kMaxLiveProbes)
     return Error{ErrorCode::usage, fmt::format("at most {} devices", haptics::kMaxLiveProbes), "--device"};
   if (auto together = device::check_together(arguments.devices); !together) return together;
+  if (auto pressed = check_buttons(arguments); !pressed) return pressed;
   if (arguments.keys && !arguments.headless)
     return Error{ErrorCode::usage,
                  "the keys of the terminal are for a touch without the page: add --headless", "--keys"};
