@@ -76,6 +76,13 @@ TEST(Confidence, IsLowWhereNothingCanBeKnownInEveryMethod) {
   }
 }
 
+TEST(Confidence, IsHighInANarrowRange) {
+  const StereoPair pair = render(centred_box_scene(120, 90));
+  const auto found = match({pair.left, pair.left, {}}, StereoMethod::fast, {}, Work{});
+  ASSERT_TRUE(found);
+  EXPECT_GT(share_from(found->confidence, 0.9F), 0.8);
+}
+
 TEST(Confidence, TellsTextureFromAPlainBoard) {
   const SyntheticScene scene = centred_box_scene(160, 120);
   const StereoPair textured = render(scene);

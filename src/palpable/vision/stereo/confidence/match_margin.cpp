@@ -108,9 +108,8 @@ MatchMargin match_margin(const MatchInput& input, const Raster<float>& disparity
                     x > kReach ? columns.at(x - kReach - 1) : nothing.data(), stride, sums.data());
         if (x < 0) continue;
         const int across = std::min(width - 1, x + kReach) - std::max(0, x - kReach) + 1;
-        const Margin found =
-            margin_of(sums.data(), std::clamp(x + 1 - input.right_first, 0, input.disparities),
-                      static_cast<float>(rows * across), disparity_px(x, y));
+        const Margin found = margin_of(sums.data(), std::clamp(x + 1 - input.right_first, 0, stride),
+                                       static_cast<float>(rows * across), disparity_px(x, y));
         out.cost(x, y) = found.cost;
         out.margin(x, y) = found.margin;
       }

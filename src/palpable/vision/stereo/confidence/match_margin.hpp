@@ -19,8 +19,10 @@ inline constexpr float kUnlikeCost = 32.0F;
 struct MatchMargin {
   /// At the pixel's disparity.
   Raster<float> cost;
-  /// The least cost of all other minima in the range, less `cost`: large where one disparity alone matches,
-  /// near 0 where many do (no texture, repeated patterns), negative where another one matches better.
+  /// The least cost of all other minima, less `cost`: large where one disparity alone matches, near 0 where
+  /// many do (no texture, repeated patterns), negative where another one matches better. The range is
+  /// searched, rounded up to whole vectors (whole_vectors()): in a narrow one, what lies beyond tells
+  /// textures from plain areas.
   Raster<float> margin;
 };
 
