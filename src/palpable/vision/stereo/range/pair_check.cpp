@@ -163,9 +163,9 @@ std::vector<std::string> pair_notes(const DisparityRange& range, const VerticalO
     notes.push_back(
         fmt::format("The depth of {:.0f} % of the picture is guessed from its surroundings: nothing distinct "
                     "is found there in both "
-                    "pictures at disparities from {} to {} pixels. Light the scene from the side, or lay "
-                    "something patterned there; "
-                    "--max-disparity searches nearer.",
+                    "pictures at disparities from {} to {} pixels, and nearer surfaces are not searched. "
+                    "Light the scene from the side, or lay "
+                    "something patterned there.",
                     100.0 * (1.0 - measured), range.min_px, range.max_px));
   return notes;
 }
