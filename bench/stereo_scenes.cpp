@@ -248,6 +248,37 @@ std::vector<Surface> interior(Random& random) {
   return out;
 }
 
+/// Nothing to match by: every surface has the one colour.
+void blank_out(Random& random, std::vector<Surface>& out) {
+  const Colour common = random_colour(random, 0.1, 0.9);
+  for (Surface& s : out) s.texture = {Pattern::plain, common, 0.0, 4.0, 1};
+}
+
+/// Large boards of one colour each, far before a textured room: only their outlines can be matched.
+void add_plain_boards(Random& random, std::vector<Surface>& out) {
+  out.resize(2);
+  for (int i = random.count(1, 3); i > 0; --i) {
+    Surface s = board(random, random.between(14.0, 60.0), random.between(35.0, 90.0), 0.0);
+    s.texture = {Pattern::plain, random_colour(random, 0.1, 0.9), random.between(0.0, 0.02), 4.0,
+                 random.next()};
+    out.push_back(s);
+  }
+}
+
+/// Dark, with a texture of the size of the noise, in small steps of depth.
+std::vector<Surface> faint_boards(Random& random) {
+  const double far = random.between(4.0, 9.0);
+  std::vector<Surface> out{wall(random, far)};
+  for (int i = random.count(2, 5); i > 0; --i)
+    out.push_back(board(random, far + random.between(1.5, 8.0), random.between(20.0, 70.0), 0.02));
+  const Colour common = random_colour(random, 0.05, 0.15);
+  for (Surface& s : out) {
+    s.texture.colour = common;
+    s.texture.contrast = random.between(0.01, 0.05);
+  }
+  return out;
+}
+
 struct Description {
   std::vector<Surface> surfaces;
   Degradation degradation;
@@ -303,6 +334,20 @@ Description describe(SceneKind kind, Random& random) {
     case SceneKind::interior:
       s = interior(random);
       out.degradation.sharpening = random.between(0.0, 0.8);
+      break;
+    case SceneKind::blank:
+      blank_out(random, s);
+      out.degradation.noise = random.unit() < 0.4 ? 0.0 : random.between(0.5, 5.0) / 255.0;
+      break;
+    case SceneKind::plain_boards:
+      add_plain_boards(random, s);
+      out.degradation.noise = random.between(0.0, 4.0) / 255.0;
+      break;
+    case SceneKind::faint:
+      s = faint_boards(random);
+      out.degradation.noise = random.between(0.5, 2.0) / 255.0;
+      break;
+    case SceneKind::unrelated:
       break;
   }
   return out;
@@ -360,19 +405,21 @@ Image picture_of(const Description& scene, double camera_x, std::uint64_t noise_
 }  // namespace
 
 std::string_view name_of(SceneKind kind) {
-  constexpr std::array<std::string_view, kSceneKinds> kNames{
-      "slanted", "curved",   "rods",  "dark-edges", "repeated",  "plain",   "foliage",
-      "hidden",  "exposure", "noise", "vertical",   "sharpened", "interior"};
+  constexpr std::array<std::string_view, kAllSceneKinds> kNames{
+      "slanted",  "curved", "rods",         "dark-edges", "repeated", "plain",
+      "foliage",  "hidden", "exposure",     "noise",      "vertical", "sharpened",
+      "interior", "blank",  "plain-boards", "faint",      "unrelated"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
 StereoScene render_scene(SceneKind kind, std::uint32_t seed) {
   Random random(static_cast<std::uint64_t>(kind) * 1000U + seed);
   const Description description = describe(kind, random);
+  const Description elsewhere = kind == SceneKind::unrelated ? describe(kind, random) : description;
   StereoScene out{std::string(name_of(kind)) + "-" + std::to_string(seed),
                   kind,
                   {picture_of(description, 0.0, 2 * random.next()),
-                   picture_of(description, 1.0, 2 * random.next() + 1),
+                   picture_of(elsewhere, 1.0, 2 * random.next() + 1),
                    {}},
                   Raster<float>(kWidth, kHeight),
                   Raster<std::uint8_t>(kWidth, kHeight)};
@@ -393,6 +440,14 @@ std::vector<StereoScene> tuning_set(int seeds_per_kind) {
   std::vector<StereoScene> out;
   for (int kind = 0; kind < kSceneKinds; ++kind)
     for (int seed = 1; seed <= seeds_per_kind; ++seed)
+      out.push_back(render_scene(static_cast<SceneKind>(kind), static_cast<std::uint32_t>(seed)));
+  return out;
+}
+
+std::vector<StereoScene> confidence_set(int first, int last) {
+  std::vector<StereoScene> out;
+  for (int kind = 0; kind < kAllSceneKinds; ++kind)
+    for (int seed = first; seed <= last; ++seed)
       out.push_back(render_scene(static_cast<SceneKind>(kind), static_cast<std::uint32_t>(seed)));
   return out;
 }

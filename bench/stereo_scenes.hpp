@@ -28,9 +28,17 @@ enum class SceneKind {
   noise,
   vertical,
   sharpened,
-  interior
+  interior,
+  blank,
+  plain_boards,
+  faint,
+  unrelated
 };
+/// The kinds of the tuning set, first.
 inline constexpr int kSceneKinds = 13;
+/// With those that only the confidence is calibrated on: most of their depth cannot be measured.
+/// `unrelated`: the right picture shows another room, so that a disparity is right by chance only.
+inline constexpr int kAllSceneKinds = 17;
 std::string_view name_of(SceneKind kind);
 
 struct StereoScene {
@@ -48,5 +56,8 @@ StereoScene render_scene(SceneKind kind, std::uint32_t seed);
 
 /// The tuning set: the seeds 1 … seeds_per_kind of every kind.
 std::vector<StereoScene> tuning_set(int seeds_per_kind);
+
+/// The scenes that the confidence is calibrated or judged on: the seeds `first` … `last` of all kinds.
+std::vector<StereoScene> confidence_set(int first, int last);
 
 }  // namespace palpable::bench

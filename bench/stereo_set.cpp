@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "reliability.hpp"
 #include "stereo_scenes.hpp"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -21,9 +22,13 @@
 // Runs stereo methods over the tuning set (stereo_scenes.hpp) and reports bad pixels by kind of scene:
 //
 //   palpable_stereo_set [--methods best,fast] [--seeds N] [--kinds rods,plain] [--set NAME=VALUE]…
-//                       [--threads N] [--json FILE] [--dump FOLDER] [--sheet FILE.png] [--sheet-method M]
+//                       [--from-seed N] [--threads N] [--json FILE] [--dump FOLDER]
+//                       [--sheet FILE.png] [--sheet-method M]
 //
-// --dump writes each scene's pictures, truth, what both cameras see and the results into the folder.
+// With --from-seed the seeds from N on, also of the kinds that only the confidence is calibrated on, and a
+// table of its reliability (reliability.hpp).
+// --dump writes each scene's pictures, truth, what both cameras see, the results and their confidence into
+// the folder.
 // --sheet writes a picture of all scenes, each with its truth and, with --sheet-method, that method's result.
 namespace palpable::bench {
 namespace {
@@ -32,7 +37,7 @@ struct Arguments {
   std::vector<std::string> methods{"best"};
   std::vector<std::string> kinds;
   std::vector<std::string> parameters;
-  int seeds = 4;
+  int seeds = 4, first_seed = 0;
   unsigned threads = 1;
   std::string json, dump, sheet, sheet_method;
 };
@@ -129,8 +134,9 @@ nlohmann::ordered_json run(const std::string& name, const std::vector<StereoScen
   set_parameters(arguments, *method, options);
   Work work;
   work.threads = arguments.threads;
-  std::vector<Score> by_kind(kSceneKinds);
+  std::vector<Score> by_kind(kAllSceneKinds);
   Score total;
+  Reliability reliability;
   const std::clock_t begin = std::clock();
   for (const StereoScene& scene : scenes) {
     const auto match = vision::match(scene.pair, *method, options, work);
@@ -141,14 +147,18 @@ nlohmann::ordered_json run(const std::string& name, const std::vector<StereoScen
     if (!arguments.dump.empty())
       report_failure(formats::write_pfm(fmt::format("{}/{}.{}.pfm", arguments.dump, scene.name, name),
                                         match->disparity.disparity_px));
+    if (!arguments.dump.empty() && !match->confidence.empty())
+      report_failure(formats::write_pfm(
+          fmt::format("{}/{}.{}.confidence.pfm", arguments.dump, scene.name, name), match->confidence));
     const Score score = score_of(scene, match->disparity.disparity_px);
     by_kind[static_cast<std::size_t>(scene.kind)].add(score);
     total.add(score);
+    reliability.add(scene, match->disparity.disparity_px, match->confidence);
     out["scenes"][scene.name] = json_of(score);
   }
   const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   fmt::print("{:<10} {:<11} {:>8} {:>8} {:>8} {:>8}\n", name, "kind", "bad 0.5", "bad 1", "bad 2", "all, 1");
-  for (int k = 0; k < kSceneKinds; ++k) {
+  for (int k = 0; k < kAllSceneKinds; ++k) {
     if (by_kind[static_cast<std::size_t>(k)].scenes == 0) continue;
     const Score mean = by_kind[static_cast<std::size_t>(k)].mean();
     out["kinds"][std::string(name_of(static_cast<SceneKind>(k)))] = json_of(mean);
@@ -157,6 +167,7 @@ nlohmann::ordered_json run(const std::string& name, const std::vector<StereoScen
   }
   const Score mean = total.mean();
   out["overall"] = json_of(mean);
+  if (arguments.first_seed > 0) fmt::print("{}", reliability.table());
   out["processor_seconds"] = seconds;
   fmt::print("{:<10} {:<11} {:>8.2f} {:>8.2f} {:>8.2f} {:>8.2f}   {} scenes, {:.0f} s of processor time\n",
              "", "overall", mean.half, mean.one, mean.two, mean.all, mean.scenes, seconds);
@@ -210,6 +221,8 @@ std::optional<Arguments> parsed(int count, char** words) {
       out.parameters.push_back(value);
     else if (name == "--seeds")
       out.seeds = std::stoi(value);
+    else if (name == "--from-seed")
+      out.first_seed = std::stoi(value);
     else if (name == "--threads")
       out.threads = static_cast<unsigned>(std::stoul(value));
     else if (name == "--json")
@@ -232,7 +245,10 @@ int main_program(int count, char** words) {
     fmt::print(stderr, "see the head of bench/stereo_set.cpp for the options\n");
     return 2;
   }
-  std::vector<StereoScene> scenes = tuning_set(arguments->seeds);
+  std::vector<StereoScene> scenes =
+      arguments->first_seed > 0
+          ? confidence_set(arguments->first_seed, arguments->first_seed + arguments->seeds - 1)
+          : tuning_set(arguments->seeds);
   if (!arguments->kinds.empty())
     std::erase_if(scenes, [&](const StereoScene& scene) {
       return std::find(arguments->kinds.begin(), arguments->kinds.end(), name_of(scene.kind)) ==

@@ -27,6 +27,7 @@ draw::Figure picture_of(const vision::StereoPair& pair, const vision::FitToTouch
   return draw::marks_figure(rgb8(pair.left), fit.trouble,
                             {{"seen by one camera only", {225, 120, 40}},
                              {"no texture", {60, 120, 215}},
+                             {"guessed from the surroundings", {235, 200, 60}},
                              {"the two matching directions disagree", {200, 40, 120}}},
                             {"Is this pair fit to touch?", names_of(arguments.stereo)}, sentence);
 }
@@ -62,6 +63,7 @@ Result<Answer> fit(const FitArguments& arguments, Console& console) {
                  {"method", vision::name_of(*method)},
                  {"agreement", fit.agreement},
                  {"coverage", fit.coverage},
+                 {"guessed", fit.guessed},
                  {"textured", fit.textured},
                  {"overlap", fit.overlap},
                  {"depth_range_px", fit.depth_range_px},

@@ -41,29 +41,6 @@ Raster<float> seen_from_right(const View& right, int first) {
   return out;
 }
 
-/// Confidence of a pixel, from its matching cost and the left-right difference.
-Raster<float> confidence(const View& view, const Raster<float>& other, const BestOptions& options,
-                         const Work& work) {
-  Raster<float> out(other.width(), other.height());
-  parallel_for(work, out.height(), 8, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y)
-      for (int x = 0; x < out.width(); ++x) {
-        const float d = view.map.disparity(x, y);
-        const int there = static_cast<int>(std::floor(static_cast<float>(x) - d + 0.5F));
-        if (there < 0 || there >= out.width()) {
-          out(x, y) = options.least_confidence;
-          continue;
-        }
-        const float gap = (other(there, y) - d) / options.half_confidence_px;
-        const int nearest = std::clamp(static_cast<int>(d + 0.5F), 0, view.costs.disparities - 1);
-        const float cost =
-            static_cast<float>(view.costs.at(x, y)[nearest]) / (options.half_confidence_cost * kCostUnit);
-        out(x, y) = std::max(options.least_confidence, 1.0F / ((1.0F + gap * gap) * (1.0F + cost * cost)));
-      }
-  });
-  return out;
-}
-
 /// The search over both views, round by round.
 class BestMatcher {
  public:
@@ -132,11 +109,11 @@ class BestMatcher {
     report(round, "finding occluded surfaces");
   }
 
-  /// The left view's sub-pixel disparities, with occluded and contradicted ones replaced, and its confidence.
+  /// The left view's sub-pixel disparities, with occluded and contradicted ones replaced.
   MatchOutput finish() {
     MatchOutput out;
     const Raster<float> seen_right = seen_from_right(right_, input_.right_first);
-    out.confidence = confidence(left_, seen_right, options_, work_);
+    out.confirmed = left_right_check(left_.map.disparity, seen_right);
     const ColourPlanes& colour = left_.picture.colour;
     refine_photometrically(colour, input_.left_grey, input_.right_grey, seen_right, options_.shift, left_.map,
                            work_);
@@ -214,18 +191,7 @@ std::vector<Parameter> parameters_of(BestOptions& o) {
        &o.furthest_margin_px,
        {0, 100},
        "px",
-       "Greatest distance of occluded surfaces behind it"},
-      {"half_confidence_cost",
-       &o.half_confidence_cost,
-       {0.01, 4},
-       "units",
-       "Cost at which confidence is half"},
-      {"half_confidence_px",
-       &o.half_confidence_px,
-       {0.01, 10},
-       "px",
-       "Difference of the views at which it is half"},
-      {"least_confidence", &o.least_confidence, {0, 1}, "", "Confidence outside the other picture"}};
+       "Greatest distance of occluded surfaces behind it"}};
   append_parameters(all, "volume", parameters_of(o.volume));
   append_parameters(all, "sgm", parameters_of(o.sgm));
   append_parameters(all, "proposals", parameters_of(o.proposals));

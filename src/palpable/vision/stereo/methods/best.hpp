@@ -40,12 +40,6 @@ struct BestOptions {
   double furthest_fraction = 0.005;
   /// An occluded surface lies at most this far behind that disparity; px, 0 … 100.
   float furthest_margin_px = 1.0F;
-  /// Matching cost at which the confidence is one half; units, 0.01 … 4.
-  float half_confidence_cost = 0.5F;
-  /// Left-right difference at which the confidence is one half; px, 0.01 … 10.
-  float half_confidence_px = 0.5F;
-  /// Least confidence, which pixels outside the other picture have; 0 … 1.
-  float least_confidence = 0.1F;
   VolumeOptions volume = {};
   SgmOptions sgm = {};
   PlaneProposalOptions proposals = {};
@@ -64,9 +58,9 @@ Result<void> check(const BestOptions& options);
 /// The method `best`, the default for files. AD-Census costs (Mei et al. 2011) averaged over small crosses,
 /// and semi-global matching, initialise both views. Then a semi-global search over slanted planes
 /// (plane_search.hpp) turns steps into surfaces. In its later rounds each view determines the other's
-/// occlusions, so that occluded surfaces continue as planes of the background. Gives a confidence; no pixel
-/// is left unknown. docs/stereo-best.md has figures for each part. Errors: usage (check()), interrupted. The
-/// result does not depend on the number of threads.
+/// occlusions, so that occluded surfaces continue as planes of the background. No pixel is left unknown.
+/// docs/stereo-best.md has figures for each part. Errors: usage (check()), interrupted. The result does not
+/// depend on the number of threads.
 Result<MatchOutput> match_best(const MatchInput& input, const BestOptions& options, const Work& work);
 
 }  // namespace palpable::vision

@@ -272,9 +272,9 @@ Result<MatchOutput> match_fast(const MatchInput& input, const FastOptions& optio
   if (work.cancelled()) return Work::interrupted();
 
   mask_columns_before(input.right_first, right_px);
-  out.confidence = left_right_check(out.disparity_px, right_px);
+  out.confirmed = left_right_check(out.disparity_px, right_px);
   Raster<std::uint8_t> trusted(w, h);
-  for (std::size_t i = 0; i < trusted.count(); ++i) trusted.values()[i] = out.confidence.values()[i] > 0.0F;
+  for (std::size_t i = 0; i < trusted.count(); ++i) trusted.values()[i] = out.confirmed.values()[i] > 0.0F;
   fill_from_background(trusted, out.disparity_px);
   for (int pass = 0; pass < options.medians; ++pass) out.disparity_px = median_3x3(out.disparity_px, work);
   median_at_steps(costs.left_colour(), options.steps, out.disparity_px, work);

@@ -96,15 +96,37 @@ void mirror(MatchInput& input) {
   flip(input.right_grey);
 }
 
+/// A method's result and its confidence, in the frame of `input`.
+Result<StereoMatch> match_input(const MatchInput& input, const MethodEntry& method,
+                                const StereoOptions& options, const Work& work) {
+  Result<MatchOutput> output = method.function(input, options, work);
+  if (!output) return output.error();
+  StereoMatch found;
+  found.confidence = confidence_of(input, output->disparity_px, options.confidence, work);
+  if (work.cancelled()) return Work::interrupted();
+  found.disparity.disparity_px = std::move(output->disparity_px);
+  found.confirmed = std::move(output->confirmed);
+  return found;
+}
+
 /// Matches an exchanged pair with its first picture as the reference: mirrored, it is the left one.
-Result<MatchOutput> match_mirrored(MatchInput& input, const MethodEntry& method, const StereoOptions& options,
+Result<StereoMatch> match_mirrored(MatchInput& input, const MethodEntry& method, const StereoOptions& options,
                                    const Work& work) {
   mirror(input);
-  Result<MatchOutput> output = method.function(input, options, work);
-  if (!output) return output;
-  for (Raster<float>* map : {&output->disparity_px, &output->confidence})
+  Result<StereoMatch> found = match_input(input, method, options, work);
+  if (!found) return found;
+  for (Raster<float>* map : {&found->disparity.disparity_px, &found->confidence, &found->confirmed})
     for (int y = 0; y < map->height(); ++y) std::reverse(map->row(y).begin(), map->row(y).end());
-  return output;
+  found->exchanged = true;
+  return found;
+}
+
+/// The share of the pixels whose depth is no guess.
+double measured_share(const Raster<float>& confidence) {
+  const auto values = confidence.values();
+  const auto measured =
+      std::count_if(values.begin(), values.end(), [](float c) { return c >= kGuessedBelow; });
+  return static_cast<double>(measured) / static_cast<double>(values.size());
 }
 
 Result<StereoMatch> match_prepared(const StereoPair& pair, const MethodEntry& method,
@@ -112,12 +134,12 @@ Result<StereoMatch> match_prepared(const StereoPair& pair, const MethodEntry& me
   Exposure exposure;
   MatchInput input = prepare_pictures(pair, work, &exposure, options.preparation);
   work.report(0.0, "measuring the pair");
-  DisparityRange range = find_disparity_range(input.left_grey, input.right_grey, options.range, work);
+  const DisparityRange searched =
+      find_disparity_range(input.left_grey, input.right_grey, options.range, work);
   const VerticalOffset offset = measure_vertical_offset(input.left_grey, input.right_grey, work);
-  std::vector<std::string> notes =
-      pair_notes(range, offset, contrast_beyond_grain(input.left_grey), options.pair_check);
-  if (exposure.differs && agree(range, options.pair_check)) notes.push_back(sentence_of(exposure));
-  const bool exchanged = options.max_disparity_px == 0 && looks_swapped(range);
+  const double contrast = contrast_beyond_grain(input.left_grey);
+  const bool exchanged = options.max_disparity_px == 0 && looks_swapped(searched);
+  DisparityRange range = searched;
   if (exchanged) range = {std::max(0, -range.max_px), -range.min_px, range.agreement, range.textured};
   if (options.max_disparity_px > 0) range = {0, options.max_disparity_px, range.agreement, range.textured};
   if (work.cancelled()) return Work::interrupted();
@@ -130,15 +152,16 @@ Result<StereoMatch> match_prepared(const StereoPair& pair, const MethodEntry& me
   input.disparities = range.max_px - range.min_px + 1;
   input.right_first = std::max(0, range.min_px);
   if (auto fits = check_memory(pair, method.method, input.disparities); !fits) return std::move(fits).error();
-  Result<MatchOutput> output =
-      exchanged ? match_mirrored(input, method, options, work) : method.function(input, options, work);
-  if (!output) return output.error();
-  for (float& d : output->disparity_px.values()) d += static_cast<float>(range.min_px);
-  StereoMatch found{{std::move(output->disparity_px), pair.rig},
-                    std::move(output->confidence),
-                    std::move(notes),
-                    exchanged};
-  forget_undefined(pair, found);
+  Result<StereoMatch> found =
+      exchanged ? match_mirrored(input, method, options, work) : match_input(input, method, options, work);
+  if (!found) return found;
+  for (float& d : found->disparity.disparity_px.values()) d += static_cast<float>(range.min_px);
+  found->disparity.rig = pair.rig;
+  const double measured = measured_share(found->confidence);
+  found->notes = pair_notes(searched, offset, contrast, measured, options.pair_check);
+  if (exposure.differs && agree(searched, measured, options.pair_check))
+    found->notes.push_back(sentence_of(exposure));
+  forget_undefined(pair, *found);
   return found;
 }
 
@@ -155,6 +178,7 @@ std::vector<Parameter> parameters_of(StereoOptions& options, StereoMethod method
   append_parameters(all, "preparation", parameters_of(options.preparation));
   append_parameters(all, "range", parameters_of(options.range));
   append_parameters(all, "pair_check", parameters_of(options.pair_check));
+  append_parameters(all, "confidence", parameters_of(options.confidence));
   return all;
 }
 
@@ -162,6 +186,7 @@ Result<void> check(const StereoOptions& options, StereoMethod method) {
   if (auto ok = check_ranges(options.preparation); !ok) return ok;
   if (auto ok = check_ranges(options.range); !ok) return ok;
   if (auto ok = check_ranges(options.pair_check); !ok) return ok;
+  if (auto ok = check_ranges(options.confidence); !ok) return ok;
   return entry_of(method).check(options);
 }
 

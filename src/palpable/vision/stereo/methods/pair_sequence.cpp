@@ -31,9 +31,9 @@ int greatest(const Raster<float>& disparity_px) {
 }
 
 /// Unknown where the pictures do not confirm each other.
-void forget_unconfirmed(const Raster<float>& confidence, Raster<float>& disparity_px) {
+void forget_unconfirmed(const Raster<float>& confirmed, Raster<float>& disparity_px) {
   for (std::size_t k = 0; k < disparity_px.count(); ++k)
-    if (!(confidence.values()[k] > 0.0F)) disparity_px.values()[k] = kUnknownDepth;
+    if (!(confirmed.values()[k] > 0.0F)) disparity_px.values()[k] = kUnknownDepth;
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ Result<DepthMap> PairSequence::depth(const StereoPair& pair, const Work& work) {
   const int width = less.left.width;
   less.rig = scaled(pair.rig.value(), static_cast<double>(width) / pair.left.width);
   const bool is_first = greatest_px_ == 0;
-  Raster<float> disparity_px, confidence;
+  Raster<float> disparity_px, confirmed;
   if (is_first || less.left.height != height_ || less.left.width != less.right.width ||
       less.left.height != less.right.height || ++since_search_ >= options_.search_every) {
     auto matched = match(less, StereoMethod::fast, {}, work);
@@ -72,7 +72,7 @@ Result<DepthMap> PairSequence::depth(const StereoPair& pair, const Work& work) {
     // Only the first pair decides which camera is the left one.
     if (matched->exchanged && is_first && !std::exchange(exchanged_, true)) return depth(pair, work);
     disparity_px = std::move(matched->disparity.disparity_px);
-    confidence = std::move(matched->confidence);
+    confirmed = std::move(matched->confirmed);
     since_search_ = 0;
     height_ = less.left.height;
   } else {
@@ -82,9 +82,9 @@ Result<DepthMap> PairSequence::depth(const StereoPair& pair, const Work& work) {
     auto matched = match_fast(input, {}, work);
     if (!matched) return std::move(matched).error();
     disparity_px = std::move(matched->disparity_px);
-    confidence = std::move(matched->confidence);
+    confirmed = std::move(matched->confirmed);
   }
-  forget_unconfirmed(confidence, disparity_px);
+  forget_unconfirmed(confirmed, disparity_px);
   greatest_px_ = std::max(1, greatest(disparity_px));
   return *depth_from_disparity({std::move(disparity_px), less.rig});
 }

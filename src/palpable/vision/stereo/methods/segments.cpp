@@ -170,13 +170,14 @@ Result<MatchOutput> match_segments(const MatchInput& input, const SegmentsOption
   if (work.cancelled()) return Work::interrupted();
   View& left = views[0];
   const Raster<float> seen_right = seen_from_other(views[1], input.right_first);
+  Raster<float> confirmed = left_right_check(left.map.disparity, seen_right);
   continue_background(left.picture.colour, seen_right, options.background, left.map, work);
   Raster<float> disparity_px =
       replace_contradicted(left.picture.colour, seen_right, options.contradicted, left.map, work);
   if (work.cancelled()) return Work::interrupted();
   const auto last = static_cast<float>(input.disparities - 1);
   for (float& d : disparity_px.values()) d = std::clamp(d, 0.0F, last);
-  return MatchOutput{median_3x3(disparity_px, work), {}};
+  return MatchOutput{median_3x3(disparity_px, work), std::move(confirmed)};
 }
 
 }  // namespace palpable::vision

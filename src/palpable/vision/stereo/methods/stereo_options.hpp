@@ -4,6 +4,7 @@
 
 #include "palpable/core/parameters.hpp"
 #include "palpable/core/result.hpp"
+#include "palpable/vision/stereo/confidence/confidence.hpp"
 #include "palpable/vision/stereo/methods/best.hpp"
 #include "palpable/vision/stereo/methods/fast.hpp"
 #include "palpable/vision/stereo/methods/graph_cut.hpp"
@@ -28,6 +29,7 @@ struct StereoOptions {
   PreparationOptions preparation = {};
   RangeOptions range = {};
   PairCheckOptions pair_check = {};
+  ConfidenceOptions confidence = {};
   ScanlineOptions scanline = {};
   GraphCutOptions graph_cut = {};
   SegmentsOptions segments = {};
@@ -36,7 +38,8 @@ struct StereoOptions {
   BestOptions best = {};
 };
 
-/// The parameters of one method, and the common ones (`preparation.…`, `range.…`, `pair_check.…`).
+/// The parameters of one method, and the common ones (`preparation.…`, `range.…`, `pair_check.…`,
+/// `confidence.…`).
 std::vector<Parameter> parameters_of(StereoOptions& options, StereoMethod method);
 /// Errors: usage, for a parameter of this method, or a common one, out of its range.
 Result<void> check(const StereoOptions& options, StereoMethod method);

@@ -41,7 +41,8 @@ StereoMatch in_left_picture(StereoMatch match, const StereoPair& pair) {
   const int width = pair.left.width, height = pair.left.height;
   match.disparity.disparity_px =
       in_left_picture(*pair.frame, match.disparity.disparity_px, FrameValues::disparity, width, height);
-  match.confidence = in_left_picture(*pair.frame, match.confidence, FrameValues::confidence, width, height);
+  for (Raster<float>* map : {&match.confidence, &match.confirmed})
+    *map = in_left_picture(*pair.frame, *map, FrameValues::confidence, width, height);
   match.exchanged = false;
   return match;
 }

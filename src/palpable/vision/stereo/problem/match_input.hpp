@@ -24,10 +24,12 @@ struct MatchInput {
 
 inline constexpr int kMinStereoSide = 8;
 
-/// A method's result in the frame of MatchInput, of the left picture's size; the confidence may be empty.
+/// A method's result in the frame of MatchInput, of the left picture's size.
 struct MatchOutput {
   Raster<float> disparity_px;
-  Raster<float> confidence;
+  /// 1 where both views agree within a pixel (left_right_check()), else 0; empty if the method has one view
+  /// only.
+  Raster<float> confirmed;
 };
 
 }  // namespace palpable::vision

@@ -26,8 +26,11 @@ struct StereoPair {
 struct StereoMatch {
   /// Sub-pixel disparity of the left picture; NaN where the method leaves pixels unknown.
   DisparityMap disparity;
-  /// 0…1 per pixel; empty if the method gives none.
+  /// The share of such disparities that is right within 1 px on rendered scenes (confidence.hpp), 0…1; 0
+  /// where it is unknown.
   Raster<float> confidence;
+  /// 1 where both views agree within a pixel, else 0; empty if the method has one view only.
+  Raster<float> confirmed;
   /// Sentences for the user: exchanged, misaligned, little agreement …
   std::vector<std::string> notes;
   /// Left and right were exchanged: the disparity still belongs to the first picture, but the other picture

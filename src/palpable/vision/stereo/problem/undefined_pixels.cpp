@@ -55,7 +55,8 @@ void forget_undefined(const StereoPair& pair, StereoMatch& match) {
       const int column = std::isfinite(there) ? static_cast<int>(std::lround(there)) : -1;
       if (left(x, y) == 0 && (!right.contains(column, y) || right(column, y) == 0)) continue;
       disparity_px(x, y) = std::numeric_limits<float>::quiet_NaN();
-      if (!match.confidence.empty()) match.confidence(x, y) = 0.0F;
+      for (Raster<float>* map : {&match.confidence, &match.confirmed})
+        if (!map->empty()) (*map)(x, y) = 0.0F;
     }
 }
 

@@ -109,10 +109,23 @@ bool confirmed(const Raster<int>& matches, int least, int x, int y) {
   return agreeing >= least;
 }
 
+/// The greatest disparity of a plain surface, within a pixel, that covers enough of the picture; 0 if there
+/// is none.
+int nearest_plain_px(const Raster<std::uint8_t>& left, const Raster<std::uint8_t>& right,
+                     const RangeOptions& options, const Work& work) {
+  const std::vector<int> pixels = plain_run_disparities(left, right, options.plain, work);
+  const double enough = options.plain_share * static_cast<double>(left.count());
+  for (int d = left.width() - 2; d > 0; --d) {
+    const auto k = static_cast<std::size_t>(d);
+    if (pixels[k - 1] + pixels[k] + pixels[k + 1] >= enough) return d;
+  }
+  return 0;
+}
+
 }  // namespace
 
 std::vector<Parameter> parameters_of(RangeOptions& o) {
-  return {
+  std::vector<Parameter> all{
       {"coarse_width_px", &o.coarse_width_px, {32, 2048}, "px", "Width of the reduced pair"},
       {"rows", &o.rows, {8, 2048}, "", "Rows of it that are matched"},
       {"unique_bits", &o.unique_bits, {0, 63}, "bits", "Least margin to the next best match"},
@@ -131,7 +144,10 @@ std::vector<Parameter> parameters_of(RangeOptions& o) {
        {0.01, 1},
        "",
        "Textured share below which the far end moves to 0"},
-      {"near_margin_divisor", &o.near_margin_divisor, {1, 1000}, "", "The near margin: the range over this"}};
+      {"near_margin_divisor", &o.near_margin_divisor, {1, 1000}, "", "The near margin: the range over this"},
+      {"plain_share", &o.plain_share, {0, 1}, "", "Share of a plain surface that moves the near end"}};
+  append_parameters(all, "plain", parameters_of(o.plain));
+  return all;
 }
 
 DisparityRange find_disparity_range(const Raster<std::uint8_t>& left, const Raster<std::uint8_t>& right,
@@ -182,6 +198,9 @@ DisparityRange find_disparity_range(const Raster<std::uint8_t>& left, const Rast
   const double matched = std::min(1.0, range.textured / options.enough_texture);
   range.min_px = all_in_front ? static_cast<int>(std::max(0, low) * matched) : low;
   range.max_px = (bins->high + 1) * factor + factor / 2 + spread * factor / options.near_margin_divisor;
+  if (all_in_front)
+    if (const int plain_px = nearest_plain_px(left, right, options, work); plain_px > range.max_px)
+      range.max_px = plain_px + 2;
   range.max_px = std::clamp(range.max_px, range.min_px + 1, left.width() - 1);
   range.min_px = std::max(range.min_px, 1 - left.width());
   return range;

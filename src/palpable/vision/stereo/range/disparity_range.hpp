@@ -5,6 +5,7 @@
 #include "palpable/core/parameters.hpp"
 #include "palpable/core/picture/raster.hpp"
 #include "palpable/core/work.hpp"
+#include "palpable/vision/stereo/range/plain_runs.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -47,14 +48,19 @@ struct RangeOptions {
   /// If less than this share of the picture has texture, the far end moves towards 0 in proportion: what has
   /// none is not matched here; 0.01 … 1.
   double enough_texture = 0.5;
+  /// A surface of one colour beyond the near end moves that end if it covers this share of the picture; 0
+  /// … 1.
+  double plain_share = 0.005;
+  PlainRunOptions plain = {};
 };
 std::vector<Parameter> parameters_of(RangeOptions& options);
 
 /// The range of disparities from a reduced copy of the pair: each textured pixel's census signature is
 /// searched along the whole scanline, in both directions; matches that are mutual and unique are counted in a
-/// histogram, and the range is where the histogram exceeds the chance matches, which are spread evenly. Works
-/// for disparities from minus to plus three quarters of the width. Both pictures have the same size and are
-/// not empty.
+/// histogram, and the range is where the histogram exceeds the chance matches, which are spread evenly; its
+/// near end is moved to the surfaces of one colour that plain_run_disparities() finds beyond it. Works for
+/// disparities from minus to plus three quarters of the width. Both pictures have the same size and are not
+/// empty.
 DisparityRange find_disparity_range(const Raster<std::uint8_t>& left, const Raster<std::uint8_t>& right,
                                     const RangeOptions& options, const Work& work);
 

@@ -91,13 +91,15 @@ bool looks_swapped(const DisparityRange& range) { return range.max_px <= 2 && ra
 std::vector<Parameter> parameters_of(PairCheckOptions& o) {
   return {{"least_agreement", &o.least_agreement, {0, 1}, "", "Agreement of pictures of one scene"},
           {"least_texture", &o.least_texture, {0, 1}, "", "Share of the pixels with texture"},
+          {"enough_measured", &o.enough_measured, {0, 1}, "", "Share of measured depth that shows one scene"},
+          {"most_guessed", &o.most_guessed, {0, 1}, "", "Share of guessed depth that is reported"},
           {"only_grain", &o.only_grain, {0, 10}, "", "Contrast of a reduced copy below which it is noise"},
           {"least_found", &o.least_found, {1, 200}, "px", "Matched pixels that an offset needs"},
           {"misaligned_px", &o.misaligned_px, {0, 100}, "px", "Spread of the offset that is reported"}};
 }
 
-bool agree(const DisparityRange& range, const PairCheckOptions& options) {
-  return range.agreement >= options.least_agreement;
+bool agree(const DisparityRange& range, double measured, const PairCheckOptions& options) {
+  return range.agreement >= options.least_agreement || measured >= options.enough_measured;
 }
 
 namespace {
@@ -124,7 +126,7 @@ double contrast_beyond_grain(const Raster<std::uint8_t>& grey) {
 }
 
 std::vector<std::string> pair_notes(const DisparityRange& range, const VerticalOffset& offset,
-                                    double contrast, const PairCheckOptions& options) {
+                                    double contrast, double measured, const PairCheckOptions& options) {
   constexpr const char* kAdvice =
       "so their depth is a guess: light the scene from the side, or lay something "
       "patterned there.";
@@ -134,7 +136,7 @@ std::vector<std::string> pair_notes(const DisparityRange& range, const VerticalO
                                 100.0 * range.textured, kAdvice));
     return notes;
   }
-  if (!agree(range, options) && contrast < options.only_grain) {
+  if (!agree(range, measured, options) && contrast < options.only_grain) {
     notes.push_back(
         fmt::format("The pictures show hardly any texture but a camera's grain ({:.0f} % of their contrast "
                     "is left in a copy "
@@ -147,7 +149,7 @@ std::vector<std::string> pair_notes(const DisparityRange& range, const VerticalO
         "The pictures are not aligned: the right one's content lies {:.0f} pixels {} at the median, "
         "and three quarters of it within {:.0f} pixels of the left one's scanlines.",
         std::abs(offset.median_px), offset.median_px < 0.0 ? "higher" : "lower", offset.spread_px));
-  if (!agree(range, options))
+  if (!agree(range, measured, options))
     notes.push_back(
         fmt::format("The two pictures show little agreement ({:.1f} % of the textured pixels are found again "
                     "in the other picture), as pictures of different scenes would.",
@@ -157,6 +159,14 @@ std::vector<std::string> pair_notes(const DisparityRange& range, const VerticalO
         "Left and right seem to be exchanged (disparities from {} to {} pixels); they were matched "
         "the other way round.",
         range.min_px, range.max_px));
+  if (agree(range, measured, options) && 1.0 - measured > options.most_guessed)
+    notes.push_back(
+        fmt::format("The depth of {:.0f} % of the picture is guessed from its surroundings: nothing distinct "
+                    "is found there in both "
+                    "pictures at disparities from {} to {} pixels, and nearer surfaces are not searched. "
+                    "Light the scene from the side, or lay "
+                    "something patterned there.",
+                    100.0 * (1.0 - measured), range.min_px, range.max_px));
   return notes;
 }
 

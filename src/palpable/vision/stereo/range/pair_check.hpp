@@ -36,6 +36,10 @@ struct PairCheckOptions {
   double least_agreement = 0.08;
   /// Share of the pixels that must have texture. 0 … 1.
   double least_texture = 0.02;
+  /// A pair with at least this share of measured depth shows one scene, whatever its agreement. 0 … 1.
+  double enough_measured = 0.4;
+  /// A share of guessed depth that is reported. 0 … 1.
+  double most_guessed = 0.25;
   /// With less contrast_beyond_grain() a picture may be noise alone. 0 … 10.
   double only_grain = 0.5;
   /// A vertical offset is reported if this many pixels were matched and the offset's spread is at least this.
@@ -46,16 +50,17 @@ struct PairCheckOptions {
 
 std::vector<Parameter> parameters_of(PairCheckOptions& options);
 
-/// Whether the pictures agree like two of one scene.
-bool agree(const DisparityRange& range, const PairCheckOptions& options = {});
+/// Whether the pictures agree like two of one scene, from the search of the range and the matched depth.
+bool agree(const DisparityRange& range, double measured, const PairCheckOptions& options = {});
 
 /// The contrast of a copy reduced four times relative to the picture's own, each in windows of 9 x 7 pixels:
 /// about 1/4 for camera noise alone, mostly above 1 for pictures of a real scene.
 double contrast_beyond_grain(const Raster<std::uint8_t>& grey);
 
 /// Warnings about a pair's depth for the user, one sentence each; empty for a good pair. `contrast` is the
-/// left picture's contrast_beyond_grain().
+/// left picture's contrast_beyond_grain(), `measured` the share of the pixels whose depth is measured
+/// (confidence.hpp).
 std::vector<std::string> pair_notes(const DisparityRange& range, const VerticalOffset& offset,
-                                    double contrast, const PairCheckOptions& options = {});
+                                    double contrast, double measured, const PairCheckOptions& options = {});
 
 }  // namespace palpable::vision

@@ -5,6 +5,7 @@
 #include "palpable/core/check.hpp"
 #include "palpable/vision/image/census.hpp"
 #include "palpable/vision/image/colour_planes.hpp"
+#include "palpable/vision/stereo/confidence/confidence.hpp"
 #include "palpable/vision/stereo/methods/match.hpp"
 #include "palpable/vision/stereo/occlusion/left_right_check.hpp"
 #include "palpable/vision/stereo/problem/epipolar_pictures.hpp"
@@ -39,12 +40,12 @@ struct Sizes {
 /// Whether fine contrast is texture, or camera noise, which differs between pictures.
 enum class Texture { real, grain };
 
-Texture texture_of(const Raster<std::uint8_t>& grey, const Raster<float>& confidence,
-                   const FitThresholds& thresholds) {
-  const auto sure =
-      std::count_if(confidence.values().begin(), confidence.values().end(), [](float c) { return c > 0.0F; });
+Texture kind_of_texture(const Raster<std::uint8_t>& grey, const Raster<float>& confirmed_px,
+                        const FitThresholds& thresholds) {
+  const auto sure = std::count_if(confirmed_px.values().begin(), confirmed_px.values().end(),
+                                  [](float c) { return c > 0.0F; });
   const bool confirmed =
-      static_cast<double>(sure) > thresholds.confirmed_texture * static_cast<double>(confidence.count());
+      static_cast<double>(sure) > thresholds.confirmed_texture * static_cast<double>(confirmed_px.count());
   return !confirmed && contrast_beyond_grain(grey) < thresholds.only_grain ? Texture::grain : Texture::real;
 }
 
@@ -65,7 +66,8 @@ Trouble trouble_at(int x, int y, const Sizes& grey, Texture texture, const Stere
   const bool plain =
       !textured_at(grey.fine, x, y) && !textured_at(grey.coarse, x / Sizes::kFactor, y / Sizes::kFactor);
   if (plain || texture == Texture::grain) return Trouble::plain;
-  return match.confidence(x, y) > 0.0F ? Trouble::none : Trouble::contradicted;
+  if (match.confirmed(x, y) <= 0.0F) return Trouble::contradicted;
+  return match.confidence(x, y) < kGuessedBelow ? Trouble::guessed : Trouble::none;
 }
 
 double share_of(const Raster<std::uint8_t>& trouble, Trouble which) {
@@ -77,7 +79,7 @@ double share_of(const Raster<std::uint8_t>& trouble, Trouble which) {
 /// The share of each trouble in one ninth of the picture.
 struct Ninth {
   std::string name;
-  std::array<double, 4> shares{};
+  std::array<double, 5> shares{};
   double wrong() const { return 1.0 - shares[0]; }
 };
 
@@ -118,6 +120,9 @@ Advice advice_for(const Ninth& place, bool is_dark) {
     case Trouble::plain:
       if (is_dark) return {"it is too dark to show any surface", "give it more light"};
       return {"there is no texture to go by", "light it from the side, or lay something patterned there"};
+    case Trouble::guessed:
+      return {"the depth is guessed from its surroundings",
+              "light it from the side, or lay something patterned there"};
     default:
       if (is_dark) return {"the two pictures contradict each other in the dark", "give it more light"};
       return {"the two pictures contradict each other",
@@ -171,8 +176,11 @@ Image mirror_image(const Image& image) {
 /// Judges an exchanged pair as it was matched: mirrored, its first picture is the left one.
 FitToTouch fit_of_exchanged(const StereoPair& pair, const StereoMatch& match, const Work& work,
                             const FitThresholds& thresholds) {
-  const StereoMatch as_matched{
-      {mirrored(match.disparity.disparity_px), {}}, mirrored(match.confidence), {}, false};
+  const StereoMatch as_matched{{mirrored(match.disparity.disparity_px), {}},
+                               mirrored(match.confidence),
+                               mirrored(match.confirmed),
+                               {},
+                               false};
   FitToTouch fit =
       fit_to_touch({mirror_image(pair.left), mirror_image(pair.right), {}}, as_matched, work, thresholds);
   for (int y = 0; y < fit.trouble.height(); ++y)
@@ -187,7 +195,8 @@ std::vector<Parameter> parameters_of(FitWordsOptions& o) {
           {"wrong_share", &o.wrong_share, {0, 1}, "", "share of a ninth that is named as wrong"},
           {"flat_px", &o.flat_px, {0, 100}, "px", "range of disparities that feels flat"},
           {"dark_level", &o.dark_level, {0, 1}, "", "median level below which the picture is dark"},
-          {"textured_share", &o.textured_share, {0, 1}, "", "texture with which only geometry is named"}};
+          {"textured_share", &o.textured_share, {0, 1}, "", "texture with which only geometry is named"},
+          {"guessed_share", &o.guessed_share, {0, 1}, "", "share of guessed depth that is said"}};
 }
 
 std::vector<Parameter> parameters_of(FitThresholds& o) {
@@ -222,19 +231,19 @@ Result<StereoMatch> match_confirmed(const StereoPair& pair, StereoMethod method,
   auto back = match({mirror_image(pair.right), mirror_image(pair.left), {}}, method, options, work);
   if (!back) return back;
   const Raster<float>&there = forth->disparity.disparity_px, &here = back->disparity.disparity_px;
-  forth->confidence = forth->exchanged ? mirrored(left_right_check(mirrored(there), here))
-                                       : left_right_check(there, mirrored(here));
+  forth->confirmed = forth->exchanged ? mirrored(left_right_check(mirrored(there), here))
+                                      : left_right_check(there, mirrored(here));
   return forth;
 }
 
 FitToTouch fit_to_touch(const StereoPair& pair, const StereoMatch& match, const Work& work,
                         const FitThresholds& thresholds) {
-  PALPABLE_CHECK(!match.confidence.empty());
+  PALPABLE_CHECK(!match.confirmed.empty());
   if (match.exchanged) return fit_of_exchanged(pair, match, work, thresholds);
   MatchInput input = prepare_pictures(pair, work);
   Sizes sizes;
   sizes.coarse = shrunk(input.left_grey, Sizes::kFactor);
-  const Texture texture = texture_of(input.left_grey, match.confidence, thresholds);
+  const Texture texture = kind_of_texture(input.left_grey, match.confirmed, thresholds);
   sizes.fine = std::move(input.left_grey);
   FitToTouch fit;
   fit.trouble = Raster<std::uint8_t>(pair.left.width, pair.left.height);
@@ -244,12 +253,17 @@ FitToTouch fit_to_touch(const StereoPair& pair, const StereoMatch& match, const 
   const double good = share_of(fit.trouble, Trouble::none),
                contradicted = share_of(fit.trouble, Trouble::contradicted);
   fit.coverage = good;
+  fit.guessed =
+      static_cast<double>(std::count_if(match.confidence.values().begin(), match.confidence.values().end(),
+                                        [](float c) { return c < kGuessedBelow; })) /
+      static_cast<double>(match.confidence.count());
   fit.textured = 1.0 - share_of(fit.trouble, Trouble::plain);
   fit.overlap = 1.0 - share_of(fit.trouble, Trouble::out_of_view);
-  fit.agreement = good + contradicted > 0.0 ? good / (good + contradicted) : 0.0;
+  const double agreeing = good + share_of(fit.trouble, Trouble::guessed);
+  fit.agreement = agreeing + contradicted > 0.0 ? agreeing / (agreeing + contradicted) : 0.0;
   const Raster<float>& d = match.disparity.disparity_px;
-  fit.depth_range_px = static_cast<double>(quantile_where(d, match.confidence, 0.95) -
-                                           quantile_where(d, match.confidence, 0.05));
+  fit.depth_range_px = static_cast<double>(quantile_where(d, match.confirmed, 0.95) -
+                                           quantile_where(d, match.confirmed, 0.05));
   Raster<float> luma = grey(pair.left);
   const auto middle = luma.values().begin() + static_cast<std::ptrdiff_t>(luma.count() / 2);
   std::nth_element(luma.values().begin(), middle, luma.values().end());
@@ -287,9 +301,12 @@ std::string sentence_of(const FitToTouch& fit, const FitWordsOptions& options) {
       fit.textured >= options.textured_share && fit.brightness >= options.dark_level)
     return fmt::format("{}: {}: they show different places, or were taken from places too far apart.",
                        verdict, words_of(fit.reason));
-  const std::string figures =
+  std::string figures =
       fmt::format("the pictures confirm each other on {:.0f} % of what both show, {:.0f} % of the whole",
                   100.0 * fit.agreement, 100.0 * fit.coverage);
+  if (fit.guessed >= options.guessed_share)
+    figures +=
+        fmt::format(", and the depth of {:.0f} % is guessed from its surroundings", 100.0 * fit.guessed);
   if (fit.depth_range_px < options.flat_px)
     return fmt::format(
         "{}: {}; but near and far differ by only {:.1f} pixels, so it will feel flat: go nearer, or move the "

@@ -20,6 +20,8 @@ enum class Trouble : std::uint8_t {
   out_of_view,
   /// No texture distinguishes it from its neighbours.
   plain,
+  /// Both views agree, but the pictures hardly determine it: between its surroundings (confidence.hpp).
+  guessed,
   /// The left-right check fails: hidden from the other camera, moved, a reflection …
   contradicted
 };
@@ -50,6 +52,8 @@ struct FitWordsOptions {
   /// If at least this share of the picture has texture, wrong geometry is the only reason that is named.
   /// 0 … 1.
   double textured_share = 0.3;
+  /// A share of guessed depth that is said. 0 … 1.
+  double guessed_share = 0.2;
 };
 std::vector<Parameter> parameters_of(FitWordsOptions& options);
 
@@ -90,10 +94,12 @@ struct FitToTouch {
   /// 1 far above every threshold of FitThresholds, 0.5 at one of them, 0 far below; not a probability. 0 … 1.
   double confidence = 0.0;
   FitReason reason = FitReason::all_agree;
-  /// Share of the textured pixels seen by both whose depth the other picture confirms, 0 … 1.
+  /// Share of the textured pixels seen by both on whose depth both matching directions agree, 0 … 1.
   double agreement = 0.0;
-  /// Share of all pixels whose depth is confirmed.
+  /// Share of all pixels whose depth is confirmed, and no guess.
   double coverage = 0.0;
+  /// Share of all pixels whose depth is a guess, whatever the reason.
+  double guessed = 0.0;
   double textured = 0.0;
   /// Share of the left picture that lies inside the right one.
   double overlap = 0.0;
@@ -106,7 +112,7 @@ struct FitToTouch {
   Raster<std::uint8_t> trouble;
 };
 
-/// A match whose confidence is 1 if the left-right check holds within a pixel, else 0. `fast` includes the
+/// A match with `confirmed`: the left-right check within a pixel. `fast` includes the
 /// check; the other methods run twice. Errors: as match().
 Result<StereoMatch> match_confirmed(const StereoPair& pair, StereoMethod method, const StereoOptions& options,
                                     const Work& work);

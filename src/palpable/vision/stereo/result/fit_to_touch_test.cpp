@@ -43,6 +43,22 @@ TEST(FitToTouch, ReportsMissingTextureWithItsPlace) {
   EXPECT_THAT(sentence_of(fit), HasSubstr("at the bottom"));
 }
 
+TEST(FitToTouch, DoesNotCountGuessesAsCovered) {
+  const StereoPair pair = render(scene());
+  auto match = vision::match(pair, StereoMethod::fast, {}, Work{});
+  ASSERT_TRUE(match);
+  const FitToTouch known = fit_to_touch(pair, *match, Work{});
+  EXPECT_LT(known.guessed, 0.2);
+  EXPECT_THAT(sentence_of(known), testing::Not(HasSubstr("guessed")));
+  std::fill(match->confidence.values().begin(), match->confidence.values().end(), 0.3F);
+  const FitToTouch guessed = fit_to_touch(pair, *match, Work{});
+  EXPECT_EQ(guessed.coverage, 0.0);
+  EXPECT_EQ(guessed.guessed, 1.0);
+  EXPECT_EQ(guessed.agreement, known.agreement);
+  EXPECT_FALSE(guessed.fit);
+  EXPECT_THAT(sentence_of(guessed), HasSubstr("the depth of 100 % is guessed from its surroundings"));
+}
+
 Image quarter_turned(const Image& image) {
   Image out = image;
   std::swap(out.width, out.height);
