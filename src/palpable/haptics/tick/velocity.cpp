@@ -19,10 +19,14 @@ Vector<DeviceFrame> VelocityEstimator::update(Point<DeviceFrame> position, doubl
   if (count_ < 2) return {};
   std::array<double, kSamples> per_s{};
   for (int age = 1; age < count_; ++age) per_s[static_cast<std::size_t>(age)] = -1.0 / times_s_[at(age)];
-  return {{slope(&Vec3::x, per_s), slope(&Vec3::y, per_s), slope(&Vec3::z, per_s)}};
+  int shortest = 1;
+  while (shortest + 1 < count_ && -times_s_[at(shortest)] < shortest_s_) ++shortest;
+  return {
+      {slope(&Vec3::x, per_s, shortest), slope(&Vec3::y, per_s, shortest), slope(&Vec3::z, per_s, shortest)}};
 }
 
-double VelocityEstimator::slope(double Vec3::*axis, const std::array<double, kSamples>& per_s) noexcept {
+double VelocityEstimator::slope(double Vec3::*axis, const std::array<double, kSamples>& per_s,
+                                int shortest) noexcept {
   // A reading that goes to and fro by a step is a whole step off the line through its ends. That must not
   // depend on how its numbers are rounded.
   constexpr double kRounding = 1e-6;
@@ -32,8 +36,8 @@ double VelocityEstimator::slope(double Vec3::*axis, const std::array<double, kSa
   // The slopes of lines through the newest sample that pass the samples after the oldest one closely enough.
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
-  int oldest = 1;
-  for (int age = 2; age < count_; ++age) {
+  int oldest = shortest;
+  for (int age = shortest + 1; age < count_; ++age) {
     const double between_m = rise_m(age - 1);
     const double between_per_s = per_s[static_cast<std::size_t>(age - 1)];
     least = std::max(least, (between_m - fits_m) * between_per_s);

@@ -14,13 +14,15 @@ namespace palpable::haptics {
 /// that one straight line fits to within the sensor's resolution (Janabi-Sharifi, Hayward & Chen 2000,
 /// first-order adaptive windowing, end-fit). Fast movement uses the last two samples and adds no delay; slow
 /// movement uses up to kSamples and is free of quantisation steps. With resolution 0 it is the backward
-/// difference. Tick path.
+/// difference. No window is shorter than `shortest_s`: a sensor with a clock of its own advances by a whole
+/// period in a short tick after a late one, too. Tick path.
 class VelocityEstimator {
  public:
   static constexpr int kSamples = 16;
 
-  /// `resolution_m` >= 0, in metres.
-  explicit VelocityEstimator(double resolution_m) : resolution_m_(resolution_m) {}
+  /// `resolution_m` >= 0, in metres; `shortest_s` >= 0.
+  explicit VelocityEstimator(double resolution_m, double shortest_s = 0.0)
+      : resolution_m_(resolution_m), shortest_s_(shortest_s) {}
 
   /// Clears the window: the next velocity is 0.
   void begin() noexcept { count_ = 0; }
@@ -32,14 +34,15 @@ class VelocityEstimator {
   Vec3 age_s() const noexcept { return age_s_; }
 
  private:
-  /// `per_s`: one over the age of each sample, by its number.
-  double slope(double Vec3::*axis, const std::array<double, kSamples>& per_s) noexcept;
+  /// `per_s`: one over the age of each sample, by its number; `shortest`: the window's least number of steps.
+  double slope(double Vec3::*axis, const std::array<double, kSamples>& per_s, int shortest) noexcept;
   /// Index of the sample `age` samples ago.
   std::size_t at(int age) const noexcept {
     return static_cast<std::size_t>((newest_ + kSamples - age) % kSamples);
   }
 
   double resolution_m_;
+  double shortest_s_;
   Vec3 age_s_;
   std::array<Vec3, kSamples> positions_m_{};
   std::array<double, kSamples> times_s_{};

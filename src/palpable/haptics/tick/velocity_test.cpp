@@ -29,6 +29,24 @@ TEST(VelocityEstimator, UsesTheTimeThatReallyPassed) {
   EXPECT_NEAR(velocity.update({{0.003, 0.0, 0.0}}, 3.0 * kT_s).v.x, 1.0, 1e-9);
 }
 
+// A sensor with a clock of its own, whose readings a thread takes late, and then early.
+TEST(VelocityEstimator, IsThatOfAWholePeriodInAShortTickAfterALateOne) {
+  for (const double resolution_m : {0.0, 10e-6}) {
+    VelocityEstimator velocity(resolution_m, 0.75 * kT_s);
+    double x = 0.0;
+    const auto passes = [&](double periods) {
+      x += 0.2 * kT_s;
+      return velocity.update({{x, 0.0, 0.0}}, periods * kT_s).v.x;
+    };
+    for (int n = 0; n < 20; ++n) passes(1.0);
+    for (const double late : {1.9, 1.7, 1.3}) {
+      passes(late);
+      EXPECT_NEAR(passes(2.0 - late), 0.2, 1e-9) << late;
+      for (int n = 0; n < 20; ++n) EXPECT_NEAR(passes(1.0), 0.2, 1e-9) << late;
+    }
+  }
+}
+
 TEST(VelocityEstimator, SmoothsTheStepsOfASensorThatTheBackwardDifferenceShows) {
   // 3 mm/s on a 10 µm sensor: a step every third tick, which the backward difference calls 0, 0, 10 mm/s.
   constexpr double kStep_m = 10e-6;

@@ -4,6 +4,7 @@
 
 #include "palpable/core/check.hpp"
 #include "palpable/session/robot/robot_ears.hpp"
+#include "palpable/session/touch/rising_surface.hpp"
 #include "palpable/session/touch/touch_session.hpp"
 #include "palpable/vision/depth_camera/clean_depth.hpp"
 
@@ -28,6 +29,15 @@ double share_unknown(const Raster<float>& depth_m) {
   const auto unknown = std::count_if(depth_m.values().begin(), depth_m.values().end(),
                                      [](float z) { return !std::isfinite(z); });
   return static_cast<double>(unknown) / static_cast<double>(depth_m.count());
+}
+
+/// Where the hands are that are present, and the further probes.
+std::vector<Point<SceneFrame>> places_of_hands(const TouchSession& session) {
+  std::vector<Point<SceneFrame>> places;
+  for (std::size_t probe = 0; probe < session.probes(); ++probe)
+    if (const auto sample = session.latest(probe); haptics::is_present(sample))
+      places.push_back(sample.position);
+  return places;
 }
 
 /// Waits until the servo has begun with this scene, or a later one; false if that lasts too long. It polls,
@@ -244,11 +254,13 @@ void LiveFeed::run(TouchSession& session) {
 
 void LiveFeed::feel(TouchSession& session, const LiveFrame& frame) {
   auto surface = surface_of(frame);
+  const double passed_s = seconds_between(last_arrival_, frame.arrival);
   last_arrival_ = frame.arrival;
   // A frame of another size than the first may be too small for a relief.
   if (!surface || !surface->relief) return;
   auto scene = std::make_shared<models::Scene>(*session.scene());
-  scene->model = std::move(surface->relief);
+  scene->model = risen_surface(*models::relief_of(*scene), std::move(surface->relief),
+                               places_of_hands(session), passed_s);
   if (memory_ || source_->marks_sounds()) scene->labels = std::move(surface->labels);
   refresh_picture(*scene);
   scene->guide = source_->guide(*scene);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace palpable::session {
@@ -16,24 +17,25 @@ class Outage {
 
   /// It fails: whether that is to be told.
   bool begin() {
-    works_since_s_.reset();
+    works_since_s_ = kNever_s;
     return !std::exchange(is_told_, true);
   }
   /// It works, perhaps for a short time only.
   void note_works(double now_s) {
-    if (is_told_ && !works_since_s_) works_since_s_ = now_s;
+    if (is_told_) works_since_s_ = std::min(works_since_s_, now_s);
   }
   /// True once after each outage that was told.
   bool take_end(double now_s) {
-    if (!works_since_s_ || now_s - *works_since_s_ < kSettled_s) return false;
-    works_since_s_.reset();
+    if (now_s - works_since_s_ < kSettled_s) return false;
+    works_since_s_ = kNever_s;
     is_told_ = false;
     return true;
   }
 
  private:
+  static constexpr double kNever_s = std::numeric_limits<double>::infinity();
   bool is_told_ = false;
-  std::optional<double> works_since_s_;
+  double works_since_s_ = kNever_s;
 };
 
 }  // namespace palpable::session

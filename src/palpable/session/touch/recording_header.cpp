@@ -72,6 +72,7 @@ haptics::TickOptions tick_from_json(const HeaderJson& json) {
 HeaderJson estimator_json() {
   return {{"velocity", "first-order adaptive windowing, end-fit"},
           {"samples", haptics::VelocityEstimator::kSamples},
+          {"shortest", "half the greatest rise time"},
           {"acts_after", "delay and half a tick"},
           {"gains", "mean acceleration of 2 d + 1 ticks"},
           {"reserve_s", haptics::PassivityObserver::kReserve_s}};
