@@ -158,7 +158,7 @@ Result<StereoMatch> match_prepared(const StereoPair& pair, const MethodEntry& me
   for (float& d : found->disparity.disparity_px.values()) d += static_cast<float>(range.min_px);
   found->disparity.rig = pair.rig;
   const double measured = measured_share(found->confidence);
-  found->notes = pair_notes(searched, offset, contrast, measured, options.pair_check);
+  found->notes = pair_notes(searched, range, offset, contrast, measured, options.pair_check);
   if (exposure.differs && agree(searched, measured, options.pair_check))
     found->notes.push_back(sentence_of(exposure));
   forget_undefined(pair, *found);

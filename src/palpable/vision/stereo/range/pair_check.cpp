@@ -125,8 +125,9 @@ double contrast_beyond_grain(const Raster<std::uint8_t>& grey) {
   return own > 0.0 ? small / own : 0.0;
 }
 
-std::vector<std::string> pair_notes(const DisparityRange& range, const VerticalOffset& offset,
-                                    double contrast, double measured, const PairCheckOptions& options) {
+std::vector<std::string> pair_notes(const DisparityRange& range, const DisparityRange& matched,
+                                    const VerticalOffset& offset, double contrast, double measured,
+                                    const PairCheckOptions& options) {
   constexpr const char* kAdvice =
       "so their depth is a guess: light the scene from the side, or lay something "
       "patterned there.";
@@ -166,7 +167,7 @@ std::vector<std::string> pair_notes(const DisparityRange& range, const VerticalO
                     "pictures at disparities from {} to {} pixels, and nearer surfaces are not searched. "
                     "Light the scene from the side, or lay "
                     "something patterned there.",
-                    100.0 * (1.0 - measured), range.min_px, range.max_px));
+                    100.0 * (1.0 - measured), matched.min_px, matched.max_px));
   return notes;
 }
 

@@ -59,8 +59,10 @@ double contrast_beyond_grain(const Raster<std::uint8_t>& grey);
 
 /// Warnings about a pair's depth for the user, one sentence each; empty for a good pair. `contrast` is the
 /// left picture's contrast_beyond_grain(), `measured` the share of the pixels whose depth is measured
-/// (confidence.hpp).
-std::vector<std::string> pair_notes(const DisparityRange& range, const VerticalOffset& offset,
-                                    double contrast, double measured, const PairCheckOptions& options = {});
+/// (confidence.hpp), `matched` the range in which it was sought: another one than `range` if the user chose
+/// it.
+std::vector<std::string> pair_notes(const DisparityRange& range, const DisparityRange& matched,
+                                    const VerticalOffset& offset, double contrast, double measured,
+                                    const PairCheckOptions& options = {});
 
 }  // namespace palpable::vision

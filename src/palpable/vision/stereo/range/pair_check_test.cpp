@@ -33,13 +33,13 @@ TEST(VerticalOffset, IsZeroForAlignedPictures) {
 }
 
 TEST(PairNotes, AreEmptyForAGoodPair) {
-  EXPECT_TRUE(pair_notes({2, 30, 0.6, 0.9}, {0.0, 0.0, 150}, 1.2, 0.9).empty());
+  EXPECT_TRUE(pair_notes({2, 30, 0.6, 0.9}, {2, 30, 0.6, 0.9}, {0.0, 0.0, 150}, 1.2, 0.9).empty());
 }
 
 TEST(PairNotes, NameTheProblemWithItsFigure) {
   const auto says = [](const DisparityRange& range, const VerticalOffset& offset, double contrast,
                        const char* words) {
-    const auto notes = pair_notes(range, offset, contrast, range.agreement > 0.1 ? 0.9 : 0.2);
+    const auto notes = pair_notes(range, range, offset, contrast, range.agreement > 0.1 ? 0.9 : 0.2);
     return notes.size() == 1 && notes.front().find(words) != std::string::npos;
   };
   EXPECT_TRUE(says({2, 30, 0.6, 0.9}, {5.0, 6.0, 150}, 1.2, "5 pixels lower"));
@@ -51,8 +51,8 @@ TEST(PairNotes, NameTheProblemWithItsFigure) {
 
 TEST(PairNotes, FollowTheMatchedDepth) {
   const VerticalOffset none{0.0, 0.0, 150};
-  EXPECT_TRUE(pair_notes({2, 30, 0.03, 0.9}, none, 1.2, 0.9).empty());
-  const auto guessed = pair_notes({2, 30, 0.6, 0.9}, none, 1.2, 0.6);
+  EXPECT_TRUE(pair_notes({2, 30, 0.03, 0.9}, {2, 30, 0.03, 0.9}, none, 1.2, 0.9).empty());
+  const auto guessed = pair_notes({-4, 6, 0.6, 0.9}, {2, 30, 0.6, 0.9}, none, 1.2, 0.6);
   ASSERT_EQ(guessed.size(), 1U);
   EXPECT_NE(guessed.front().find("40 % of the picture is guessed"), std::string::npos);
   EXPECT_NE(guessed.front().find("from 2 to 30 pixels"), std::string::npos);
@@ -63,11 +63,11 @@ TEST(PairNotes, ObeyTheirThresholds) {
   for (const Parameter& p : parameters_of(options)) EXPECT_TRUE(set_parameter(p, p.get())) << p.name;
   options.misaligned_px = 7.0;
   options.most_guessed = 1.0;
-  EXPECT_TRUE(pair_notes({2, 30, 0.6, 0.9}, {5.0, 6.0, 150}, 1.2, 0.2, options).empty());
+  EXPECT_TRUE(pair_notes({2, 30, 0.6, 0.9}, {2, 30, 0.6, 0.9}, {5.0, 6.0, 150}, 1.2, 0.2, options).empty());
   options.least_agreement = 0.02;
-  EXPECT_TRUE(pair_notes({2, 30, 0.03, 0.9}, {0.0, 0.0, 150}, 1.2, 0.2, options).empty());
+  EXPECT_TRUE(pair_notes({2, 30, 0.03, 0.9}, {2, 30, 0.03, 0.9}, {0.0, 0.0, 150}, 1.2, 0.2, options).empty());
   options.least_texture = 0.95;
-  EXPECT_EQ(pair_notes({2, 30, 0.6, 0.9}, {0.0, 0.0, 150}, 1.2, 0.2, options).size(), 1U);
+  EXPECT_EQ(pair_notes({2, 30, 0.6, 0.9}, {2, 30, 0.6, 0.9}, {0.0, 0.0, 150}, 1.2, 0.2, options).size(), 1U);
 }
 
 TEST(ContrastBeyondGrain, IsLowForNoiseAndHighForAPicture) {
