@@ -252,6 +252,24 @@ TEST_F(HostOnATouch, StartsARobotByAnOrderAloneAndFromTheMiddle) {
   EXPECT_EQ(robot.asked, "start look near wide stop stop stop ");
 }
 
+TEST_F(HostOnATouch, TakesAPageThatIsSilentForAReleasedHandIfThereIsARobot) {
+  FakeRobot robot;
+  auto options = options_for_host();
+  options.robot = &robot;
+  TouchHost driving(*session, options);
+  const auto becomes = [&](device::Status status) {
+    return palpable::comes_true([&] {
+      driving.update();
+      return session->latest().status == status;
+    });
+  };
+  driving.move({0, 0.015, 0.0, -0.01});
+  EXPECT_TRUE(becomes(device::Status::ok));
+  EXPECT_TRUE(becomes(device::Status::stale));
+  driving.move({0, 0.015, 0.0, -0.01});
+  EXPECT_TRUE(becomes(device::Status::ok));
+}
+
 TEST_F(HostOnATouch, EditsAMaterialUnderTheHandWithoutANewScene) {
   host->move({0, 0.0, 0.0, 0.002});
   ASSERT_TRUE(comes_true([&] { return first().fz_N > 0.5; }));

@@ -95,6 +95,14 @@ export class ProbeMotion {
     this.page.moves();
   }
 
+  /** Says where one of this page's probes rests, for a program that takes a silent page for a hand that left. */
+  stay(probe: number): void {
+    const own = this.probes.own.at(probe);
+    // Not where another page moved it last: both would take it from each other.
+    if (own === undefined || !this.page.connected() || !this.probes.moves(probe) || this.probes.stateOf(probe)?.page !== this.probes.page) return;
+    this.page.send({ type: 'pointer', probe, x_m: own.place.x, y_m: own.place.y, press_m: own.press });
+  }
+
   private middle(): Place {
     const scene = this.page.scene();
     return { x: scene?.middle_x_m ?? 0, y: scene?.middle_y_m ?? 0 };

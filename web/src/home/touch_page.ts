@@ -202,6 +202,7 @@ export class TouchPage {
       sayNow: (words) => this.voice.aloudOnly(words),
       connected: () => this.connected,
       centre: () => this.motion.centre(0),
+      stay: () => this.motion.stay(0),
     });
   }
 

@@ -16,6 +16,8 @@ export interface RobotTarget {
   connected(): boolean;
   /** Brings this page's first probe to the middle, where it drives nothing. */
   centre(): void;
+  /** Says that this page's first probe rests where it is. */
+  stay(): void;
 }
 
 /** The keys that stop the robot wherever the focus is: Escape does so beside what it does otherwise. */
@@ -24,6 +26,7 @@ const stopKeys = ['F2', 'Escape'];
 export class RobotPanel {
   private readonly panel = element('robot');
   private robot: Robot | null = null;
+  private resting: number | null = null;
 
   constructor(private readonly target: RobotTarget) {
     element('robot-stop').addEventListener('click', () => this.stop());
@@ -60,6 +63,8 @@ export class RobotPanel {
     const before = this.robot;
     this.robot = robot;
     this.panel.hidden = element('robot-seen').hidden = false;
+    // The program stops a robot whose page is silent: it may hang.
+    this.resting ??= window.setInterval(() => this.target.stay(), 120);
     this.check('robot-mode', robot.mode);
     element('robot-view').hidden = robot.view === null;
     if (robot.view !== null) this.check('robot-view', robot.view);

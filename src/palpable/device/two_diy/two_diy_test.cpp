@@ -350,7 +350,7 @@ TEST(OpenTwoDiy, NamesWhatIsWrong) {
   EXPECT_EQ(error("2diy:/dev/null?variant=v9").code, ErrorCode::usage);
   const VirtualTwoDiy board(kTwoDiyVariants[0]);
   const auto first = opened(board, kTwoDiyVariants[0]);
-  EXPECT_NE(error("2diy:" + board.path()).message.find("another program"), std::string::npos);
+  EXPECT_NE(error("2diy:" + board.path()).message.find("is used by "), std::string::npos);
   VirtualTwoDiy dumb(kTwoDiyVariants[0]);
   dumb.inject(Fault::silent);
   EXPECT_NE(error("2diy:" + dumb.path()).message.find("does not answer"), std::string::npos);

@@ -66,7 +66,12 @@ bool MotionWatch::moves_unasked(double t_s, double measured_m_per_s, const Robot
   poses_.emplace_back(t_s, pose);
   while (t_s - poses_.front().first > kSteps * kStep_s) poses_.pop_front();
   if (t_s - told_since_s_ <= kGrace_s) return false;
-  if (t_s - fast_since_s_ > kGrace_s || goes_on(t_s)) return !std::exchange(said_moving_, true);
+  if (t_s - fast_since_s_ > kGrace_s || goes_on(t_s)) {
+    moving_at_s_ = t_s;
+    return !std::exchange(said_moving_, true);
+  }
+  // It has stood since then: when it moves again, that is said again.
+  if (t_s - moving_at_s_ > kGrace_s) said_moving_ = false;
   return false;
 }
 

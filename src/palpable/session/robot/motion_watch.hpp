@@ -35,6 +35,8 @@ class MotionWatch {
   double moved_at_s_ = 0.0;
   RobotPose moved_to_;
   bool said_moving_ = false;
+  /// When it moved unasked last.
+  double moving_at_s_ = 0.0;
 };
 
 }  // namespace palpable::session

@@ -55,6 +55,15 @@ TEST(MotionWatch, SaysOnceThatARobotMovesThoughItIsToldToStand) {
   EXPECT_EQ(said_at(kUnasked, [](double) { return WatchedRobot{{}, 0.2, {}, false}; }), "");
 }
 
+TEST(MotionWatch, SaysItAgainWhenTheRobotHasStoodMeanwhile) {
+  EXPECT_EQ(said_at(kUnasked,
+                    [](double t) {
+                      const bool moves = t < 3.0 || t > 6.0;
+                      return WatchedRobot{{}, moves ? 0.2 : 0.0, {}};
+                    }),
+            "7 31 ");
+}
+
 /// When a robot that stands, whose speed says 0 and whose odometry is read `rate_hz` times a second, is said
 /// to move unasked, within 20 s; NaN: not at all. Its noise has these standard deviations.
 double noticed_at_s(double rate_hz, double noise_m, double noise_rad,
