@@ -219,10 +219,8 @@ protocol::State TouchHost::state() {
 // A pointer at rest sends nothing; without these updates the device would count it as lost. With a robot the
 // page says itself that it rests, since one that hangs must not go on driving.
 void TouchHost::update() {
-  constexpr auto kSilent = std::chrono::milliseconds(400);
-  const bool hangs = options_.robot != nullptr && std::chrono::steady_clock::now() - moved_at_ > kSilent;
   for (const auto& pointer : pointers_)
-    if (pointer && !(hangs && pointer->probe == 0)) place(*pointer);
+    if (pointer && !(options_.robot != nullptr && pointer->probe == 0)) place(*pointer);
   watch_pull();
   if (!options_.take_better_scene) return;
   if (auto better = options_.take_better_scene())
@@ -231,7 +229,6 @@ void TouchHost::update() {
 
 void TouchHost::move(const protocol::Pointer& pointer) {
   pointers_.at(static_cast<std::size_t>(pointer.probe)) = pointer;
-  if (pointer.probe == 0) moved_at_ = std::chrono::steady_clock::now();
   place(pointer);
 }
 

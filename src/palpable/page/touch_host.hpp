@@ -148,8 +148,6 @@ class TouchHost final : public PageHost {
   /// The scene's own guide while a pull takes its place.
   std::shared_ptr<const models::RouteGuide> own_guide_;
   std::chrono::steady_clock::time_point watched_;
-  /// When the first probe's place came last.
-  std::chrono::steady_clock::time_point moved_at_;
   std::shared_ptr<const models::Scene> shown_;
   std::chrono::steady_clock::time_point shown_time_;
   std::shared_ptr<const PageScene> page_scene_;
