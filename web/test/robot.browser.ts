@@ -27,9 +27,10 @@ const stands = () => page.waitForFunction(() => /^The robot is stopped/.test(doc
 /** Again where a busy machine has stopped it, or its pictures did not come in time. */
 async function start(): Promise<void> {
   for (let tries = 0; tries < 20 && !(await isStarted()); ++tries) {
+    const before = await state();
     await page.locator('#robot-start').focus();
     await page.keyboard.press('Enter');
-    await page.waitForTimeout(500);
+    await page.waitForFunction((before) => document.getElementById('robot-state')?.textContent !== before, before, { timeout: 5000 }).catch(() => undefined);
   }
   expect(await state()).toMatch(/^Started/);
 }
@@ -49,6 +50,7 @@ it('is started by a key from the middle, and says so', async () => {
   await page.keyboard.press('Shift+ArrowRight');
   await start();
   await says(page, 'The robot is started. The floor within');
+  expect(await page.evaluate(() => document.activeElement?.id)).toBe('stage');
   await keepPicture(page, 'robot-started');
 });
 
@@ -72,7 +74,6 @@ it('is stopped by a page that is loaded again, which starts nothing; Stop is in 
   await start();
   await page.locator('#stage').focus();
   await page.keyboard.press('ArrowRight');
-  await page.waitForTimeout(300);
   await page.reload();
   await page.locator('#robot').waitFor();
   await stands();

@@ -17,8 +17,8 @@ using session::RobotState;
 // In the order of their enumerations.
 constexpr std::array kModes{"drive", "look", "touch"};
 constexpr std::array kViews{"wide", "near"};
-constexpr std::array kLimits{"none",         "not_started", "released", "link_lost",
-                             "picture_lost", "standing",    "obstacle"};
+constexpr std::array kLimits{"none",      "not_started",  "released", "off_centre",
+                             "link_lost", "picture_lost", "standing", "obstacle"};
 constexpr std::array kLacks{"nothing", "link", "odometry", "picture"};
 constexpr std::array kEvents{"none",    "started",       "not_ready",     "stopped",
                              "touched", "link_lost",     "odometry_lost", "picture_lost",

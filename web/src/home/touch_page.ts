@@ -203,6 +203,7 @@ export class TouchPage {
       connected: () => this.connected,
       centre: () => this.motion.centre(0),
       stay: () => this.motion.stay(0),
+      focusSurface: () => this.stage.element.focus({ preventScroll: true }),
     });
   }
 

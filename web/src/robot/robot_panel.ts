@@ -18,10 +18,14 @@ export interface RobotTarget {
   centre(): void;
   /** Says that this page's first probe rests where it is. */
   stay(): void;
+  /** Focuses the surface, whose keys drive. */
+  focusSurface(): void;
 }
 
 /** The keys that stop the robot wherever the focus is: Escape does so beside what it does otherwise. */
 const stopKeys = ['F2', 'Escape'];
+/** What holds a started robot and is said; the rest is shown only. */
+const saidLimits = ['obstacle', 'off_centre'];
 
 export class RobotPanel {
   private readonly panel = element('robot');
@@ -94,7 +98,7 @@ export class RobotPanel {
     }
     if (robot.mode !== before.mode) return this.target.say(modeWords(robot));
     if (robot.low_battery && !before.low_battery) return this.target.say(t('The battery of the robot is low: {battery}.', { battery: batteryWords(robot) }));
-    if (robot.started && robot.limit === 'obstacle' && before.limit !== 'obstacle') this.target.say(limitWords(robot));
+    if (robot.started && saidLimits.includes(robot.limit) && before.limit !== robot.limit) this.target.say(limitWords(robot));
   }
 
   private alert(words: string): void {
@@ -108,6 +112,8 @@ export class RobotPanel {
   private start(): void {
     this.target.centre();
     this.order('start');
+    // The button is disabled by the start, and would lose the focus.
+    this.target.focusSurface();
   }
 
   private order(word: string): void {

@@ -20,6 +20,7 @@ const events: Record<string, string> = {
 
 const limits: Record<string, string> = {
   released: t('It stands: the hand is released.'),
+  off_centre: t('It stands: bring the hand to the middle first.'),
   link_lost: t('It stands: its odometry does not come.'),
   picture_lost: t('It stands: no usable picture of its camera comes.'),
   standing: t('It stands, and is touched.'),

@@ -5,6 +5,7 @@
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/haptics/safety/zero_force.hpp"
 #include "palpable/haptics/servo/signal_thread.hpp"
+#include "palpable/page/access.hpp"
 #include "palpable/page/share/local_network.hpp"
 #include "palpable/session/share/share_device.hpp"
 
@@ -27,16 +28,13 @@ struct ShareArguments {
   std::optional<double> seconds;
 };
 
-/// The addresses by which other computers reach this one, as they stand before a port.
+/// The addresses by which other computers reach this one.
 std::vector<std::string> addresses_for_others(const std::string& listen) {
-  const auto in_brackets = [](const std::string& address) {
-    return address.find(':') == std::string::npos ? address : "[" + address + "]";
-  };
-  if (listen != "0.0.0.0" && listen != "::") return {in_brackets(listen)};
+  if (listen != "0.0.0.0" && listen != "::") return {listen};
   std::vector<std::string> found;
   const auto addresses = page::addresses_in_network();
   for (const std::string& address : addresses ? *addresses : std::vector<std::string>{})
-    if (listen == "::" || address.find(':') == std::string::npos) found.push_back(in_brackets(address));
+    if (listen == "::" || address.find(':') == std::string::npos) found.push_back(address);
   return found;
 }
 
@@ -50,7 +48,7 @@ std::string words_for_others(const std::string& listen, std::uint16_t port, cons
   if (places.empty()) places.emplace_back("THIS-COMPUTER");
   std::string words;
   for (const std::string& place : places) {
-    const std::string url = fmt::format("remote:{}:{}?token={}", place, port, token);
+    const std::string url = fmt::format("remote:{}?token={}", page::host_and_port(place, port), token);
     words += words.empty() ? fmt::format("palpable touch SCENE --device '{}'", url) : "\n  or: " + url;
   }
   return words;

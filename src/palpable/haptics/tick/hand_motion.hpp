@@ -17,7 +17,7 @@ namespace palpable::haptics {
 class HandMotion {
  public:
   HandMotion(const device::Traits& device, const TickOptions& options)
-      : velocity_(known_or_zero(device.position_resolution_m), 0.5 * options.max_rise_time_s),
+      : velocity_(known_or_zero(device.position_resolution_m), shortest_window_s(options)),
         gain_(device.delay_samples),
         delay_ticks_(std::clamp(device.delay_samples, 0, VelocityGain::kMostDelay)),
         sensor_period_s_(known_or_zero(device.sensor_period_s)),

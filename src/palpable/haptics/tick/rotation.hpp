@@ -24,6 +24,9 @@ bool is_rotation(const device::Rotation& rotation) noexcept;
 /// accumulated rotation vector (VelocityEstimator). Tick path.
 class RotationEstimator {
  public:
+  /// `shortest_s`: VelocityEstimator's.
+  explicit RotationEstimator(double shortest_s = 0.0) : velocity_(0.0, shortest_s) {}
+
   /// Resets: the next orientation is the first.
   void begin() noexcept {
     known_ = false;
@@ -46,7 +49,7 @@ class RotationEstimator {
   Vector<DeviceFrame> velocity_rad_per_s_;
   /// Sum of all rotation vectors.
   Point<DeviceFrame> angle_;
-  VelocityEstimator velocity_{0.0};
+  VelocityEstimator velocity_;
 };
 
 }  // namespace palpable::haptics

@@ -57,6 +57,7 @@ TickPipeline::TickPipeline(device::Device& device, const HapticScene& scene, con
       motion_(device.traits(), options),
       fine_(known_or(device.traits().position_resolution_m, 0.0)),
       has_torque_(device.traits().has_torque),
+      rotation_(shortest_window_s(options)),
       ramp_(options.ramp_down_s, options.ramp_up_s),
       delay_(static_cast<std::size_t>(std::clamp(device.traits().delay_samples, 0, kMaxDelay))),
       shown_(device.traits(), options) {

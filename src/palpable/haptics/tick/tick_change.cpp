@@ -20,9 +20,7 @@ bool is_same(const LawOutput& a, const LawOutput& b) {
          a.spring_N == b.spring_N && a.spring_torque_Nm == b.spring_torque_Nm && a.guide_N == b.guide_N;
 }
 
-/// How fast a surface that a change of scene brings up rises under a hand.
-constexpr double kLift_m_per_s = 0.03;
-/// No surface takes longer.
+/// No surface takes longer to rise under a hand.
 constexpr double kLongest_s = 1.0;
 
 }  // namespace

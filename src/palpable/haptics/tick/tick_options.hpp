@@ -54,6 +54,12 @@ struct TickOptions {
   double max_rise_time_s = 0.0015;
 };
 
+/// The shortest window of an estimated velocity, s: three quarters of a period.
+inline double shortest_window_s(const TickOptions& options) { return 0.5 * options.max_rise_time_s; }
+
+/// How fast a surface that changes lifts a hand, m/s at the device.
+inline constexpr double kLift_m_per_s = 0.03;
+
 /// Errors: usage for the first value that is not above 0, is NaN, or is far beyond what any device and hand
 /// need (a finite force above 250 N, a time above 60 s).
 Result<void> check(const TickOptions& options);

@@ -65,7 +65,17 @@ bool RobotDrive::start(double t_s) {
   map_.begin(pose_, vouched_m_);
   last_ = {};
   started_ = true;
+  was_centred_ = is_in_dead_zone();
   return true;
+}
+
+void RobotDrive::set_mode(RobotMode mode) {
+  if (mode != mode_) was_centred_ = is_in_dead_zone();
+  mode_ = mode;
+}
+
+bool RobotDrive::is_in_dead_zone() const {
+  return hand_at_s_ && std::max(std::abs(hand_.right), std::abs(hand_.ahead)) <= kDeadZone;
 }
 
 std::optional<DriveLimit> RobotDrive::obstacle_to_start(double t_s) const {
@@ -128,6 +138,12 @@ void RobotDrive::take_picture(double t_s, const DepthMap& depth, std::optional<d
 void RobotDrive::take_hand(double t_s, const DriveHand& hand) {
   hand_ = hand;
   hand_at_s_ = t_s;
+  was_centred_ = was_centred_ || is_in_dead_zone();
+}
+
+void RobotDrive::release_hand() {
+  hand_at_s_.reset();
+  was_centred_ = false;
 }
 
 bool RobotDrive::is_old(const std::optional<double>& at_s, double t_s) const {
@@ -150,7 +166,7 @@ std::optional<DriveLimit> RobotDrive::reason_to_stand(double t_s) const {
   if (is_old(hand_at_s_, t_s) || !std::isfinite(hand_.right) || !std::isfinite(hand_.ahead))
     return DriveLimit::released;
   if (mode_ == RobotMode::touch) return DriveLimit::standing;
-  return std::nullopt;
+  return was_centred_ ? std::nullopt : std::optional(DriveLimit::off_centre);
 }
 
 RobotVelocity RobotDrive::asked(const DriveHand& hand) const {

@@ -65,6 +65,7 @@ enum class DriveLimit : std::uint8_t {
   none,
   not_started,
   released,
+  off_centre,
   link_lost,
   picture_lost,
   standing,
@@ -89,7 +90,7 @@ class RobotDrive {
   /// The floor around the robot, from its axis, that the person vouches for at the start: the camera does not
   /// see it.
   double vouched_m() const { return vouched_m_; }
-  void set_mode(RobotMode mode) { mode_ = mode; }
+  void set_mode(RobotMode mode);
   RobotMode mode() const { return mode_; }
 
   /// By its odometry.
@@ -105,9 +106,10 @@ class RobotDrive {
   /// than a tenth of it is known; and if it equals the last one though the robot moved since that came, as
   /// those of a camera that hangs.
   void take_picture(double t_s, const DepthMap& depth, std::optional<double> stamp_s);
-  /// The hand holds the device. Without a call for DriveOptions::lost_s it counts as released.
+  /// The hand holds the device. Without a call for DriveOptions::lost_s it counts as released. After a start,
+  /// a release or another mode it commands nothing before it has been in the dead zone.
   void take_hand(double t_s, const DriveHand& hand);
-  void release_hand() { hand_at_s_.reset(); }
+  void release_hand();
   /// The connection ended: start() is needed again.
   void lose_link() { started_ = false; }
 
@@ -128,6 +130,7 @@ class RobotDrive {
   RobotPose pose_at(std::optional<double> stamp_s) const;
   bool is_frozen(const Raster<float>& depth_m);
   std::optional<DriveLimit> reason_to_stand(double t_s) const;
+  bool is_in_dead_zone() const;
 
   DriveOptions options_;
   RobotMap map_;
@@ -143,6 +146,8 @@ class RobotDrive {
   Raster<float> last_depth_m_;
   RobotPose last_depth_pose_;
   DriveHand hand_;
+  /// It has been in the dead zone since the start.
+  bool was_centred_ = false;
   std::optional<double> odometry_at_s_, picture_at_s_, hand_at_s_;
   RobotVelocity last_;
   double last_at_s_ = 0.0;

@@ -43,6 +43,7 @@ RobotDrive started_before(double wall_m) {
   RobotDrive drive(options_of_shape());
   drive.take_odometry(1.0, {}, 1.0);
   drive.take_picture(1.0, floor_and_wall(wall_m), 1.0);
+  drive.take_hand(1.0, {});
   EXPECT_TRUE(drive.start(1.0));
   drive.take_picture(1.0, floor_and_wall(wall_m), 1.0);
   return drive;
@@ -155,15 +156,43 @@ TEST(RobotDrive, IsZeroBeforeTheStartAndWithoutPicturesOdometryOrHand) {
   EXPECT_EQ(at(2.6, true, false, true), DriveLimit::picture_lost);
   EXPECT_EQ(at(2.8, false, true, true), DriveLimit::link_lost);
   EXPECT_EQ(at(3.0, true, true, true), DriveLimit::none);
+  EXPECT_EQ(at(3.01, true, true, true), DriveLimit::none);
   started.release_hand();
   EXPECT_EQ(at(3.02, true, true, false), DriveLimit::released);
   started.lose_link();
   EXPECT_EQ(at(3.04, true, true, true), DriveLimit::not_started);
 }
 
+TEST(RobotDrive, StandsUntilTheHandWasInTheMiddle) {
+  RobotDrive drive = started_before(2.4);
+  double t_s = 1.0;
+  const auto limit_at = [&](const DriveHand& hand) {
+    t_s += 0.02;
+    drive.take_odometry(t_s, {}, t_s);
+    drive.take_picture(t_s, floor_and_wall(2.4), t_s);
+    drive.take_hand(t_s, hand);
+    return drive.command(t_s).limit;
+  };
+  const auto needs_the_middle = [&] {
+    for (int k = 0; k < 10; ++k) EXPECT_EQ(limit_at({0.5, 0.9}), DriveLimit::off_centre);
+    EXPECT_EQ(limit_at({0.1, -0.1}), DriveLimit::none);
+    EXPECT_EQ(limit_at({0.5, 0.9}), DriveLimit::none);
+  };
+  EXPECT_EQ(limit_at({0.5, 0.9}), DriveLimit::none);
+  EXPECT_TRUE(drive.start(t_s));
+  needs_the_middle();
+  drive.set_mode(RobotMode::look);
+  needs_the_middle();
+  drive.set_mode(RobotMode::look);
+  EXPECT_EQ(limit_at({0.5, 0.9}), DriveLimit::none);
+  drive.release_hand();
+  needs_the_middle();
+}
+
 TEST(RobotDrive, WaitsForTheNextPictureOfASlowCamera) {
   for (const double interval_s : {0.12, 0.2, 0.6}) {
     RobotDrive drive(options_of_shape());
+    drive.take_hand(0.0, {});
     int stood = 0;
     double longest_s = 0.0, since_s = 0.0;
     // Then no pictures come any more.

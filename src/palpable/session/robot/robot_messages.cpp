@@ -56,9 +56,9 @@ std::string sentence_of(RobotEvent event, double vouched_m) {
 }
 
 std::string sentence_of(DriveLimit limit) {
-  return limit == DriveLimit::obstacle
-             ? "There is something ahead of the robot, or floor that it has not seen."
-             : "";
+  if (limit == DriveLimit::obstacle)
+    return "There is something ahead of the robot, or floor that it has not seen.";
+  return limit == DriveLimit::off_centre ? "The robot stands: bring the hand to the middle first." : "";
 }
 
 std::string sentence_of(RobotMode mode) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/touch/rising_surface.hpp"
 
+#include "palpable/haptics/tick/tick_options.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -11,8 +13,6 @@ namespace {
 
 using models::Relief;
 
-/// As fast as a tick lifts a hand at a change of scene (haptics/tick).
-constexpr double kLift_m_per_s = 0.03;
 /// Pictures that come more slowly lift it no more at a time.
 constexpr double kLongest_s = 0.1;
 /// So far around a hand the surface rises like at the hand itself.
@@ -46,7 +46,7 @@ std::shared_ptr<const Relief> risen_surface(const Relief& shown, std::shared_ptr
   const auto& next = coming->samples_m();
   if (now.width() != next.width() || now.height() != next.height() || shown.pixel_m() != coming->pixel_m())
     return coming;
-  const double rise_m = kLift_m_per_s * std::clamp(passed_s, 0.0, kLongest_s);
+  const double rise_m = haptics::kLift_m_per_s * std::clamp(passed_s, 0.0, kLongest_s);
   Raster<float> height_m;
   bool is_lower = false;
   for (const auto& hand : hands) {

@@ -72,14 +72,17 @@ class RobotTouch : public testing::Test {
   bool moves() const {
     return robot_.server->commanded() != study::WheelMotion{} || robot_.server->arm_m_per_s() != 0.0;
   }
-  /// Pictures come; starts it, again where a busy machine has stopped it, and holds the pointer there until
-  /// it turns.
+  /// Pictures come; starts it, again where a busy machine has stopped it, and holds the pointer in the middle
+  /// and then there until it turns.
   bool turns_at(Vec3 place_m) {
     robot_.server->set_link({10.0, 0.0, 0.0, 0.0});
-    return held_at(place_m, [&] {
-      const bool is_started = feed_->robot()->statistics().is_started;
-      if (!is_started) feed_->robot()->request_start();
-      return is_started && robot_.server->commanded().turn_rad_per_s * place_m.x < 0.0;
+    return comes_true([&] {
+      const auto state = feed_->robot()->state();
+      // It moves only after the hand was in the middle.
+      const bool may_move = state.is_started && state.limit != session::DriveLimit::off_centre;
+      session_->move_pointer(Point<SceneFrame>{may_move ? place_m : Vec3{}});
+      if (!state.is_started) feed_->robot()->request_start();
+      return may_move && robot_.server->commanded().turn_rad_per_s * place_m.x < 0.0;
     });
   }
   /// Whether a robot that turns, or whose arm moves, is stopped by that, with these words. Tried again where
