@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stereo_scenes.hpp"
 
-#include "palpable/core/work.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
+#include "scene_pictures.hpp"
 #include "scene_surfaces.hpp"
 
 namespace palpable::bench {
@@ -16,20 +15,6 @@ namespace {
 
 constexpr int kWidth = kSceneWidth;
 constexpr int kHeight = kSceneHeight;
-/// Rays per pixel along each axis: edges become mixed pixels, as a camera's do.
-constexpr int kRays = 3;
-
-/// How the right camera and both sensors differ from ideal ones.
-struct Degradation {
-  double noise = 1.0 / 255.0;
-  double gain = 1.0, offset = 0.0, gamma = 1.0;
-  /// Vertical offset of the right picture, which grows towards its right edge.
-  double lower_px = 0.0, roll_px = 0.0;
-  /// Unsharp masking by both cameras: the share of the difference from the mean of 3 x 3 pixels that is
-  /// added.
-  double sharpening = 0.0;
-};
-
 Colour random_colour(Random& random, double least, double most) {
   const double level = random.between(least, most);
   Colour out{};
@@ -279,11 +264,6 @@ std::vector<Surface> faint_boards(Random& random) {
   return out;
 }
 
-struct Description {
-  std::vector<Surface> surfaces;
-  Degradation degradation;
-};
-
 Description describe(SceneKind kind, Random& random) {
   Description out;
   std::vector<Surface>& s = out.surfaces;
@@ -353,52 +333,12 @@ Description describe(SceneKind kind, Random& random) {
   return out;
 }
 
-/// The light that a camera receives, before its sensor.
-Raster<Colour> light_of(const Description& scene, double camera_x, const Degradation& d) {
-  Raster<Colour> out(kWidth, kHeight);
-  parallel_for({}, kHeight, 8, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y)
-      for (int x = 0; x < kWidth; ++x)
-        for (int k = 0; k < kRays * kRays; ++k) {
-          const double px = x + (k % kRays + 0.5) / kRays - 0.5;
-          const double py =
-              y + (k / kRays + 0.5) / kRays - 0.5 - d.lower_px - d.roll_px * (px / kWidth - 0.5);
-          const Hit hit = first_hit(scene.surfaces, camera_x, px, py);
-          const Colour c = scene.surfaces[hit.surface].texture.at(hit.x, py);
-          for (std::size_t i = 0; i < 3; ++i) out(x, y)[i] += c[i] / (kRays * kRays);
-        }
-  });
-  return out;
-}
-
-/// Unsharp masking at one pixel.
-double sharpened(const Raster<Colour>& light, int x, int y, std::size_t channel, double share) {
-  const double centre = light(x, y)[channel];
-  if (share <= 0.0) return centre;
-  double mean = 0.0;
-  for (int dy = -1; dy <= 1; ++dy)
-    for (int dx = -1; dx <= 1; ++dx)
-      mean += light(std::clamp(x + dx, 0, kWidth - 1), std::clamp(y + dy, 0, kHeight - 1))[channel] / 9.0;
-  return std::max(0.0, centre + share * (centre - mean));
-}
-
-/// A camera's picture, quantised to 8 bits.
-Image picture_of(const Description& scene, double camera_x, std::uint64_t noise_seed) {
-  const Degradation& right = scene.degradation;
-  const Degradation ideal{.noise = right.noise, .sharpening = right.sharpening};
-  const Degradation& d = camera_x > 0.0 ? right : ideal;
-  const Raster<Colour> light = light_of(scene, camera_x, d);
-  Image out{kWidth, kHeight, 3, 8, std::vector<float>(static_cast<std::size_t>(kWidth) * kHeight * 3)};
-  for (int y = 0; y < kHeight; ++y) {
-    Random noise(noise_seed * 1000003U + static_cast<std::uint64_t>(y));
-    for (int x = 0; x < kWidth; ++x)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const double exposed = d.gain * std::pow(sharpened(light, x, y, i, d.sharpening), d.gamma) +
-                               d.offset + d.noise * noise.normal();
-        out.samples[(static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)) * 3 + i] =
-            static_cast<float>(std::round(std::clamp(exposed, 0.0, 1.0) * 255.0) / 255.0);
-      }
-  }
+/// The seeds `first` … `last` of the first kinds.
+std::vector<StereoScene> scenes_of(int kinds, int first, int last) {
+  std::vector<StereoScene> out;
+  for (int kind = 0; kind < kinds; ++kind)
+    for (int seed = first; seed <= last; ++seed)
+      out.push_back(render_scene(static_cast<SceneKind>(kind), static_cast<std::uint32_t>(seed)));
   return out;
 }
 
@@ -436,20 +376,9 @@ StereoScene render_scene(SceneKind kind, std::uint32_t seed) {
   return out;
 }
 
-std::vector<StereoScene> tuning_set(int seeds_per_kind) {
-  std::vector<StereoScene> out;
-  for (int kind = 0; kind < kSceneKinds; ++kind)
-    for (int seed = 1; seed <= seeds_per_kind; ++seed)
-      out.push_back(render_scene(static_cast<SceneKind>(kind), static_cast<std::uint32_t>(seed)));
-  return out;
-}
-
+std::vector<StereoScene> tuning_set(int seeds_per_kind) { return scenes_of(kSceneKinds, 1, seeds_per_kind); }
 std::vector<StereoScene> confidence_set(int first, int last) {
-  std::vector<StereoScene> out;
-  for (int kind = 0; kind < kAllSceneKinds; ++kind)
-    for (int seed = first; seed <= last; ++seed)
-      out.push_back(render_scene(static_cast<SceneKind>(kind), static_cast<std::uint32_t>(seed)));
-  return out;
+  return scenes_of(kAllSceneKinds, first, last);
 }
 
 }  // namespace palpable::bench
