@@ -294,8 +294,13 @@ std::string sentence_of(const FitToTouch& fit, const FitWordsOptions& options) {
                             : "This pair is hardly fit to touch";
   const bool geometry_fails =
       fit.reason == FitReason::different_places || fit.reason == FitReason::no_parallax;
-  if (geometry_fails && fit.textured >= options.textured_share)
-    return fmt::format("{}: {}.", verdict, words_of(fit.reason));
+  if (geometry_fails && fit.textured >= options.textured_share) {
+    // Distinct points may be on a wall only, before which plain things stand.
+    const bool may_be_plain = fit.reason == FitReason::no_parallax && fit.depth_range_px >= options.flat_px;
+    return fmt::format(
+        "{}: {}{}.", verdict, words_of(fit.reason),
+        may_be_plain ? ", or what stands nearer is of one colour: lay something patterned there" : "");
+  }
   // With texture and light, points would be found: no place of the picture is to blame.
   if (fit.reason == FitReason::few_points && fit.confidence < options.doubtful_confidence &&
       fit.textured >= options.textured_share && fit.brightness >= options.dark_level)

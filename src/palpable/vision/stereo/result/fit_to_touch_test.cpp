@@ -91,6 +91,16 @@ TEST(FitToTouch, IsTrueOnlyWithParallaxAlongTheRows) {
   EXPECT_FALSE(upward.fit) << sentence_of(upward);
 }
 
+TEST(FitToTouch, NamesPlainThingsBeforeAWallAsAReasonWhereOnlyTheWallHasPoints) {
+  FitToTouch fit;
+  fit.textured = 1.0;
+  fit.reason = FitReason::no_parallax;
+  fit.depth_range_px = 0.2;
+  EXPECT_THAT(sentence_of(fit), ::testing::Not(HasSubstr("one colour")));
+  fit.depth_range_px = 30.0;
+  EXPECT_THAT(sentence_of(fit), HasSubstr("or what stands nearer is of one colour"));
+}
+
 TEST(FitToTouch, JudgesAnExchangedPairAsItWasMatchedByEveryMethod) {
   const StereoPair pair = render(scene());
   const auto match = match_confirmed({pair.right, pair.left, {}}, StereoMethod::scanline, {}, Work{});
