@@ -103,12 +103,6 @@ void draw_rim(cairo_t* cr, const std::vector<MapPoint>& ring, Rgb8 colour) {
   cairo_restore(cr);
 }
 
-double length_of(const std::vector<MapPoint>& p) {
-  double sum = 0.0;
-  for (std::size_t i = 1; i < p.size(); ++i) sum += std::hypot(p[i].x - p[i - 1].x, p[i].y - p[i - 1].y);
-  return sum;
-}
-
 /// The place and direction after a length of a line.
 struct Along {
   MapPoint at;
@@ -197,6 +191,12 @@ Rgb8 mixed(Rgb8 a, Rgb8 b, double part) {
     return static_cast<std::uint8_t>(std::lround((1.0 - part) * u + part * v));
   };
   return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b)};
+}
+
+double length_of(const std::vector<MapPoint>& p) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < p.size(); ++i) sum += std::hypot(p[i].x - p[i - 1].x, p[i].y - p[i - 1].y);
+  return sum;
 }
 
 void draw_areas_of_use(cairo_t* cr, const DrawnMapStyle& style, int side, Random& random) {

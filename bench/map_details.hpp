@@ -24,6 +24,9 @@ void stroke(cairo_t* cr, const std::vector<MapPoint>& points, Rgb8 colour, doubl
 /// `part` of the second colour in the first, 0 ... 1.
 Rgb8 mixed(Rgb8 a, Rgb8 b, double part);
 
+/// The length of a line, pixels.
+double length_of(const std::vector<MapPoint>& line);
+
 /// Areas of housing, shops and schools, car parks and squares, under everything else.
 void draw_areas_of_use(cairo_t* cr, const DrawnMapStyle& style, int side, std::mt19937_64& random);
 

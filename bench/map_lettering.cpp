@@ -8,6 +8,7 @@
 #include <numbers>
 #include <set>
 
+#include "map_details.hpp"
 #include <pango/pangocairo.h>
 
 namespace palpable::bench {
@@ -16,12 +17,6 @@ namespace {
 using Line = std::vector<MapPoint>;
 
 double distance(MapPoint a, MapPoint b) { return std::hypot(a.x - b.x, a.y - b.y); }
-
-double length_of(const Line& line) {
-  double sum = 0.0;
-  for (std::size_t i = 1; i < line.size(); ++i) sum += distance(line[i - 1], line[i]);
-  return sum;
-}
 
 /// The ways of each name, joined where they end at each other.
 std::map<std::string, std::vector<Line>> lines_by_name(const std::vector<DrawnWay>& ways) {

@@ -13,8 +13,6 @@
 namespace palpable::bench {
 namespace {
 
-constexpr int kWidth = kSceneWidth;
-constexpr int kHeight = kSceneHeight;
 Colour random_colour(Random& random, double least, double most) {
   const double level = random.between(least, most);
   Colour out{};
@@ -29,8 +27,8 @@ Texture rough(Random& random) {
 
 Surface wall(Random& random, double disparity_px) {
   Surface s;
-  s.x0 = kWidth / 2.0;
-  s.y0 = kHeight / 2.0;
+  s.x0 = kSceneWidth / 2.0;
+  s.y0 = kSceneHeight / 2.0;
   s.d0 = disparity_px;
   s.slope_x = random.between(-0.012, 0.012);
   s.slope_y = random.between(-0.005, 0.01);
@@ -44,15 +42,15 @@ Surface floor_from(Random& random, double row, double disparity_px, double slope
   s.y0 = row;
   s.d0 = disparity_px;
   s.slope_y = slope;
-  s.outline = {Outline::Shape::rectangle, kWidth / 2.0, row + 200.0, 400.0, 200.0};
+  s.outline = {Outline::Shape::rectangle, kSceneWidth / 2.0, row + 200.0, 400.0, 200.0};
   s.texture = rough(random);
   return s;
 }
 
 Surface board(Random& random, double disparity_px, double half_size_px, double slope) {
   Surface s;
-  s.x0 = random.between(30.0, kWidth - 20.0);
-  s.y0 = random.between(25.0, kHeight - 25.0);
+  s.x0 = random.between(30.0, kSceneWidth - 20.0);
+  s.y0 = random.between(25.0, kSceneHeight - 25.0);
   s.d0 = disparity_px;
   s.slope_x = random.between(-slope, slope);
   s.slope_y = random.between(-slope, slope);
@@ -139,11 +137,11 @@ void add_fence(Random& random, std::vector<Surface>& out) {
   const double disparity_px = random.between(24.0, 40.0), slope = random.between(-0.03, 0.03);
   Texture texture = rough(random);
   double x = random.between(0.0, 15.0);
-  while (x < kWidth + 10.0) {
+  while (x < kSceneWidth + 10.0) {
     Surface s;
     const double half = random.between(4.0, 12.0);
-    s.x0 = kWidth / 2.0;
-    s.y0 = kHeight / 2.0;
+    s.x0 = kSceneWidth / 2.0;
+    s.y0 = kSceneHeight / 2.0;
     s.d0 = disparity_px;
     s.slope_x = slope;
     s.outline = {Outline::Shape::rectangle, x, random.between(90.0, 150.0), half,
@@ -196,9 +194,9 @@ std::vector<Surface> interior(Random& random) {
                    random.between(2.0, 9.0), random.next()};
   };
   const double shelf_height = random.between(36.0, 60.0), shelf_width = random.between(70.0, 120.0);
-  for (double y = random.between(0.0, 20.0); y < kHeight; y += shelf_height) {
-    out.push_back(panel(kWidth / 2.0, y, kWidth, random.between(1.5, 3.5), far + step, dark()));
-    for (double x = random.between(0.0, 10.0); x < kWidth; x += random.between(5.0, 14.0)) {
+  for (double y = random.between(0.0, 20.0); y < kSceneHeight; y += shelf_height) {
+    out.push_back(panel(kSceneWidth / 2.0, y, kSceneWidth, random.between(1.5, 3.5), far + step, dark()));
+    for (double x = random.between(0.0, 10.0); x < kSceneWidth; x += random.between(5.0, 14.0)) {
       if (random.unit() < 0.35) continue;
       Texture book = random.unit() < 0.4 ? dark() : rough(random);
       if (random.unit() < 0.3) book.contrast = 0.04;
@@ -207,8 +205,8 @@ std::vector<Surface> interior(Random& random) {
           panel(x, y + shelf_height - 3.0 - tall, half, tall, far + random.between(0.2, 0.9) * step, book));
     }
   }
-  for (double x = random.between(0.0, 40.0); x < kWidth; x += shelf_width)
-    out.push_back(panel(x, kHeight / 2.0, random.between(1.5, 4.0), kHeight, far + step, dark()));
+  for (double x = random.between(0.0, 40.0); x < kSceneWidth; x += shelf_width)
+    out.push_back(panel(x, kSceneHeight / 2.0, random.between(1.5, 4.0), kSceneHeight, far + step, dark()));
   const double table = far + random.between(2.0, 4.5), top = random.between(150.0, 190.0);
   const double x0 = random.between(120.0, 220.0), half = random.between(50.0, 90.0);
   out.push_back(panel(x0, top, half, random.between(8.0, 18.0), table, rough(random)));
@@ -271,7 +269,7 @@ Description describe(SceneKind kind, Random& random) {
   switch (kind) {
     case SceneKind::slanted:
       s[0].slope_x = random.between(-0.05, 0.05);
-      s[0].d0 += std::abs(s[0].slope_x) * kWidth / 2.0;
+      s[0].d0 += std::abs(s[0].slope_x) * kSceneWidth / 2.0;
       break;
     case SceneKind::curved:
       add_curved(random, s);
@@ -361,10 +359,10 @@ StereoScene render_scene(SceneKind kind, std::uint32_t seed) {
                   {picture_of(description, 0.0, 2 * random.next()),
                    picture_of(elsewhere, 1.0, 2 * random.next() + 1),
                    {}},
-                  Raster<float>(kWidth, kHeight),
-                  Raster<std::uint8_t>(kWidth, kHeight)};
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
+                  Raster<float>(kSceneWidth, kSceneHeight),
+                  Raster<std::uint8_t>(kSceneWidth, kSceneHeight)};
+  for (int y = 0; y < kSceneHeight; ++y)
+    for (int x = 0; x < kSceneWidth; ++x) {
       const Hit hit = first_hit(description.surfaces, 0.0, x, y);
       out.truth_px(x, y) = static_cast<float>(hit.disparity_px);
       const double there = x - hit.disparity_px;
