@@ -78,6 +78,7 @@ Result<std::unique_ptr<LiveFeed>> LiveFeed::open(std::unique_ptr<LiveSource> sou
   PALPABLE_CHECK(source != nullptr);
   if (auto valid = check(options); !valid) return std::move(valid).error();
   std::unique_ptr<LiveFeed> feed(new LiveFeed(std::move(source), options));
+  if (auto begun = feed->begin_recording(); !begun) return std::move(begun).error();
   bool has_seen = false;
   for (const auto begin = Clock::now(); !work.cancelled();) {
     auto frame = feed->source_->take(Clock::now() + kPatience);
@@ -88,6 +89,7 @@ Result<std::unique_ptr<LiveFeed>> LiveFeed::open(std::unique_ptr<LiveSource> sou
       auto surface = feed->surface_of(**frame);
       if (!surface) return std::move(surface).error();
       feed->learn();
+      feed->record(**frame);
       if (surface->relief) return feed->begin_with(*std::move(surface)), std::move(feed);
     }
     if (feed->source_->has_ended() || seconds_between(begin, Clock::now()) > options.first_s)
@@ -167,12 +169,27 @@ void LiveFeed::learn() {
   memory_statistics_ = MemoryStatistics{memory_->remembered_share(), memory_->map_mib(), memory_->lost()};
 }
 
+Result<void> LiveFeed::begin_recording() {
+  if (options_.record_to.empty() || !source_->gives_depths()) return {};
+  auto recorder = DepthRecorder::open(options_.record_to);
+  if (!recorder) return std::move(recorder).error();
+  recorder_ = *std::move(recorder);
+  return {};
+}
+
+void LiveFeed::record(const LiveFrame& frame) {
+  if (recorder_) recorder_->keep(frame, std::exchange(unrecorded_colour_, std::nullopt));
+}
+
 /// The colour picture is for the eye, and is read less often than the depth.
 void LiveFeed::refresh_picture(models::Scene& scene) {
   constexpr auto kPeriod = std::chrono::seconds(1);
   if (!scene.texture.empty() && last_arrival_ - last_picture_ < kPeriod) return;
   last_picture_ = last_arrival_;
-  if (const auto picture = source_->colour()) scene.texture = rgb8(*picture);
+  auto picture = source_->colour();
+  if (!picture) return;
+  scene.texture = rgb8(*picture);
+  if (recorder_) unrecorded_colour_ = std::move(picture);
 }
 
 void LiveFeed::start(TouchSession& session, Say say) {
@@ -222,6 +239,8 @@ void LiveFeed::run(TouchSession& session) {
     auto frame = source_->take(Clock::now() + kPatience);
     asked_ = Clock::time_point{};
     if (const auto notice = source_->notice()) say(*notice);
+    if (recorder_)
+      if (const auto notice = recorder_->notice()) say(*notice);
     if (auto* robot = source_->robot())
       if (const auto notice = robot->state_notice()) say(*notice, LiveSubject::robot);
     if (!frame) {
@@ -244,6 +263,7 @@ void LiveFeed::run(TouchSession& session) {
     number = (*frame)->number;
     feel(session, **frame);
     learn();
+    record(**frame);
     constexpr double kMuch = 0.3;
     if (!said_unknown_ && share_unknown((*frame)->depth.depth_m) > kMuch) {
       said_unknown_ = true;

@@ -9,6 +9,7 @@
 #include "palpable/sculpt/relief/relief_in_window.hpp"
 #include "palpable/session/touch/live_memory.hpp"
 #include "palpable/session/touch/live_source.hpp"
+#include "palpable/session/touch/recorded_depths.hpp"
 #include "palpable/session/touch/touch_statistics.hpp"
 #include "palpable/vision/depth_camera/depth_range.hpp"
 #include "palpable/vision/depth_camera/steady_depth.hpp"
@@ -16,6 +17,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -48,6 +50,9 @@ struct LiveOptions {
   double lost_s = 1.0;
   /// For this time a first depth is waited for. Seconds, 0.1 ... 600.
   double first_s = 10.0;
+  /// The folder to which frames of depth are recorded (DepthRecorder); empty: none. Pairs of a stereo camera
+  /// are recorded by their source.
+  std::filesystem::path record_to = {};
   Memory memory = Memory::off;
   /// Its map's noise is that of `steady`.
   LiveMemoryOptions remembered;
@@ -67,7 +72,8 @@ class LiveFeed {
   using Say = std::function<void(const std::string&, LiveSubject)>;
 
   /// Waits for the first frame with a known depth, for LiveOptions::first_s. Errors: as check(),
-  /// LiveSource::take() and sculpt::relief_in_window(); invalid_input if none comes; interrupted.
+  /// LiveSource::take(), sculpt::relief_in_window() and DepthRecorder::open(); invalid_input if none comes;
+  /// interrupted.
   static Result<std::unique_ptr<LiveFeed>> open(std::unique_ptr<LiveSource> source,
                                                 const LiveOptions& options, const Work& work);
   ~LiveFeed();
@@ -100,6 +106,8 @@ class LiveFeed {
   Result<Surface> surface_of(const LiveFrame& frame);
   void begin_with(Surface surface);
   void learn();
+  Result<void> begin_recording();
+  void record(const LiveFrame& frame);
   void refresh_picture(models::Scene& scene);
   void run(TouchSession& session);
   void feel(TouchSession& session, const LiveFrame& frame);
@@ -118,6 +126,10 @@ class LiveFeed {
   vision::SteadyDepth steady_;
   /// Null: nothing is remembered.
   std::unique_ptr<LiveMemory> memory_;
+  /// Null: frames are not recorded.
+  std::unique_ptr<DepthRecorder> recorder_;
+  /// The newest colour picture, if it was not recorded yet.
+  std::optional<Image> unrecorded_colour_;
   Clock::time_point first_arrival_;
   vision::FollowedRange range_;
   std::shared_ptr<const models::Scene> first_;

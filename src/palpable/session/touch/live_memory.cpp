@@ -37,6 +37,14 @@ bool is_same_view(const Transform<CameraFrame, CameraFrame>& view_from_camera, c
   return turn < most && norm(view_from_camera.translation_m) < most;
 }
 
+/// Whether pictures of `now` do not fit those of `before`; not if there was none.
+bool is_another(const Pinhole& before, const Pinhole& now) {
+  constexpr double kSame = 0.01;
+  return before.width > 0 &&
+         (before.width != now.width || before.height != now.height ||
+          std::abs(before.fx - now.fx) > kSame * now.fx || std::abs(before.fy - now.fy) > kSame * now.fy);
+}
+
 }  // namespace
 
 std::vector<models::Material> memory_materials() {
@@ -68,7 +76,9 @@ Raster<float> LiveMemory::live_view(const LiveFrame& frame, const Raster<float>&
   const Raster<float>& raw = frame.depth.depth_m;
   const Pinhole whole =
       frame.depth.camera.value_or(assumed_camera(raw.width(), raw.height(), options_.assumed_view_rad));
-  camera_ = vision::reduced_camera(whole, reduction);
+  const Pinhole before = std::exchange(camera_, vision::reduced_camera(whole, reduction));
+  // A map that was made with another camera is bent, as with an assumed one before the true one came.
+  if (is_another(before, camera_)) memory_ = vision::CameraMemory(options_.camera);
   depth_m_ = depth_m;
   pose_ = memory_.locate(depth_m, camera_, frame.world_from_camera);
   if (!pose_) {

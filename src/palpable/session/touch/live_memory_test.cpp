@@ -64,6 +64,21 @@ TEST(LiveMemory, KeepsTheSurfaceWhereTheCameraNoLongerLooks) {
   EXPECT_EQ(memory.lost(), 0U);
 }
 
+TEST(LiveMemory, BeginsAnewWhenItsCameraIsStatedLate) {
+  LiveMemory memory({});
+  for (int k = 0; k < 20; ++k) {
+    LiveFrame frame = frame_of(0.0);
+    frame.world_from_camera.reset();
+    // A camera of half the assumed focal length is stated from the third picture on.
+    frame.depth.camera.reset();
+    if (k >= 2) frame.depth.camera = Pinhole{35, 35, 39.5, 29.5, 80, 60};
+    Raster<float> seen = memory.live_view(frame, frame.depth.depth_m, 1, 0.1 * k);
+    static_cast<void>(memory.fill(seen));
+    memory.learn();
+  }
+  EXPECT_EQ(memory.lost(), 0U);
+}
+
 TEST(LiveMemory, SaysHowLongAgo) {
   const auto materials = memory_materials();
   EXPECT_EQ(materials.at(memory_label(2.0)).name, "memory, seen a few seconds ago");

@@ -155,8 +155,6 @@ Result<std::unique_ptr<LiveSource>> open_live_source(const std::string& address,
   const auto* ros = std::get_if<RosAddress>(&*parsed);
   const auto* robot = std::get_if<RobotAddress>(&*parsed);
   const auto* depths = std::get_if<sources::DepthCamera>(&*parsed);
-  if ((ros != nullptr || robot != nullptr || depths != nullptr) && !options.record_to.empty())
-    return Error{ErrorCode::usage, "depth is not recorded; pairs of cameras are", address};
   if (ros != nullptr) return open_ros_source(*ros);
   if (robot != nullptr) return open_robot_source(*robot);
   if (depths != nullptr) return open_depth_camera_source(*depths, address);
@@ -166,8 +164,7 @@ Result<std::unique_ptr<LiveSource>> open_live_source(const std::string& address,
   if (folder->has_pairs())
     return matched(std::unique_ptr<PairSource>(std::make_unique<PacedPairs>(*std::move(folder), frames)));
   if (!options.record_to.empty())
-    return Error{ErrorCode::usage, "frames of depth are in a folder already; pairs of cameras are recorded",
-                 frames.folder};
+    return Error{ErrorCode::usage, "frames of depth are in a folder already", frames.folder};
   return std::unique_ptr<LiveSource>(std::make_unique<PacedDepths>(*std::move(folder), frames));
 }
 

@@ -70,6 +70,8 @@ class LiveSource {
   virtual std::optional<std::string> loss() { return std::nullopt; }
   /// Another sentence for the user, if there is a new one.
   virtual std::optional<std::string> notice() { return std::nullopt; }
+  /// Its frames of depth are recorded by who takes them; else its pictures are by itself.
+  virtual bool gives_depths() const { return true; }
   /// "depth camera", for titles.
   virtual std::string_view kind() const { return "depth camera"; }
   /// Whether it may mark the direction of a sound.
@@ -99,7 +101,7 @@ struct LivePairOptions {
   std::optional<StereoRig> rig = {};
   /// How one picture holds a pair.
   sources::StereoLayout layout = sources::StereoLayout::automatic;
-  /// The folder to which the pairs are recorded (recorded_pairs()); empty: none.
+  /// The folder to which the pairs of a stereo camera are recorded (recorded_pairs()); empty: none.
   std::filesystem::path record_to = {};
 };
 
@@ -109,7 +111,7 @@ struct LivePairOptions {
 /// sources::FrameFolder::open(), sources::connect_http_camera(), sources::connect_stream_camera(),
 /// sources::open_video_device(),
 /// open_ros_source() and open_robot_source(); as sources::open_depth_camera(); as recorded_pairs(), and usage
-/// for frames of depth that shall be recorded.
+/// for frames of depth in a folder that shall be recorded.
 Result<std::unique_ptr<LiveSource>> open_live_source(const std::string& address,
                                                      const LivePairOptions& options, const Work& work);
 

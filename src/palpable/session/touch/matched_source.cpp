@@ -51,6 +51,7 @@ class MatchedSource final : public LiveSource {
   std::optional<Image> colour() override { return colour_; }
   std::optional<std::string> loss() override { return pairs_->loss(); }
   std::optional<std::string> notice() override { return pairs_->notice(); }
+  bool gives_depths() const override { return false; }
   std::string_view kind() const override { return "stereo camera"; }
   // The touch's own end stops the matching too, and comes with each of the user's.
   void begin(TouchSession& /*session*/) override { work_.cancel = &cancelled_; }

@@ -3,11 +3,13 @@
 #include "palpable/session/touch/robot_source.hpp"
 
 #include "palpable/session/robot/drive_surface.hpp"
+#include "palpable/session/touch/frame_order.hpp"
 #include "palpable/session/touch/robot_hand.hpp"
 #include "palpable/session/touch/robot_hearing.hpp"
 #include "palpable/session/touch/robot_views.hpp"
 #include "palpable/session/touch/robot_wheels.hpp"
 #include "palpable/session/touch/touch_session.hpp"
+#include "palpable/session/touch/what_is_ahead.hpp"
 #include "palpable/sources/live/rosbridge_client.hpp"
 #include "palpable/sources/live/rosbridge_picture.hpp"
 
@@ -47,6 +49,7 @@ class RobotSource final : public LiveSource, public RobotControl {
               const RobotHearing::Options& hearing)
       : client_(std::move(client)),
         metres_per_unit_(address.pictures.metres_per_unit),
+        shape_(address.drive.shape),
         wheels_(*client_, {kRobotOdometry, kRobotBattery, kRobotContact, 0}, address.drive, address.mode),
         hearing_(std::move(ears), hearing) {
     hand_.change_mode(address.mode);
@@ -166,10 +169,16 @@ class RobotSource final : public LiveSource, public RobotControl {
   }
 
   void take_picture(RosbridgeClient::Newest& newest) {
+    if (order_.is_late(newest.message.stamp_s)) return;
     if (const auto info = client_->take(kRobotInfo))
       if (const auto* camera = std::get_if<Pinhole>(&info->message.body)) camera_ = *camera;
     auto depth = sources::depth_of(newest.message.body, camera_, metres_per_unit_);
-    if (depth) wheels_.take_picture(newest.arrival, *depth, newest.message.stamp_s);
+    if (depth) {
+      wheels_.take_picture(newest.arrival, *depth, newest.message.stamp_s);
+      const RobotState robot = wheels_.state();
+      const bool stands = robot.is_started && !robot.moves && robot.mode != RobotMode::touch;
+      if (auto words = ahead_.look(now_s(), *depth, shape_, stands)) notices_.put(*std::move(words));
+    }
     const std::lock_guard lock(mutex_);
     if (!depth) {
       fault_ = invalid_input(depth.error().message, client_->name());
@@ -191,6 +200,7 @@ class RobotSource final : public LiveSource, public RobotControl {
 
   std::unique_ptr<RosbridgeClient> client_;
   std::optional<double> metres_per_unit_;
+  RobotShape shape_;
   RobotWheels wheels_;
   RobotHearing hearing_;
   std::atomic<bool> ending_{false};
@@ -205,6 +215,8 @@ class RobotSource final : public LiveSource, public RobotControl {
 
   // The thread's own.
   std::optional<Pinhole> camera_;
+  FrameOrder order_;
+  AheadWatch ahead_;
   bool has_failed_ = false;
 
   /// Guards what follows.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/touch/ros_source.hpp"
 
+#include "palpable/session/touch/frame_order.hpp"
 #include "palpable/sources/live/rosbridge_client.hpp"
 #include "palpable/sources/live/rosbridge_picture.hpp"
 
@@ -24,7 +25,7 @@ class RosSource final : public LiveSource {
   Result<std::optional<LiveFrame>> take(std::chrono::steady_clock::time_point deadline) override {
     auto newest = client_->wait(kDepth, deadline);
     if (!newest) return std::move(newest).error();
-    if (!*newest) return std::optional<LiveFrame>();
+    if (!*newest || order_.is_late((*newest)->message.stamp_s)) return std::optional<LiveFrame>();
     if (const auto info = client_->take(kInfo))
       if (const auto* camera = std::get_if<Pinhole>(&info->message.body)) camera_ = *camera;
     auto depth = sources::depth_of((*newest)->message.body, camera_, metres_per_unit_);
@@ -46,6 +47,7 @@ class RosSource final : public LiveSource {
   std::unique_ptr<RosbridgeClient> client_;
   std::optional<double> metres_per_unit_;
   std::optional<Pinhole> camera_;
+  FrameOrder order_;
 };
 
 }  // namespace

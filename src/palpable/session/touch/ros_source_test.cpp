@@ -1,8 +1,11 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/touch/frame_order.hpp"
 #include "palpable/session/touch/live_source.hpp"
 #include "palpable/sources/live/test_ros_messages.hpp"
 #include "palpable/sources/live/test_rosbridge_server.hpp"
+
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -20,6 +23,14 @@ class RosSourceTest : public testing::Test {
   }
   void send_depth(float depth_m) {
     server_.send(ros_published("/d", ros_picture<float>(2, 1, "32FC1", 4, {depth_m, 2.0F})));
+  }
+  /// Taken at this second.
+  void send_depth_of(int taken_s, float depth_m) {
+    std::string message = ros_published("/d", ros_picture<float>(2, 1, "32FC1", 4, {depth_m, 2.0F}));
+    const std::string stamp = R"("secs":1,"nsecs":2)";
+    message.replace(message.find(stamp), stamp.size(),
+                    R"("secs":)" + std::to_string(taken_s) + R"(,"nsecs":500000000)");
+    server_.send(message);
   }
 
   sources::TestRosbridgeServer server_;
@@ -54,6 +65,28 @@ TEST_F(RosSourceTest, GoesOnAfterAFrameThatCannotBeRead) {
   const auto frame = next();
   ASSERT_TRUE(frame && *frame);
   EXPECT_EQ((*frame)->number, 1U);
+}
+
+TEST_F(RosSourceTest, BeginsAnewAfterAClockThatWasSetBack) {
+  ASSERT_TRUE(source_);
+  for (const int taken_s : {100, 3}) {
+    send_depth_of(taken_s, 1.0F + 0.001F * static_cast<float>(taken_s));
+    const auto frame = next();
+    ASSERT_TRUE(frame && *frame) << taken_s;
+    EXPECT_NEAR((*frame)->depth.depth_m(0, 0), 1.0 + 0.001 * taken_s, 1e-6);
+  }
+}
+
+TEST(FrameOrder, LeavesOutWhatComesAfterANewerOne) {
+  FrameOrder order;
+  EXPECT_FALSE(order.is_late(10.0));
+  EXPECT_FALSE(order.is_late(10.2));
+  EXPECT_TRUE(order.is_late(10.1));
+  EXPECT_FALSE(order.is_late(10.2));
+  EXPECT_FALSE(order.is_late({}));
+  // A clock that was set back.
+  EXPECT_FALSE(order.is_late(4.0));
+  EXPECT_TRUE(order.is_late(3.9));
 }
 
 }  // namespace

@@ -160,8 +160,9 @@ void add_touch(Program& program) {
       "Start the robot of robot:HOST:PORT at once; without it, only the page's button or the word start at "
       "the "
       "terminal does, and nothing is sent to it before. Further words: stop, drive, look, touch, near, wide");
-  options.output_folder("--record-frames", arguments->frames_recording,
-                        "Record the pairs of a live stereo camera into this folder, for frames:FOLDER");
+  options.output_folder(
+      "--record-frames", arguments->frames_recording,
+      "Record the pairs or depth frames of a live camera into this folder, for frames:FOLDER");
   options.flag("--memory", arguments->memory,
                "Live source: what left the picture stays under the hand, rougher and named by its age");
   options.output("--record", arguments->recording, {},

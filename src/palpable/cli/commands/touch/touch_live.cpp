@@ -83,6 +83,7 @@ Result<void> open_live(const TouchArguments& arguments, TouchPlan& plan, const N
                                                   : "--as-published"};
   auto options = live_options(plan.make.recipes.relief.relief);
   if (!options) return options.error();
+  options->record_to = arguments.frames_recording;
   if (arguments.memory) options->memory = session::Memory::on;
   const auto rig = rig_of(arguments.scene.make.stereo.calibration);
   if (!rig) return rig.error();
