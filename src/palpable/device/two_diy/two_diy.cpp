@@ -201,7 +201,10 @@ std::array<float, 2> TwoDiy::in_board_order(std::array<double, 2> by_motor_Nm) c
 
 Reading TwoDiy::read() noexcept {
   const auto now = std::chrono::steady_clock::now();
-  fresh_.pass(std::chrono::duration<double>(now - std::exchange(read_at_, now)).count());
+  // The silence before a late tick is the servo's own, as before the first one: after kPatience_s its
+  // watchdog has cut the force.
+  const double late_s = std::chrono::duration<double>(now - std::exchange(read_at_, now)).count();
+  fresh_.pass(std::min(late_s, kPatience_s));
   std::array<std::byte, 64> bytes{};
   const auto dropped = answers_.dropped();
   const auto angles = answers_.take(std::span(bytes).first(port_->read(bytes)));
