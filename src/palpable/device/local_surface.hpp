@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/frame.hpp"
+#include "palpable/device/contact_transient.hpp"
 
 #include <array>
 #include <cmath>
@@ -58,6 +59,12 @@ struct LocalSurface {
   /// slope, force: the force at `hand`, without damping; and the energy that the slope stores there.
   Vector<DeviceFrame> force_N;
   double stored_J = 0.0;
+  /// A gentle pull along a way, beside these forces, in contact only; and what it may give to the hand in
+  /// this touch, J. No pull if that is 0.
+  Vector<DeviceFrame> pull_N;
+  double pull_reserve_J = 0.0;
+  /// Vibration after an impact.
+  ContactTransient transient;
   /// When the device read the position that this was computed from, in seconds of the device's own clock; set
   /// by the driver.
   double read_at_s = 0.0;
@@ -86,7 +93,9 @@ inline bool is_valid(const LocalSurface& surface) noexcept {
          all_within(surface.normal.v, 2.0) && within(surface.stiffness_N_per_m, 0.0, kMost) &&
          within(surface.damping_Ns_per_m, 0.0, kMost) && within(surface.static_friction, 0.0, kMost) &&
          within(surface.dynamic_friction, 0.0, kMost) && all_within(surface.force_N.v, kMostForce_N) &&
-         within(surface.stored_J, -kMost, kMost) && within(surface.read_at_s, 0.0, 1e12);
+         all_within(surface.pull_N.v, kMostForce_N) && within(surface.pull_reserve_J, 0.0, kMost) &&
+         is_valid(surface.transient) && within(surface.stored_J, -kMost, kMost) &&
+         within(surface.read_at_s, 0.0, 1e12);
 }
 
 /// The surface that a device's loop renders now. The device's read() writes it and the law reads it, in the

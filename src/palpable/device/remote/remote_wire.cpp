@@ -15,7 +15,7 @@
 namespace palpable::device {
 namespace {
 
-constexpr std::uint8_t kFirstLetter = 'P', kSecondLetter = 'R', kRemoteVersion = 2;
+constexpr std::uint8_t kFirstLetter = 'P', kSecondLetter = 'R', kRemoteVersion = 3;
 /// What a reader keeps at most: a whole message, and what came with it.
 constexpr std::size_t kMostKept_bytes = std::size_t{64} << 10U;
 
@@ -100,11 +100,14 @@ std::vector<std::byte> reading_message(const RemoteReading& reading) {
 std::vector<std::byte> surface_message(const LocalSurface& surface) {
   ByteWriter out;
   out.u8(static_cast<std::uint8_t>(surface.kind));
-  for (const Vec3 v : {surface.hand.v, surface.place.v, surface.normal.v, surface.force_N.v})
+  for (const Vec3 v :
+       {surface.hand.v, surface.place.v, surface.normal.v, surface.force_N.v, surface.pull_N.v})
     put_vec3(out, v);
   for (const double number :
        {surface.radius_m, surface.stiffness_N_per_m, surface.damping_Ns_per_m, surface.static_friction,
-        surface.dynamic_friction, surface.stored_J, surface.read_at_s})
+        surface.dynamic_friction, surface.stored_J, surface.read_at_s, surface.pull_reserve_J,
+        surface.transient.force_per_speed_Ns_per_m, surface.transient.frequency_hz,
+        surface.transient.decay_per_s})
     out.f64(number);
   const LaidTexture& laid = surface.texture;
   out.u16(laid.number);
@@ -170,11 +173,14 @@ std::optional<LocalSurface> parse_surface(const Message& message) {
   ByteReader in(message.body);
   LocalSurface surface;
   surface.kind = static_cast<LocalSurface::Kind>(in.u8());
-  for (Vec3* v : {&surface.hand.v, &surface.place.v, &surface.normal.v, &surface.force_N.v})
+  for (Vec3* v :
+       {&surface.hand.v, &surface.place.v, &surface.normal.v, &surface.force_N.v, &surface.pull_N.v})
     *v = vec3_from(in);
   for (double* number :
        {&surface.radius_m, &surface.stiffness_N_per_m, &surface.damping_Ns_per_m, &surface.static_friction,
-        &surface.dynamic_friction, &surface.stored_J, &surface.read_at_s})
+        &surface.dynamic_friction, &surface.stored_J, &surface.read_at_s, &surface.pull_reserve_J,
+        &surface.transient.force_per_speed_Ns_per_m, &surface.transient.frequency_hz,
+        &surface.transient.decay_per_s})
     *number = in.f64();
   LaidTexture& laid = surface.texture;
   laid.number = in.u16();

@@ -31,6 +31,9 @@ LocalSurface a_plane() {
   surface.stored_J = -1e-3;
   surface.force_N.v = {0.1, 0.2, -0.3};
   surface.read_at_s = 12.5;
+  surface.pull_N.v = {0.2, 0.1, 0.0};
+  surface.pull_reserve_J = 0.012;
+  surface.transient = {4.0, 100.0, 80.0};
   return surface;
 }
 
@@ -110,16 +113,24 @@ TEST(RemoteWire, BelievesNoValueThatIsNoneOrOutOfRange) {
     for (double LocalSurface::*member :
          {&LocalSurface::stiffness_N_per_m, &LocalSurface::damping_Ns_per_m, &LocalSurface::static_friction,
           &LocalSurface::dynamic_friction, &LocalSurface::radius_m, &LocalSurface::stored_J,
-          &LocalSurface::read_at_s}) {
+          &LocalSurface::read_at_s, &LocalSurface::pull_reserve_J}) {
       LocalSurface surface = a_plane();
       surface.*member = bad;
       EXPECT_FALSE(parse_surface(*read_back(surface_message(surface)))) << bad;
     }
-    for (int k = 0; k < 4; ++k) {
+    for (double ContactTransient::*member :
+         {&ContactTransient::force_per_speed_Ns_per_m, &ContactTransient::frequency_hz,
+          &ContactTransient::decay_per_s}) {
+      LocalSurface surface = a_plane();
+      surface.transient.*member = bad;
+      EXPECT_FALSE(parse_surface(*read_back(surface_message(surface)))) << bad;
+    }
+    for (int k = 0; k < 5; ++k) {
       LocalSurface surface = a_plane();
       (k == 0   ? surface.hand.v
        : k == 1 ? surface.place.v
        : k == 2 ? surface.normal.v
+       : k == 3 ? surface.pull_N.v
                 : surface.force_N.v)
           .y = bad;
       EXPECT_FALSE(parse_surface(*read_back(surface_message(surface)))) << bad << " " << k;
@@ -129,6 +140,10 @@ TEST(RemoteWire, BelievesNoValueThatIsNoneOrOutOfRange) {
   }
   LocalSurface surface = a_plane();
   surface.kind = static_cast<LocalSurface::Kind>(9);
+  EXPECT_FALSE(parse_surface(*read_back(surface_message(surface))));
+  // A vibration that never ends.
+  surface = a_plane();
+  surface.transient.decay_per_s = 0.0;
   EXPECT_FALSE(parse_surface(*read_back(surface_message(surface))));
 }
 
@@ -162,7 +177,7 @@ TEST(RemoteWire, EndsAtBytesThatAreNoMessage) {
   EXPECT_TRUE(reader.is_broken());
   MessageReader other;
   auto next_version = hello_message(std::string(kSecret_bytes, 'x'));
-  next_version[2] = std::byte{3};
+  next_version[2] = std::byte{4};
   other.take(next_version);
   EXPECT_FALSE(other.next());
   EXPECT_TRUE(other.is_other_version());

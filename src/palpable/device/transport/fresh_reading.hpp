@@ -4,6 +4,7 @@
 
 #include "palpable/device/device.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 
@@ -27,10 +28,11 @@ class FreshReading {
     reading_.status = Status::not_ready;
   }
 
-  /// The next tick begins.
-  void pass() noexcept {
-    age_s_ += period_s_;
-    candidate_age_s_ += period_s_;
+  /// The next tick begins, a period after the last one, or later if a clock says so.
+  void pass(double by_clock_s = 0.0) noexcept {
+    const double passed_s = std::max(period_s_, by_clock_s);
+    age_s_ += passed_s;
+    candidate_age_s_ += passed_s;
   }
   /// A position came. It is believed if a hand can have moved there since the last one; after one that was
   /// not believed, or a time without any, only as the third in a row of which this is true. False: not

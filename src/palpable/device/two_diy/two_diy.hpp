@@ -4,12 +4,14 @@
 
 #include "palpable/device/device.hpp"
 #include "palpable/device/motor_heat.hpp"
+#include "palpable/device/stuck_encoder.hpp"
 #include "palpable/device/transport/fresh_reading.hpp"
 #include "palpable/device/transport/port_state.hpp"
 #include "palpable/device/transport/serial_port.hpp"
 #include "palpable/device/two_diy/two_diy_wire.hpp"
 #include "palpable/device/zero_write.hpp"
 
+#include <chrono>
 #include <memory>
 #include <string>
 
@@ -27,6 +29,8 @@ struct OpenOptions;
 /// be called by any thread at any time.
 class TwoDiy final : public Device, public Guardable {
  public:
+  /// An encoder whose angle does not change at all while the other one turns by this much is stuck.
+  static constexpr double kStuck_deg = 45.0;
   /// Without a new answer for this long, the torques are sent again.
   static constexpr double kPatience_s = 0.005;
 
@@ -66,6 +70,9 @@ class TwoDiy final : public Device, public Guardable {
   LinkAngles angles_{};
   /// The board numbers its angles and torques by motor, not by port.
   bool ordered_by_motor_ = false;
+  /// In degrees. Once an encoder is stuck there is no force until the device is opened again.
+  StuckEncoder<2> still_{kStuck_deg};
+  bool is_stuck_ = false;
   /// Whether the last angles determine a place.
   bool has_place_ = false;
   /// Messages that were sent and not yet answered, and answers at the last count.
@@ -73,6 +80,8 @@ class TwoDiy final : public Device, public Guardable {
   std::uint64_t answered_ = 0;
   bool sent_zero_ = true;
   double since_sent_s_ = 0.0;
+  /// Of the last read(): late ticks are not counted as short ones.
+  std::chrono::steady_clock::time_point read_at_ = std::chrono::steady_clock::now();
 };
 
 /// Opens `2diy:PATH?variant=v3`; without a path the only /dev/ttyACM* that is there. Errors: usage (options),

@@ -315,6 +315,45 @@ INSTANTIATE_TEST_SUITE_P(Faults, TwoDiyWithAFault,
                          testing::Values(Fault::silent, Fault::garbage, Fault::cut_answers,
                                          Fault::not_finite));
 
+/// Strokes between places all over the workspace; how many ticks until the device fails.
+int ticks_to_a_fault(TwoDiy& device, VirtualTwoDiy& board, int strokes) {
+  constexpr int kStroke = 400;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> part(-0.45, 0.45);
+  const TwoDiyVariant& variant = kTwoDiyVariants[0];
+  for (int k = 0; k < strokes * kStroke; ++k) {
+    if (k % kStroke == 0)
+      board.pull_to({variant.centre.x + variant.size.x * part(random),
+                     variant.centre.y + variant.size.y * part(random)});
+    if (tick(device, board, {0.2, 0.1, 0.0}).status == Status::fault) return k;
+  }
+  return strokes * kStroke;
+}
+
+TEST_F(TwoDiyOnALine, WithAStuckEncoderHasNoForceAndSaysSo) {
+  const auto device = opened(board_, kTwoDiyVariants[0]);
+  constexpr int kStrokes = 20;
+  EXPECT_EQ(ticks_to_a_fault(*device, board_, kStrokes), kStrokes * 400) << "a hand that explores";
+  board_.inject(Fault::stuck_encoder);
+  EXPECT_LT(ticks_to_a_fault(*device, board_, kStrokes), kStrokes * 400);
+  EXPECT_NE(device->fault().find("encoder is stuck"), std::string::npos) << device->fault();
+  tick(*device, board_, {0.3, 0.3, 0.0});
+  EXPECT_TRUE(motors_are_free(board_));
+}
+
+TEST_F(TwoDiyOnALine, FreesItsMotorsByTheClockWhereTheServoIsLate) {
+  const auto device = opened(board_, kTwoDiyVariants[0]);
+  for (int k = 0; k < 1500; ++k) tick(*device, board_, {0.3, 0.3, 0.0});
+  board_.inject(Fault::silent);
+  // Every tick takes three periods or more, so the third is more than 7 ms after the last answer.
+  int late = 0;
+  for (; late < 10 && device->read().status == Status::ok; ++late) {
+    device->write({{0.3, 0.3, 0.0}});
+    std::this_thread::sleep_for(std::chrono::milliseconds(3));
+  }
+  EXPECT_LE(late, 4);
+}
+
 TEST_F(TwoDiyOnALine, ThatIsUnpluggedHasFailed) {
   const auto device = opened(board_, kTwoDiyVariants[0]);
   for (int k = 0; k < 100; ++k) tick(*device, board_, {0.3, 0.3, 0.0});

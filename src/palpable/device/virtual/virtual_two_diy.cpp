@@ -227,7 +227,7 @@ void VirtualTwoDiy::move() {
 void VirtualTwoDiy::answer(std::uint8_t id) {
   std::uint8_t bytes[9] = {id};
   if (const auto angles = variant_.linkage.angles_at(place_); angles && fault_ != Fault::stuck) {
-    for (std::size_t k = 0; k < 2; ++k)
+    for (std::size_t k = fault_ == Fault::stuck_encoder ? 1 : 0; k < 2; ++k)
       last_answer_[is_swapped() ? 1 - k : k] = static_cast<float>(kDegrees * (*angles)[k]);
   }
   std::array<float, 2> sent = last_answer_;

@@ -32,6 +32,8 @@ class VirtualTwoDiy {
     not_finite,
     /// The angles of the last answer again and again.
     stuck,
+    /// The first motor's angle does not change any more.
+    stuck_encoder,
     /// Angles as after a setup at another place: both links turned by 60 degrees.
     wrong_calibration,
     /// Answers every second message only.

@@ -50,6 +50,8 @@ struct LawOutput {
   Vector<SceneFrame> spring_torque_Nm;
   /// The part of the force that pulls along a way; a limited reserve supplies its energy (route_pull.hpp).
   Vector<SceneFrame> guide_N;
+  /// What that pull may give to the hand in a touch, J; 0 if there is none.
+  double guide_reserve_J = 0.0;
   bool contact = false;
   bool has_proxy = false;
   /// Index of the touched material or region.

@@ -103,21 +103,29 @@ Vec3 RoutePull::force_N(Vec3 place_m) const noexcept {
 }
 
 void RoutePull::add(const Hand& hand, PullTouch& state, LawOutput& output) const noexcept {
+  add_pull(hand, output.contact ? force_N(hand.position.v) : Vec3{}, reserve_J_, state, output);
+}
+
+void add_pull(const Hand& hand, Vec3 wanted_N, double reserve_J, PullTouch& state,
+              LawOutput& output) noexcept {
   constexpr double kEase_s = 0.05, kRefill = 0.5, kWeakerFrom = 0.1;
+  if (reserve_J != state.reserve_J) state.spent_J = 0.0;
   // Without a force before there was no work, wherever the hand was.
-  if (!(state.force_N == Vec3{})) {
+  if (reserve_J == state.reserve_J && !(state.force_N == Vec3{})) {
     const double work_J = dot(state.force_N, hand.position.v - state.place_m);
     state.spent_J = std::max(0.0, state.spent_J + (work_J > 0.0 ? work_J : kRefill * work_J));
   }
+  state.reserve_J = reserve_J;
   state.force_N = {};
+  output.guide_reserve_J = reserve_J;
   if (!output.contact) {
     state.share = 0.0;
     return;
   }
   state.share += hand.dt_s / (hand.dt_s + kEase_s) * (1.0 - state.share);
-  const double left = std::clamp((reserve_J_ - state.spent_J) / (kWeakerFrom * reserve_J_), 0.0, 1.0);
-  if (!(reserve_J_ > 0.0)) return;
-  state.force_N = state.share * left * force_N(hand.position.v);
+  if (!(reserve_J > 0.0)) return;
+  const double left = std::clamp((reserve_J - state.spent_J) / (kWeakerFrom * reserve_J), 0.0, 1.0);
+  state.force_N = state.share * left * wanted_N;
   state.place_m = hand.position.v;
   output.guide_N.v = state.force_N;
   output.force_N.v += state.force_N;

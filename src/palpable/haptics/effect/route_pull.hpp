@@ -11,22 +11,27 @@
 
 namespace palpable::haptics {
 
-/// State of a pull in a touch. All zero = a new touch with a full reserve.
+/// State of a pull in a touch. All zero = a new touch.
 struct PullTouch {
   /// The force of the previous tick, and where it began to act.
   Vec3 force_N;
   Vec3 place_m;
-  /// What the reserve has given, J.
+  /// The reserve, by which one pull is told from another, and what it has given, J.
+  double reserve_J;
   double spent_J;
   /// The part of the force that is rendered, 0 ... 1, which grows smoothly.
   double share;
 };
 
-/// A gentle pull along a way. Its force lies in the plane and never exceeds that of the guide; it acts only
-/// in contact. Its energy comes from a reserve of twice the force times the length of the way: as the reserve
-/// ends so does the pull, and work against the pull refills it by half. So all that it can ever give in a
-/// touch is bounded, wherever the hand goes; the observer counts its work apart (LawOutput::guide_N).
-/// Immutable; tick path without allocation.
+/// Adds a pull to a law's output: in contact only, with a force that begins smoothly. As the reserve ends so
+/// does the pull, and work against the pull refills it by half. So all that it can ever give in a touch is
+/// bounded, wherever the hand goes; the observer counts its work apart (LawOutput::guide_N). Another reserve
+/// belongs to another pull and is full. Tick path.
+void add_pull(const Hand& hand, Vec3 wanted_N, double reserve_J, PullTouch& state,
+              LawOutput& output) noexcept;
+
+/// A gentle pull along a way (add_pull()). Its force lies in the plane and never exceeds that of the guide.
+/// Its reserve is twice the force times the length of the way. Immutable; tick path without allocation.
 class RoutePull {
  public:
   /// `guide` must be valid. Computes the force on a lattice of samples around the way, within `half_size_m`

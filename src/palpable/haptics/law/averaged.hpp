@@ -49,6 +49,14 @@ class AveragedLaw : public ContactLaw<Surface> {
     return output;
   }
 
+  TangentPlane tangent_plane(const Hand& hand, const State&) const noexcept {
+    const Vec3 p = hand.position.v;
+    const models::HeightSample s = mean_at(p.x, p.y);
+    const double length = std::sqrt(1.0 + s.dzdx * s.dzdx + s.dzdy * s.dzdy);
+    return plane_above(p, (s.z_m - p.z) / length, Vec3{-s.dzdx, -s.dzdy, 1.0} / length,
+                       this->materials().contact(this->materials().label_at(p.x, p.y)));
+  }
+
  private:
   models::HeightSample mean_at(double x_m, double y_m) const noexcept {
     const auto [offset, w, centre] = averaging_;

@@ -43,6 +43,7 @@ inline LawOutput output_with(Vec3 proxy_m, bool in_contact, std::uint16_t label)
           .torque_Nm = {},
           .spring_torque_Nm = {},
           .guide_N = {},
+          .guide_reserve_J = 0.0,
           .contact = in_contact,
           .has_proxy = true,
           .label = label};
@@ -53,6 +54,17 @@ inline LawOutput output_with(Vec3 proxy_m, bool in_contact, std::uint16_t label)
 inline Vec3 damped_push(double spring_N, Vec3 outward, Vec3 velocity_m_per_s,
                         const Contact& contact) noexcept {
   return std::max(0.0, spring_N - contact.damping_Ns_per_m * dot(velocity_m_per_s, outward)) * outward;
+}
+
+/// The plane of such a law, `depth_m` above the hand along `outward` (unit vector); below it if that is less
+/// than 0.
+inline TangentPlane plane_above(Vec3 hand_m, double depth_m, Vec3 outward, const Contact& contact) noexcept {
+  TangentPlane plane;
+  plane.is_known = true;
+  plane.place.v = hand_m + depth_m * outward;
+  plane.normal.v = outward;
+  plane.contact = {contact.stiffness_N_per_m, contact.damping_Ns_per_m, 0.0, 0.0};
+  return plane;
 }
 
 }  // namespace palpable::haptics

@@ -35,6 +35,21 @@ class GridLaw : public ContactLaw<models::OccupancyGrid> {
     output.proxy = hand.position + s.depth_m * s.normal;
     return output;
   }
+
+  /// In free air, where the grid knows its surface within half a spacing only, that straight below the hand.
+  TangentPlane tangent_plane(const Hand& hand, const State&) const noexcept {
+    constexpr int kSteps = 40;
+    const double step_m = 0.5 * surface().spacing_m();
+    Point<SceneFrame> at = hand.position;
+    for (int k = 0; k < kSteps; ++k, at.v.z -= step_m) {
+      const models::GridSample s = surface().sample(at);
+      const double length = norm(s.normal);
+      if (length > 0.0)
+        return plane_above(at.v, s.depth_m, s.normal.v / length,
+                           materials().contact(materials().label_at(at.v.x, at.v.y)));
+    }
+    return {};
+  }
 };
 
 }  // namespace palpable::haptics

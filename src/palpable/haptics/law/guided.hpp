@@ -30,6 +30,7 @@ class GuidedTouchable final : public Touchable {
   TangentPlane tangent_plane(const Hand& hand, const TouchState& state) const noexcept override {
     return law_->tangent_plane(hand, state);
   }
+  bool has_tangent_planes() const noexcept override { return law_->has_tangent_planes(); }
   EnergyModel energy_model() const noexcept override { return law_->energy_model(); }
   double damping_Ns_per_m() const noexcept override { return law_->damping_Ns_per_m(); }
   void touch_pages() const noexcept override;

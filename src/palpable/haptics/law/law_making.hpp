@@ -98,6 +98,9 @@ class LawTouchable final : public Touchable {
     else
       return {};
   }
+  bool has_tangent_planes() const noexcept override {
+    return requires(const L& law, const typename L::State& s, const Hand& h) { law.tangent_plane(h, s); };
+  }
   double damping_Ns_per_m() const noexcept override { return law_.damping_Ns_per_m(); }
   void touch_pages() const noexcept override { read_pages(law_.surface()); }
   std::size_t memory_bytes() const noexcept override { return law_.memory_bytes(); }

@@ -21,13 +21,17 @@ double LocalTouch::validity(Vec3 hand_m) const noexcept {
 
 LawOutput LocalTouch::evaluate(const Hand& hand, TouchState& bytes) const noexcept {
   State& state = state_as<State>(bytes);
-  if (current_->is_usable && current_->surface.kind == kind_)
-    return kind_ == Kind::plane ? on_plane(hand, state) : on_slope(hand);
+  if (current_->is_usable && current_->surface.kind == kind_) {
+    LawOutput output = kind_ == Kind::plane ? on_plane(hand, state) : on_slope(hand);
+    add_sent_pull(hand, bytes, output);
+    return output;
+  }
   state = {};
   // A plane that comes late, when the hand is already below it, begins where the hand is.
   state.has_plane = current_->is_usable && current_->surface.kind == Kind::free;
   LawOutput nothing;
   if (kind_ != Kind::force) nothing.stored_J = 0.0;
+  add_sent_pull(hand, bytes, nothing);
   return nothing;
 }
 
@@ -142,6 +146,17 @@ void LocalTouch::add_laid_texture(const Hand& hand, const TexturedPlace& at, Sta
   output.force_N.v += device.rotate(added.force_N.v - before_N);
   output.spring_N.v += device.rotate(added.spring_N.v);
   output.stored_J += added.stored_J / laid.scale;
+}
+
+void LocalTouch::add_sent_pull(const Hand& hand, TouchState& bytes, LawOutput& output) const noexcept {
+  const device::LocalSurface& surface = current_->surface;
+  State& state = state_as<State>(bytes);
+  const Vec3 change_N = validity(hand.position.v) * surface.pull_N.v - state.pull_N;
+  const double most_N = kPullChanges_N_per_s * hand.dt_s;
+  const double size_N = norm(change_N);
+  state.pull_N += size_N > most_N ? (most_N / size_N) * change_N : change_N;
+  if (!output.contact) state.pull_N = {};
+  add_pull(hand, state.pull_N, surface.pull_reserve_J, bytes.pull, output);
 }
 
 LawOutput LocalTouch::on_slope(const Hand& hand) const noexcept {

@@ -18,10 +18,10 @@ namespace palpable::haptics {
 /// plane that would push or store more at the hand than the last one is lowered until it does not: it comes
 /// up by the energy that falling planes, the damper and friction took in the last kTank_s, at most kTank_J
 /// and at most kComesUp_m_per_s; nor does it stretch the spring along the plane. So a late change of the
-/// surface does not push the hand with energy that the hand did not give. The scene's frame is
-/// the device's. Unlike other touchables it follows what the device's read() has just written, in the same
-/// tick and thread. Surfaces of another kind than its own make no force: the loop changes to another
-/// touchable.
+/// surface does not push the hand with energy that the hand did not give. A pull that came with the surface
+/// is added to it, with the account of its reserve kept here (add_pull()). The scene's frame is the device's.
+/// Unlike other touchables it follows what the device's read() has just written, in the same tick and thread.
+/// Surfaces of another kind than its own make no force: the loop changes to another touchable.
 class LocalTouch final : public Touchable {
  public:
   /// `kind`: plane, slope or force. `current` must not be null. `textures`: by their numbers less one; a
@@ -34,12 +34,15 @@ class LocalTouch final : public Touchable {
   std::uint64_t state_family() const noexcept override { return static_cast<std::uint64_t>(kind_); }
   EnergyModel energy_model() const noexcept override;
   double damping_Ns_per_m() const noexcept override { return current_->surface.damping_Ns_per_m; }
+  const device::ContactTransient* transient() const noexcept override { return &current_->surface.transient; }
   void touch_pages() const noexcept override {}
 
  private:
   static constexpr double kTank_s = 0.5;
   static constexpr double kTank_J = 0.002;
   static constexpr double kComesUp_m_per_s = 0.02;
+  /// How fast a pull may change: where surfaces were lost it would do so in one tick.
+  static constexpr double kPullChanges_N_per_s = 10.0;
   struct State {
     Vec3 proxy_m;
     Vec3 hand_m;
@@ -57,6 +60,8 @@ class LocalTouch final : public Touchable {
     bool touching;
     bool slipping;
     TextureTouch texture;
+    /// The pull that came, as far as it has been followed.
+    Vec3 pull_N;
   };
   struct Depth {
     double rendered_m = 0.0;
@@ -71,6 +76,7 @@ class LocalTouch final : public Touchable {
                State& state) const noexcept;
   void add_laid_texture(const Hand& hand, const TexturedPlace& at, State& state,
                         LawOutput& output) const noexcept;
+  void add_sent_pull(const Hand& hand, TouchState& bytes, LawOutput& output) const noexcept;
   LawOutput on_plane(const Hand& hand, State& state) const noexcept;
   LawOutput on_slope(const Hand& hand) const noexcept;
   /// 1 within the surface's radius, 0 from twice of it on.

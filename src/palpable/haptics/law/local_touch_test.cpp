@@ -85,6 +85,57 @@ TEST(LocalTouch, DoesNotPushWhereAPlaneComesAfterTheHandHasGoneBelowIt) {
   EXPECT_EQ(law.evaluate({}, state).force_N.v, Vec3{});
 }
 
+TEST(LocalTouch, PullsInContactOnlyAndGivesNoMoreThanItsReserve) {
+  constexpr double kReserve_J = 0.004, kPull_N = 0.3, kTick_s = 0.001, kDepth_m = 0.001;
+  const auto current = std::make_shared<device::CurrentSurface>();
+  const LocalTouch law(LocalSurface::Kind::plane, current);
+  LocalSurface pulled = level_plane(0.0);
+  pulled.static_friction = pulled.dynamic_friction = 0.0;
+  pulled.pull_N.v = {kPull_N, 0.0, 0.0};
+  pulled.pull_reserve_J = kReserve_J;
+  TouchState state{};
+  double given_J = 0.0, before_N = 0.0, most_N = 0.0;
+  // Along the pull at 50 mm/s in contact, back through the air, and again.
+  for (int tick = 0; tick < 4000; ++tick) {
+    const int phase = tick % 800;
+    const bool presses = phase < 400;
+    Hand hand;
+    hand.dt_s = kTick_s;
+    hand.position.v = {5e-5 * (presses ? phase : 800 - phase), 0.0, presses ? -kDepth_m : kDepth_m};
+    pulled.hand.v = hand.position.v;
+    pulled.read_at_s += kTick_s;
+    *current = {pulled, true};
+    const LawOutput output = law.evaluate(hand, state);
+    EXPECT_TRUE(presses || output.guide_N.v == Vec3{}) << tick;
+    EXPECT_EQ(output.guide_reserve_J, kReserve_J);
+    EXPECT_LE(output.guide_N.v.x - before_N, 10.0 * kTick_s + 1e-9) << "it grows slowly";
+    if (presses && phase > 0) given_J += 5e-5 * before_N;
+    before_N = output.guide_N.v.x;
+    most_N = std::max(most_N, before_N);
+  }
+  EXPECT_NEAR(most_N, kPull_N, 0.05 * kPull_N);
+  EXPECT_LE(given_J, kReserve_J * (1.0 + 1e-9));
+  EXPECT_GT(given_J, 0.9 * kReserve_J);
+  // Another pull has a reserve of its own.
+  pulled.pull_reserve_J = 2.0 * kReserve_J;
+  pulled.hand.v = {};
+  double next_N = 0.0;
+  for (int tick = 0; tick < 400; ++tick) {
+    pulled.read_at_s += kTick_s;
+    *current = {pulled, true};
+    next_N = law.evaluate({{{0.0, 0.0, -kDepth_m}}, {}, kTick_s}, state).guide_N.v.x;
+  }
+  EXPECT_NEAR(next_N, kPull_N, 0.01 * kPull_N);
+}
+
+TEST(LocalTouch, BringsTheVibrationThatCameWithTheSurface) {
+  const auto current = std::make_shared<device::CurrentSurface>();
+  const LocalTouch law(LocalSurface::Kind::plane, current);
+  current->surface.transient = {4.0, 100.0, 80.0};
+  ASSERT_NE(law.transient(), nullptr);
+  EXPECT_EQ(*law.transient(), current->surface.transient);
+}
+
 /// A flat relief with a texture, turned, moved and shrunk at the device.
 class LaidOnAPlane : public testing::Test {
  protected:

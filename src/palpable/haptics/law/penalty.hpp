@@ -54,6 +54,16 @@ class PenaltyLaw : public ContactLaw<Surface> {
     return output;
   }
 
+  TangentPlane tangent_plane(const Hand& hand, const State&) const noexcept {
+    const Vec3 p = hand.position.v;
+    const models::FieldSample s = this->surface().sample(hand.position);
+    const double length = norm(s.gradient);
+    if (!(length > 0.0)) return {};
+    Contact contact = this->materials().contact(this->materials().label_at(p.x, p.y));
+    contact.stiffness_N_per_m *= length * (shading_ + (1.0 - shading_) * length);
+    return plane_above(p, (radius_m_ - s.distance_m) / length, s.gradient.v / length, contact);
+  }
+
   EnergyModel energy_model() const noexcept {
     return shading_ > 0.0 ? EnergyModel::none : EnergyModel::spring;
   }

@@ -88,7 +88,12 @@ class Touchable {
   virtual TangentPlane tangent_plane(const Hand& /*hand*/, const TouchState& /*state*/) const noexcept {
     return {};
   }
+  /// Whether the law is that of a surface, whose planes tangent_plane() knows.
+  virtual bool has_tangent_planes() const noexcept { return false; }
   virtual EnergyModel energy_model() const noexcept { return EnergyModel::none; }
+  /// The vibration after an impact, of a touchable that is told it from elsewhere; null: the scene's
+  /// (HapticScene::transient). Tick path.
+  virtual const device::ContactTransient* transient() const noexcept { return nullptr; }
   /// Viscous damping that the law guarantees in contact, N·s/m: the passivity observer's reserve.
   virtual double damping_Ns_per_m() const noexcept = 0;
   /// Reads every page of the model once, before it is used in the servo loop.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/device/contact_transient.hpp"
+
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -14,16 +16,7 @@ enum class TransientKind : std::uint8_t { none, rubber, wood, metal };
 std::string_view name_of(TransientKind kind);
 std::optional<TransientKind> transient_kind_from(std::string_view name);
 
-/// A decaying vibration after an impact at speed v: f(t) = a v exp(-b t) sin(2 pi f t) (Okamura, Dennerlein &
-/// Howe 1998). It is superposed on the force of the contact spring (Kuchenbecker, Fiene & Niemeyer 2006).
-struct ContactTransient {
-  /// a, N per m/s; >= 0.
-  double force_per_speed_Ns_per_m = 0.0;
-  /// f, Hz; 0: no vibration.
-  double frequency_hz = 0.0;
-  /// b, 1/s.
-  double decay_per_s = 0.0;
-};
+using device::ContactTransient;
 
 /// Frequency and decay of rubber, wood and aluminium for a stylus after Okamura, Cutkosky & Dennerlein 2001:
 /// 18, 100 and 300 Hz; 60, 80 and 90 1/s. These values are quoted from memory and not checked. The amplitude

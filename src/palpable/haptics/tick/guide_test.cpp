@@ -61,6 +61,27 @@ TEST(RoutePull, ItsReserveBoundsWhatItGivesEvenToAHandThatComesBackThroughTheAir
   EXPECT_GT(given_J, 0.95 * pull.reserve_J());
 }
 
+TEST(RoutePull, HasAFullReserveWhateverAnotherPullHasGiven) {
+  // As a second search on the same surface, whose touch goes on.
+  PullTouch state{};
+  models::RouteGuide shorter = corner();
+  shorter.line_m = {{-0.006, -0.004}, {-0.003, -0.004}};
+  const RoutePull first(corner()), second(shorter);
+  const auto pulled_N = [&state](const RoutePull& pull, double x_m) {
+    Hand hand;
+    hand.position = {{x_m, -0.004, 0.0}};
+    LawOutput output;
+    output.contact = true;
+    pull.add(hand, state, output);
+    return norm(output.guide_N);
+  };
+  for (int n = 0; n < 600; ++n) pulled_N(first, -0.006 + 0.00002 * n);
+  EXPECT_GT(state.spent_J, second.reserve_J());
+  double force_N = 0.0;
+  for (int n = 0; n < 500; ++n) force_N = pulled_N(second, -0.006);
+  EXPECT_NEAR(force_N, shorter.force_N, 0.05 * shorter.force_N);
+}
+
 /// Where the hand is after this time on a smooth plate, and the energy that was generated.
 struct Led {
   Vec3 place;

@@ -250,7 +250,8 @@ Vector<DeviceFrame> TickPipeline::with_transient(Vector<DeviceFrame> force_N, do
     return force_N;
   }
   if (strikes) {
-    transient_.strike(now_.scene->transient, force_N, motion_.velocity_m_per_s(),
+    const ContactTransient* const own = now_.scene->touchable->transient();
+    transient_.strike(own != nullptr ? *own : now_.scene->transient, force_N, motion_.velocity_m_per_s(),
                       {options_.max_transient_of_force * max_force_N_, options_.max_force_rate_N_per_s,
                        options_.impact_speed_m_per_s});
     counts_.transients += transient_.is_playing() ? 1 : 0;

@@ -37,7 +37,7 @@ device::LocalSurface TickPipeline::local_surface() const noexcept {
   const Touchable& touchable = *side.scene->touchable;
   const Hand hand{scene_from_device * position_, {}};
   LocalSurface surface;
-  if (side.energy == EnergyModel::spring) {
+  if (side.energy == EnergyModel::spring || touchable.has_tangent_planes()) {
     if (const TangentPlane plane = touchable.tangent_plane(hand, side.state); plane.is_known) {
       surface.kind = LocalSurface::Kind::plane;
       surface.place = device_from_scene * plane.place;
@@ -55,14 +55,22 @@ device::LocalSurface TickPipeline::local_surface() const noexcept {
     }
   } else if (side.energy == EnergyModel::weight) {
     surface.kind = LocalSurface::Kind::slope;
-    surface.force_N = device_force_N(side, side.output.spring_N);
+    // Where the force is no gradient of what is stored, it is the law's without its damper.
+    const double damping_Ns_per_m = touchable.damping_Ns_per_m();
+    const Vector<SceneFrame> damper_N = -damping_Ns_per_m * (scene_from_device * motion_.velocity_m_per_s());
+    const bool has_gradient = side.output.spring_N != Vector<SceneFrame>{};
+    surface.force_N = device_force_N(
+        side, has_gradient ? side.output.spring_N : side.output.force_N - side.output.guide_N - damper_N);
     surface.stored_J = side.output.stored_J / scale;
-    surface.damping_Ns_per_m = scale * touchable.damping_Ns_per_m();
+    surface.damping_Ns_per_m = scale * damping_Ns_per_m;
   } else {
     surface.kind = LocalSurface::Kind::force;
-    surface.force_N = device_force_N(side, side.output.force_N);
+    surface.force_N = device_force_N(side, side.output.force_N - side.output.guide_N);
   }
   surface.hand = position_;
+  surface.pull_N = device_force_N(side, side.output.guide_N);
+  surface.pull_reserve_J = side.output.guide_reserve_J / scale;
+  surface.transient = side.scene->transient;
   return is_valid(surface) ? surface : LocalSurface{};
 }
 

@@ -32,7 +32,6 @@ class RemoteBench {
 
   RemoteBench(std::unique_ptr<device::Device> device, const models::Scene& scene,
               const TouchSettings& settings, const LinkQuality& quality,
-              device::LocalSurface::Kind kind = device::LocalSurface::Kind::plane,
               SentTextures sent = SentTextures::all)
       : up_(quality, 1), down_(quality, 2), traits_(device->traits()) {
     shared_->connected = true;
@@ -44,7 +43,8 @@ class RemoteBench {
     auto prepared = prepare_scene(scene, settings, traits_, 1.0 / kTick_s, place, kept);
     if (sent == SentTextures::all)
       for (const device::LocalTexture& texture : sent_textures(prepared->materials)) textures_.put(texture);
-    local_.touchable = std::make_shared<const haptics::LocalTouch>(kind, current, textures_.textures());
+    local_.touchable = std::make_shared<const haptics::LocalTouch>(kind_of(*prepared->scene.touchable),
+                                                                   current, textures_.textures());
     near_ = std::make_unique<haptics::TickPipeline>(*host_, local_, haptics::tick_options(shared_servo({})),
                                                     events_);
     client_ = std::make_unique<device::RemoteDevice>(traits_, remote_, 1.0 / kTick_s, nullptr);
@@ -81,6 +81,14 @@ class RemoteBench {
   double t_s() const { return t_s_; }
 
  private:
+  /// As the host finds it in the surfaces that come.
+  static device::LocalSurface::Kind kind_of(const haptics::Touchable& touchable) {
+    using Kind = device::LocalSurface::Kind;
+    const haptics::EnergyModel energy = touchable.energy_model();
+    if (energy == haptics::EnergyModel::spring || touchable.has_tangent_planes()) return Kind::plane;
+    return energy == haptics::EnergyModel::weight ? Kind::slope : Kind::force;
+  }
+
   VirtualLink<device::RemoteReading> up_;
   VirtualLink<device::LocalSurface> down_;
   device::Traits traits_;

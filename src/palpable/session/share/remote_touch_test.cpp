@@ -1,109 +1,26 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/device/simulated/simulated_hand.hpp"
-#include "palpable/session/share/remote_bench.hpp"
+#include "palpable/session/share/measured_remote_touch.hpp"
 #include "palpable/session/touch/test_session.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <random>
-#include <string>
 
 #include <gtest/gtest.h>
 
 namespace palpable::session {
 namespace {
 
-constexpr double kHills_m = 0.004;
-
-std::unique_ptr<device::Device> a_hand(std::uint64_t seed) {
-  device::HandOptions options;
-  options.script.seed = seed;
-  return std::make_unique<device::SimulatedHand>(options);
-}
-
-/// What a touch over a link was like.
-struct Touched {
-  haptics::TickCounts counts;
-  /// The greatest growth of the written force in a tick, and its greatest size.
-  double max_growth_N = 0.0;
-  double max_force_N = 0.0;
-  double contact_ticks = 0.0;
-  /// The law's force at the device, against that of the scene's own law at the same places: root of the mean
-  /// square of the difference, and of the force.
-  double rms_difference_N = 0.0;
-  double rms_force_N = 0.0;
-};
-
-Touched touch(const models::Scene& scene, const LinkQuality& quality, double seconds, std::uint64_t seed,
-              SentTextures sent = SentTextures::all) {
-  TouchSettings settings;
-  settings.law.damping_Ns_per_m = 0.0;
-  RemoteBench bench(a_hand(seed), scene, settings, quality, device::LocalSurface::Kind::plane, sent);
-  const haptics::HapticScene& truth = bench.far_scene();
-  haptics::TouchState state{};
-  Touched touched;
-  Vec3 before_N;
-  double squares = 0.0, own_squares = 0.0, compared = 0.0;
-  while (bench.t_s() < seconds) {
-    const haptics::TouchSample& sample = bench.step();
-    const Vec3 force_N = sample.written_force_N.v;
-    EXPECT_TRUE(is_finite(force_N));
-    // The growth of the part that is new, as the rise limit counts it.
-    const double size = norm(before_N);
-    const Vec3 along = size > 0.0 ? before_N / size : Vec3{};
-    const double kept = std::clamp(dot(force_N, along), 0.0, size);
-    touched.max_growth_N = std::max(touched.max_growth_N, norm(force_N - kept * along));
-    touched.max_force_N = std::max(touched.max_force_N, norm(force_N));
-    before_N = force_N;
-    haptics::Hand hand;
-    hand.position = truth.scene_from_device * Point<DeviceFrame>{sample.device_position.v};
-    const haptics::LawOutput output = truth.touchable->evaluate(hand, state);
-    const bool compares = sample.status == device::Status::ok && output.contact;
-    touched.contact_ticks += sample.has(haptics::flag::kContact) ? 1.0 : 0.0;
-    if (!compares) continue;
-    const Vec3 true_N = rotate_force(truth.scene_from_device.inverse(), output.spring_N).v;
-    squares += squared_norm(sample.raw_force_N.v - true_N);
-    own_squares += squared_norm(true_N);
-    compared += 1.0;
-  }
-  touched.counts = bench.counts();
-  touched.rms_difference_N = std::sqrt(squares / std::max(1.0, compared));
-  touched.rms_force_N = std::sqrt(own_squares / std::max(1.0, compared));
-  return touched;
-}
-
-double seconds_of_a_touch() {
-  const char* wanted = std::getenv("PALPABLE_REMOTE_SECONDS");
-  return wanted != nullptr ? std::atof(wanted) : 8.0;
-}
-
-struct LinkCase {
-  const char* name;
-  LinkQuality quality;
-  /// Else surfaces are mostly too old when they come, and the force is off.
-  bool is_usable = true;
-};
-const LinkCase kLinks[]{
-    {"none", {}},
-    {"5 ms", {0.005, 0.0, 0.0}},
-    {"5 ms, jitter 5 ms, loss 1 %", {0.005, 0.005, 0.01}},
-    {"20 ms", {0.02, 0.0, 0.0}},
-    {"20 ms, jitter 10 ms, loss 2 %", {0.02, 0.01, 0.02}},
-    {"20 ms, jitter 20 ms, loss 5 %, in any order, 10 % twice", {0.02, 0.02, 0.05, false, 0.1}},
-    {"100 ms", {0.1, 0.0, 0.0}},
-    {"100 ms, jitter 20 ms, loss 2 %", {0.1, 0.02, 0.02}, false}};
-
 TEST(RemoteTouch, IsPassiveAndNeverStepsWhateverTheLinkIsLike) {
   const models::Scene scene = hilly_scene(kHills_m);
   const haptics::TickOptions limits;
   for (const LinkCase& link : kLinks) {
-    Touched worst;
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
-      const Touched touched = touch(scene, link.quality, seconds_of_a_touch(), seed);
+      const RemotelyTouched touched = remote_touch(scene, link.quality, seed);
       // The rise limit of one tick, and not more than the device can give.
       EXPECT_LE(touched.max_growth_N, 1e-6 + limits.max_force_rate_N_per_s * RemoteBench::kTick_s)
           << link.name;
@@ -113,7 +30,7 @@ TEST(RemoteTouch, IsPassiveAndNeverStepsWhateverTheLinkIsLike) {
       // which the observer does not count; without a delay nothing is made.
       EXPECT_LE(touched.counts.made_max_J, 2e-5) << link.name << ", seed " << seed;
       EXPECT_TRUE(touched.counts.made_max_J <= 1e-6 || link.quality.delay_s > 0.0) << seed;
-      if (std::getenv("PALPABLE_REMOTE_SECONDS") != nullptr)
+      if (prints_remote_touches())
         std::cout << link.name << ", seed " << seed << ": contact " << touched.contact_ticks
                   << " ticks, growth " << touched.max_growth_N << " N, most " << touched.max_force_N
                   << " N, made " << 1e6 * touched.counts.made_max_J << " uJ (without controller "
@@ -125,7 +42,7 @@ TEST(RemoteTouch, IsPassiveAndNeverStepsWhateverTheLinkIsLike) {
 }
 
 TEST(RemoteTouch, HasTheForcesOfTheSceneWithoutADelay) {
-  const Touched touched = touch(hilly_scene(kHills_m), {}, seconds_of_a_touch(), 4);
+  const RemotelyTouched touched = remote_touch(hilly_scene(kHills_m), {}, 4);
   EXPECT_GT(touched.rms_force_N, 0.1);
   EXPECT_LT(touched.rms_difference_N, 0.05 * touched.rms_force_N);
 }
@@ -145,21 +62,21 @@ models::Scene ridged_scene() {
 
 TEST(RemoteTouch, RendersFrictionAndTexturesAtTheDevice) {
   const models::Scene ridged = ridged_scene();
-  const Touched without_delay = touch(ridged, {}, seconds_of_a_touch(), 4);
+  const RemotelyTouched without_delay = remote_touch(ridged, {}, 4);
   EXPECT_LT(without_delay.rms_difference_N, 0.05 * without_delay.rms_force_N);
   const LinkQuality late{0.005, 0.002, 0.01};
-  const Touched textured = touch(ridged, late, seconds_of_a_touch(), 4);
+  const RemotelyTouched textured = remote_touch(ridged, late, 4);
   EXPECT_LT(textured.rms_difference_N, 0.06 * textured.rms_force_N);
-  const Touched untextured = touch(ridged, {}, seconds_of_a_touch(), 4, SentTextures::none);
+  const RemotelyTouched untextured = remote_touch(ridged, {}, 4, SentTextures::none);
   EXPECT_GT(untextured.rms_difference_N, 2.0 * without_delay.rms_difference_N);
   EXPECT_LE(textured.counts.made_max_J, 2e-5);
-  if (std::getenv("PALPABLE_REMOTE_SECONDS") == nullptr) return;
+  if (!prints_remote_touches()) return;
   std::cout << "ridges that are not sent: difference " << untextured.rms_difference_N << " N\n";
   models::Scene smooth = ridged;
   smooth.materials.front().texture = {};
   for (const models::Scene* scene : {&ridged, static_cast<const models::Scene*>(&smooth)})
     for (const LinkCase& link : kLinks) {
-      const Touched touched = touch(*scene, link.quality, seconds_of_a_touch(), 4);
+      const RemotelyTouched touched = remote_touch(*scene, link.quality, 4);
       std::cout << (scene == &ridged ? "ridges, " : "smooth, ") << link.name << ": difference "
                 << touched.rms_difference_N << " N of " << touched.rms_force_N << " N, made "
                 << 1e6 * touched.counts.made_max_J << " uJ\n";

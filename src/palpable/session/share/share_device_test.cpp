@@ -113,6 +113,22 @@ TEST(ShareDevice, LimitsWhatASurfaceAsksFor) {
   EXPECT_EQ(limited_surface(surface, traits, 1000.0, 1.5).kind, device::LocalSurface::Kind::free);
 }
 
+TEST(ShareDevice, LimitsVibrationsAndPulls) {
+  device::Traits traits;
+  device::LocalSurface surface;
+  surface.kind = device::LocalSurface::Kind::free;
+  surface.transient = {4.0, 100.0, 80.0};
+  surface.pull_N.v = {0.0, -0.3, 0.0};
+  EXPECT_EQ(limited_surface(surface, traits, 1000.0, 1.5), surface);
+  // Fewer than five ticks to a period, and more than a guide may pull.
+  surface.transient.frequency_hz = 300.0;
+  surface.pull_N.v = {0.0, -30.0, 40.0};
+  const auto limited = limited_surface(surface, traits, 1000.0, 1.5);
+  EXPECT_EQ(limited.transient, device::ContactTransient{});
+  EXPECT_NEAR(norm(limited.pull_N), 1.0, 1e-12);
+  EXPECT_NEAR(limited.pull_N.v.z, 0.8, 1e-12);
+}
+
 TEST(ShareDevice, NeedsADeviceWithMotors) {
   ShareOptions options;
   options.device_url = "nothing:";

@@ -3,6 +3,8 @@
 #include "palpable/session/share/shared_limits.hpp"
 
 #include "palpable/haptics/safety/stability.hpp"
+#include "palpable/haptics/tick/transient_player.hpp"
+#include "palpable/models/scene/route_guide.hpp"
 
 namespace palpable::session {
 
@@ -24,6 +26,9 @@ device::LocalSurface limited_surface(const device::LocalSurface& surface, const 
     limited.damping_Ns_per_m =
         haptics::safe_slopes(device, rate_hz, 1.0, surface.damping_Ns_per_m, hand_damping_Ns_per_m)
             .damping_Ns_per_m;
+  if (!haptics::can_render(surface.transient, device, rate_hz)) limited.transient = {};
+  if (const double pull_N = norm(surface.pull_N); pull_N > models::kMaxGuideForce_N)
+    limited.pull_N = (models::kMaxGuideForce_N / pull_N) * surface.pull_N;
   return limited;
 }
 

@@ -12,7 +12,9 @@ namespace palpable::session {
 inline constexpr double kSharedRampDown_s = 0.008;
 
 /// A surface as this device can render it: its stiffness and damping limited as those of a scene would be
-/// (safe_contact(), safe_slopes()). `stiffening`: of its texture (haptics::texture_stiffening()).
+/// (safe_contact(), safe_slopes()), without a vibration that this loop and device cannot render
+/// (can_render()), and with a pull that is no stronger than that of a guide. `stiffening`: of its texture
+/// (haptics::texture_stiffening()).
 device::LocalSurface limited_surface(const device::LocalSurface& surface, const device::Traits& device,
                                      double rate_hz, double hand_damping_Ns_per_m, double stiffening = 1.0);
 

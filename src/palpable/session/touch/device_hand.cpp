@@ -8,7 +8,6 @@
 #include "palpable/device/url.hpp"
 #include "palpable/haptics/servo/pacing.hpp"
 #include "palpable/haptics/servo/start_touch.hpp"
-#include "palpable/haptics/tick/transient_player.hpp"
 #include "palpable/session/touch/recorded_touch.hpp"
 #include "palpable/session/touch/recording_header.hpp"
 #include "palpable/session/touch/sent_textures.hpp"
@@ -115,18 +114,6 @@ Opened opened_device(const DeviceHand::Begin& begin, const SessionOptions& optio
   return moved(*std::move(device), options, begin.url, state);
 }
 
-/// What a device that renders surfaces itself does not get.
-void leave_out_unsent(const models::Scene& scene, PreparedScene& prepared) {
-  constexpr auto kNone = haptics::TransientKind::none;
-  if (std::exchange(prepared.transient, kNone) != kNone)
-    prepared.notices.emplace_back(
-        "The contact transient was left out: only surfaces are sent to a device at another computer.");
-  prepared.scene.transient = haptics::transient_of(kNone);
-  if (scene.guide != nullptr)
-    prepared.notices.emplace_back(
-        "The pull along the way is not felt: only surfaces are sent to a device at another computer.");
-}
-
 }  // namespace
 
 std::filesystem::path recording_of_hand(const std::filesystem::path& file, std::size_t hand) {
@@ -201,7 +188,6 @@ Result<DeviceHand::Prepared> DeviceHand::prepared_for(const device::Traits& trai
       prepare_scene(*to, settings, traits, options_.servo.rate_hz, place, caches.kept, options_.work);
   if (!scene) return std::move(scene).error();
   scene->scene.id = last_scene_id_ + 1;
-  if (sent_textures_) leave_out_unsent(*to, *scene);
   auto description = described(*scene, to, settings, caches);
   return Prepared{*std::move(scene), std::move(description), place, reach_of(*to, place)};
 }
