@@ -22,6 +22,8 @@ export interface MotionPage {
   device(): string;
   say(words: Words | string, importance: Importance): void;
   send(message: FromPage): void;
+  /** The device's middle is another one from now on. */
+  recentred(): void;
   /** Requests frames while something moves. */
   moves(): void;
   draw(): void;
@@ -80,7 +82,10 @@ export class ProbeMotion {
     const scene = this.page.scene();
     own.current.jump(this.middle(), performance.now());
     this.walking.reset();
-    if (own.chosen === 0) this.page.send({ type: 'recentre' });
+    if (own.chosen === 0) {
+      this.page.send({ type: 'recentre' });
+      this.page.recentred();
+    }
     this.walking.sendPose();
     this.page.moves();
     const mayBeEmpty = scene?.kind.endsWith('field') ?? false;
