@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Registers a device with the screen: three marks are touched with the handle, then the scene is drawn where the hand feels it.
-import { rounded, t } from '../language';
+import { fixed, t } from '../language';
 import { element } from '../dom';
 import type { ProbeState, Scene } from '../generated/protocol';
 import type { Preferences } from '../settings/preferences';
@@ -27,6 +27,8 @@ export interface RegistrationTarget extends DepthTarget {
   heightFactor(): number;
   paused(): boolean;
   pause(): void;
+  /** The marks need the whole picture. */
+  begun(): void;
 }
 
 export class RegistrationPanel {
@@ -91,6 +93,7 @@ export class RegistrationPanel {
     const mode = this.target.page().depthMode;
     if (mode === 'plain' || !fillsCanvas(layouts[mode])) this.target.change({ depthMode: 'head' }, 'depthMode');
     if (!this.target.paused()) this.target.pause();
+    this.target.begun();
     this.touched = [];
     this.hand.forget();
     this.stage.element.append(this.mark);
@@ -121,7 +124,7 @@ export class RegistrationPanel {
     this.isRegistered = true;
     this.holdsFor = this.conditions();
     this.showButton();
-    this.tell(t('The scene is where the hand feels it, within {value} millimetres at the marks. Space goes on with the touch.', { value: rounded(1000 * found.residual, 1) }));
+    this.tell(t('The scene is where the hand feels it, within {value} millimetres at the marks. Space goes on with the touch.', { value: fixed(1000 * found.residual, 1) }));
   }
 
   private leave(): void {

@@ -168,6 +168,7 @@ export class TouchPage {
       heightFactor: () => this.heightFactor(),
       paused: () => this.paused,
       pause: () => this.connection.send({ type: 'pause', paused: true }),
+      begun: () => this.guided.withdraw(),
     });
     this.headset = new HeadsetPanel(this.stage, {
       frames: this.frames,
