@@ -72,7 +72,10 @@ export class RegistrationPanel {
   /** The device's middle, the scene's size or the screen's measure has changed. */
   moved(): void {
     if (this.touched !== null) this.leave();
-    if (this.isRegistered) this.forget(t('The scene’s place under the hand has changed: it is in the middle of the picture again, and can be put where the hand is once more.'));
+    if (!this.isRegistered) return;
+    // After the answer to what changed it, which would replace it.
+    const sentence = t('The scene’s place under the hand has changed: it is in the middle of the picture again, and can be put where the hand is once more.');
+    this.forget(sentence, (words) => this.target.tell(words));
   }
 
   /** Where the device's hand is, in the scene. */
@@ -140,12 +143,12 @@ export class RegistrationPanel {
     this.stage.element.focus({ preventScroll: true });
   }
 
-  private forget(sentence: string): void {
+  private forget(sentence: string, say = (words: string) => this.target.say(words)): void {
     this.isRegistered = false;
     this.holdsFor = '';
     this.stage.register(null);
     this.showButton();
-    this.tell(sentence);
+    this.tell(sentence, say);
   }
 
   private pressed(event: KeyboardEvent): void {
@@ -184,8 +187,8 @@ export class RegistrationPanel {
   private showButton(): void {
     this.button.textContent = this.isRegistered ? t('Put the scene back into the middle') : t('Put the scene where the hand is');
   }
-  private tell(sentence: string): void {
+  private tell(sentence: string, say = (words: string) => this.target.say(words)): void {
     element('registration-words').textContent = sentence;
-    this.target.say(sentence);
+    say(sentence);
   }
 }
