@@ -88,8 +88,8 @@ it('places the scene at the touched marks, and says how exactly', async () => {
 
 it('ends when the device’s middle is another one', async () => {
   await page.locator('#recentre').click();
+  await page.waitForFunction(() => document.getElementById('register-hand')!.textContent === 'Put the scene where the hand is');
   await says(page, 'place under the hand has changed');
-  expect(await page.locator('#register-hand').textContent()).toBe('Put the scene where the hand is');
 });
 
 it('changes nothing where two marks were exchanged', async () => {

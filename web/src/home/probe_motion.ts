@@ -82,14 +82,13 @@ export class ProbeMotion {
     const scene = this.page.scene();
     own.current.jump(this.middle(), performance.now());
     this.walking.reset();
-    if (own.chosen === 0) {
-      this.page.send({ type: 'recentre' });
-      this.page.recentred();
-    }
+    if (own.chosen === 0) this.page.send({ type: 'recentre' });
     this.walking.sendPose();
     this.page.moves();
     const mayBeEmpty = scene?.kind.endsWith('field') ?? false;
     this.page.say(mayBeEmpty ? this.narrator.middle() : this.probes.named(t('In the middle.')), Importance.answer);
+    // What it says follows the answer.
+    if (own.chosen === 0) this.page.recentred();
   }
 
   /** Brings one of this page's probes to the middle, without a word. */
