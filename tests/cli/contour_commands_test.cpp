@@ -70,7 +70,7 @@ TEST_F(ContourInput, IsExportedForSwellPaperEmbossersAndPrinters) {
   ASSERT_EQ(made.exit_code, 0);
   // The grooves are 1.5 mm deep, which is the scene's stated height.
   EXPECT_NEAR(palpable({"info", path("a.palp"), "--json"}).json()["size_m"][2].get<double>(), 0.0015, 1e-4);
-  for (const char* ending : {"svg", "brf", "stl"})
+  for (const char* ending : {"svg", "brf", "pbm", "stl"})
     ASSERT_EQ(palpable({"export", path("a.palp"), "-o", path(std::string("a.") + ending)}).exit_code, 0)
         << ending;
   const std::string svg = read("a.svg");
@@ -78,6 +78,8 @@ TEST_F(ContourInput, IsExportedForSwellPaperEmbossersAndPrinters) {
   // A disc half as wide as the page: dots in the middle rows, none in the first.
   const std::string brf = read("a.brf");
   EXPECT_THAT(brf, AllOf(HasSubstr("C"), ::testing::StartsWith("\r\n"), ::testing::EndsWith("\f")));
+  // The same on 60 x 40 pins.
+  EXPECT_THAT(read("a.pbm"), AllOf(::testing::StartsWith("P1\n60 40\n00000"), HasSubstr("11")));
   ASSERT_EQ(palpable({"export", path("a.palp"), "-o", path("raised.stl"), "--lines", "raised"}).exit_code, 0);
   EXPECT_NE(read("raised.stl"), read("a.stl"));
   // As a picture of the lines, with its scale beside it: 160 px are 100 mm.

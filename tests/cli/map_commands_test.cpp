@@ -149,7 +149,7 @@ TEST_F(MapCommands, MakeAMapOfAnExtract) {
   EXPECT_EQ(info["kind"], "map");
   EXPECT_EQ(info["streets"].size(), 3U);
   EXPECT_EQ(info["crossings"].size(), 1U);
-  for (const char* file : {"map.txt", "map.svg", "map.brf", "map.stl"}) {
+  for (const char* file : {"map.txt", "map.svg", "map.brf", "map.pbm", "map.stl"}) {
     const auto exported = palpable({"export", path("map.palp"), "-o", path(file)});
     EXPECT_EQ(exported.exit_code, 0) << exported.err;
     EXPECT_TRUE(std::filesystem::exists(path(file))) << file;

@@ -15,6 +15,7 @@
 namespace palpable::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
@@ -239,10 +240,18 @@ TEST_F(SceneCommands, ExportWritesNpzAndPng) {
   EXPECT_EQ(palpable({"export", in("a.palp"), "-o", in("a.xyz")}).exit_code, 2);
 }
 
+TEST_F(SceneCommands, ExportDrawsAReliefInDots) {
+  ASSERT_EQ(palpable({"export", in("a.palp"), "-o", in("a.pbm")}).exit_code, 0);
+  EXPECT_THAT(read_text(in("a.pbm")), AllOf(StartsWith("P1\n60 40\n"), HasSubstr("11")));
+  ASSERT_EQ(palpable({"export", in("a.palp"), "-o", in("a.brf")}).exit_code, 0);
+  EXPECT_THAT(read_text(in("a.brf")), HasSubstr("\f"));
+}
+
 TEST_F(SceneCommands, ExportSaysWhatASceneIsExportedAsAndWhatAnOptionIsFor) {
   const Outcome wrong = palpable({"export", in("a.palp"), "-o", in("a.vdb")});
   EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_THAT(wrong.err, HasSubstr("a relief is exported as .stl, .glb, .svg, .npz, .png or .html"));
+  EXPECT_THAT(wrong.err,
+              HasSubstr("a relief is exported as .stl, .glb, .svg, .brf, .pbm, .npz, .png or .html"));
   const Outcome unread = palpable({"export", in("a.palp"), "-o", in("u.npz"), "--grid", "64"});
   EXPECT_EQ(unread.exit_code, 0);
   EXPECT_THAT(unread.err,

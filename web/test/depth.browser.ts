@@ -7,6 +7,7 @@ import { anaglyph, glasses, type Colour } from '../src/view/depth/anaglyph';
 import type { Fit } from '../src/view/depth/fit';
 import { straightPitch } from '../src/view/depth/layout';
 import type { Mark, Second, Shot } from './depth_scene';
+import { registrationOf, type Triple } from '../src/view/depth/registration';
 import { centre, marks, pixelsOf, scriptOf, stagePage, top, type Pixels } from './discs';
 import { launch } from './harness';
 
@@ -32,6 +33,7 @@ const heads = [{ x: 0, y: 0, z: 0 }, { x: 0.25, y: -0.1, z: -0.2 }, { x: -0.15, 
 
 interface Picture extends Pixels {
   fit: Fit;
+  corner: { left: number; top: number };
 }
 
 /** Where an eye sees a point of the scene, in pixels from the middle of its window: where the line from the eye meets the screen. */
@@ -52,8 +54,8 @@ describe('the drawn depth', () => {
   afterAll(() => page?.context().close());
 
   async function take(shot: Shot): Promise<Picture> {
-    const { fit, pixels } = await page.evaluate((wanted) => window.depthScene.take(wanted), shot);
-    return { fit: fit!, ...pixelsOf(pixels, shot.width, shot.height) };
+    const { fit, pixels, corner } = await page.evaluate((wanted) => window.depthScene.take(wanted), shot);
+    return { fit: fit!, corner, ...pixelsOf(pixels, shot.width, shot.height) };
   }
   const near = (of: string, measured: number, wanted: number) => expect(Math.abs(measured - wanted), `${of}: ${measured}, in theory ${wanted}`).toBeLessThanOrEqual(0.5);
 
@@ -126,6 +128,36 @@ describe('the drawn depth', () => {
     const spread = (values: number[]) => Math.max(...values) - Math.min(...values);
     expect(spread(shots.map(({ flat }) => flat))).toBeLessThan(1);
     expect(spread(shots.map(({ low }) => low))).toBeGreaterThan(5);
+  });
+
+  it.each(screens)('of ten points is where a registered hand feels them on $name, from three places', async ({ width, height, pixel, distance }) => {
+    const metres = pixel / 1000;
+    // The scene as a hand feels it: leaning back by 30 degrees, turned by 10, two fifths as wide as the picture, a tenth of that before the screen.
+    const { corner } = await take({ width, height, look: { depthMode: 'head', pixelSize: pixel }, head: { x: 0, y: 0, z: 0 } });
+    const [lean, turn] = [Math.PI / 6, Math.PI / 18];
+    const scale = 4 * width * metres;
+    const middle = { x: (corner.left + 0.55 * width) * metres, y: -(corner.top + 0.5 * height) * metres, z: 0.04 * width * metres };
+    const felt = ({ x, y, z }: { x: number; y: number; z: number }) => {
+      const [u, v] = [Math.cos(turn) * x - Math.sin(turn) * y, Math.sin(turn) * x + Math.cos(turn) * y];
+      return { x: middle.x + scale * u, y: middle.y + scale * (Math.cos(lean) * v - Math.sin(lean) * z), z: middle.z + scale * (Math.sin(lean) * v + Math.cos(lean) * z) };
+    };
+    const touched: Triple<{ x: number; y: number; z: number }> = [{ x: -0.04, y: -0.03, z: 0.01 }, { x: 0.04, y: -0.03, z: 0 }, { x: -0.01, y: 0.035, z: 0.02 }];
+    const found = registrationOf(touched, [felt(touched[0]), felt(touched[1]), felt(touched[2])]);
+    if (typeof found === 'string') throw new Error(found);
+    for (const share of heads) {
+      const head = { x: (share.x * distance) / 1000, y: (share.y * distance) / 1000, z: (share.z * distance) / 1000 };
+      const eye = { x: (corner.left + width / 2) * metres + head.x, y: -(corner.top + height / 2) * metres + head.y, z: distance / 1000 + head.z };
+      const picture = await take({ width, height, look: { depthMode: 'head', pixelSize: pixel, screenDistance: distance }, head, registration: found.registration });
+      expect(picture.fit.isByHand).toBe(true);
+      for (const [k, { x, y, height: z }] of marks.entries()) {
+        const point = felt({ x, y, z });
+        const along = eye.z / (eye.z - point.z);
+        const wanted = { left: (eye.x + (point.x - eye.x) * along) / metres - corner.left, top: -(eye.y + (point.y - eye.y) * along) / metres - corner.top };
+        const at = centre(picture, wanted.left, wanted.top, (0.002 * scale * along) / metres + 2, ([, green]) => green);
+        near(`point ${k}, right`, at.left, wanted.left);
+        near(`point ${k}, down`, at.top, wanted.top);
+      }
+    }
   });
 
   it('of a pair shows the right eye the second picture, and the left one the first', async () => {

@@ -4,6 +4,8 @@
 import { Surface } from '../src/surface';
 import type { Fit } from '../src/view/depth/fit';
 import type { ScreenPoint } from '../src/view/depth/frustum';
+import type { Registration } from '../src/view/depth/registration';
+import { cornerOnScreen } from '../src/settings/screen_size';
 import { plainLook, type Look } from '../src/view/view';
 import type { SecondView } from '../src/view/second_view';
 import { View3d } from '../src/view/view3d';
@@ -28,12 +30,16 @@ export interface Shot {
   height: number;
   look: Partial<Look>;
   head: ScreenPoint;
+  /** Where a hand feels the scene. */
+  registration?: Registration;
 }
 
 export interface Taken {
   fit: Fit | null;
   /** Red, green, blue, opacity; row-major from the upper left corner, in base 64. */
   pixels: string;
+  /** The CSS pixel of the screen at the stage's corner. */
+  corner: { left: number; top: number };
 }
 
 declare global {
@@ -80,15 +86,16 @@ window.depthScene = {
     view.probes([{ ...marble, force: [0, 0, 0], number: 1, chosen: true }]);
   },
 
-  take({ width, height, look, head }) {
+  take({ width, height, look, head, registration = undefined }) {
     const stage = document.getElementById('stage')!;
     stage.style.width = `${width}px`;
     stage.style.height = `${height}px`;
     view!.set(1, { ...plainLook, surface: 'unlit', tilt: 0, ...look });
     view!.resize();
     view!.head(head);
+    view!.register(registration ?? null);
     view!.draw(0);
-    return { fit: view!.fit, pixels: pixelsIn(view!.canvas, width, height) };
+    return { fit: view!.fit, pixels: pixelsIn(view!.canvas, width, height), corner: cornerOnScreen(view!.canvas) };
   },
 };
 

@@ -22,6 +22,8 @@ export interface MotionPage {
   device(): string;
   say(words: Words | string, importance: Importance): void;
   send(message: FromPage): void;
+  /** The device's middle is another one from now on. */
+  recentred(): void;
   /** Requests frames while something moves. */
   moves(): void;
   draw(): void;
@@ -85,6 +87,8 @@ export class ProbeMotion {
     this.page.moves();
     const mayBeEmpty = scene?.kind.endsWith('field') ?? false;
     this.page.say(mayBeEmpty ? this.narrator.middle() : this.probes.named(t('In the middle.')), Importance.answer);
+    // What it says follows the answer.
+    if (own.chosen === 0) this.page.recentred();
   }
 
   /** Brings one of this page's probes to the middle, without a word. */

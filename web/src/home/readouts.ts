@@ -7,6 +7,7 @@ import { figuresEvery, millimetreFigure } from '../figures';
 import type { ProbeState, State } from '../generated/protocol';
 import type { ExplorerPose } from '../probe/explorer';
 import { newtons } from '../probe/probes';
+import { setSent } from '../sent_language';
 import type { Place } from '../surface';
 import { ForcePlot } from './plot';
 
@@ -92,7 +93,7 @@ export class Readouts {
   /** Shows a persistent sentence, which interrupts screen readers. */
   alert(sentence: string): void {
     const banner = element('banner');
-    write('banner', sentence);
+    if (banner.textContent !== sentence) setSent(banner, sentence);
     banner.hidden = false;
   }
   allWell(): void {

@@ -33,6 +33,7 @@ import { press } from './keys';
 import { Narrator } from './narrator';
 import { ProbeMotion } from './probe_motion';
 import { Readouts } from './readouts';
+import { RegistrationPanel } from './registration_panel';
 import { Replay } from './replay';
 import { showHeading, showNoScene, showWayBack, stageLabel } from './scene_heading';
 import { SceneFrames } from './scene_frames';
@@ -100,6 +101,7 @@ export class TouchPage {
     device: () => this.hello?.device ?? 'a device',
     say: (words, importance) => this.voice.say(words, importance),
     send: (message) => this.connection.send(message),
+    recentred: () => this.registration.moved(),
     moves: () => this.frames.request(),
     draw: () => this.showProbes(),
   });
@@ -117,6 +119,7 @@ export class TouchPage {
   private readonly keys: TouchActions;
   private readonly head: HeadPanel | null;
   private readonly headset: HeadsetPanel;
+  private readonly registration: RegistrationPanel;
   private readonly share: SharePanel;
   private readonly robot: RobotPanel;
   private hello: Hello | null = null;
@@ -159,6 +162,14 @@ export class TouchPage {
     };
     this.depth = new DepthPanel(this.stage, depth);
     this.head = followHead?.(this.stage, depth) ?? null;
+    this.registration = new RegistrationPanel(this.stage, {
+      ...depth,
+      scene: () => this.scene,
+      heightFactor: () => this.heightFactor(),
+      paused: () => this.paused,
+      pause: () => this.connection.send({ type: 'pause', paused: true }),
+      begun: () => this.guided.withdraw(),
+    });
     this.headset = new HeadsetPanel(this.stage, {
       frames: this.frames,
       pointing: this.pointing,
@@ -271,6 +282,7 @@ export class TouchPage {
     this.depth.show();
     this.head?.follow();
     this.headset.follow();
+    this.registration.follow();
     this.picture.follow();
     this.voice.set(settings.page.speech);
     this.feedback.set(settings);
@@ -390,6 +402,7 @@ export class TouchPage {
     this.probes.page = hello.page;
     this.readouts.setDevice(hello.device);
     this.own.set(hello.probes, hello.pointer_moves, hello.hands);
+    this.registration.offer(!hello.pointer_moves && hello.guest === null);
     this.share.greet(hello.guest);
     if (hello.guest !== null) this.own.setGuest(hello.guest.probe);
     this.actions.changed();
@@ -417,6 +430,7 @@ export class TouchPage {
     if (!this.loaded.isComplete) return;
     this.stage.show(surface, picture, cells, secondView);
     element('second-view-choice').hidden = secondView === null;
+    this.registration.follow();
     this.headset.follow();
     this.walking.show();
     this.showProbes();
@@ -435,6 +449,8 @@ export class TouchPage {
 
   /** While a recording is replayed, the touch goes on unseen. */
   private receiveState(state: State): void {
+    const hand = state.probes[0];
+    if (hand?.probe === 0) this.registration.felt(hand, performance.now());
     if (!this.replay.isOpen) this.showState(state);
   }
 
@@ -480,6 +496,7 @@ export class TouchPage {
     this.trace.frame(now);
     this.stage.draw(waited);
     this.depth.frame();
+    this.registration.frame();
     document.documentElement.dataset.frames = String(this.frames.count);
     return moving;
   }

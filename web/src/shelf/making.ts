@@ -4,6 +4,7 @@
 import { known, t } from '../language';
 import { element } from '../dom';
 import type { Job } from '../generated/protocol';
+import { setSent } from '../sent_language';
 import { tell } from './program';
 
 const period = 300;
@@ -54,7 +55,7 @@ export class Making {
     list.replaceChildren(
       ...notes.map((note) => {
         const line = document.createElement('li');
-        line.textContent = known(note);
+        setSent(line, known(note));
         return line;
       }),
     );

@@ -12,6 +12,7 @@ import { Making } from './making';
 import { Refusal, tell } from './program';
 import { Question } from './question';
 import { sentWords } from './sent';
+import { setSent } from '../sent_language';
 
 export class ShelfPage {
   private shelf: Shelf | null = null;
@@ -120,11 +121,11 @@ export class ShelfPage {
   private alert(sentence: string): void {
     const banner = element('banner');
     banner.hidden = sentence === '';
-    banner.textContent = sentWords(sentence);
+    setSent(banner, sentWords(sentence));
     if (sentence !== '') banner.scrollIntoView({ block: 'nearest' });
   }
 
   private say(words: string): void {
-    element('said').textContent = words;
+    setSent(element('said'), words);
   }
 }

@@ -4,6 +4,7 @@
 // people without a screen reader.
 import { Announcer, Importance, type Words } from './announcer';
 import { element } from '../dom';
+import { isEnglish, setSent } from '../sent_language';
 
 export class Voice {
   private aloud = false;
@@ -27,7 +28,7 @@ export class Voice {
     if (!this.aloud) return;
     speechSynthesis.cancel();
     const utterance = new SpeechSynthesisUtterance(text);
-    utterance.lang = document.documentElement.lang;
+    utterance.lang = isEnglish(text) ? 'en' : document.documentElement.lang;
     speechSynthesis.speak(utterance);
   }
 
@@ -45,7 +46,7 @@ export class Voice {
   private utter(text: string): void {
     // A new element each time, so that a repeated sentence is announced again.
     const line = document.createElement('span');
-    line.textContent = text;
+    setSent(line, text);
     this.region.replaceChildren(line);
     this.aloudOnly(text);
   }

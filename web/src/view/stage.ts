@@ -11,6 +11,7 @@ import { Camera, cameraTilt, shiftWords, turnWords } from './camera';
 import type { Fit } from './depth/fit';
 import type { ScreenPoint } from './depth/frustum';
 import { clampHead, headStep, headWords, restingHead } from './depth/head';
+import type { Registration } from './depth/registration';
 import { bindGestures } from './gestures';
 import type { Headset } from './headset/headset';
 import type { SecondView } from './second_view';
@@ -54,6 +55,7 @@ export class Stage {
   private offered = false;
   private moves: Moves = 'probe';
   private headMoved = restingHead;
+  private registration: Registration | null = null;
 
   constructor(
     private look: Preferences,
@@ -181,6 +183,16 @@ export class Stage {
     this.view?.head(this.headMoved);
     this.target.changed();
   }
+  /** Shows the scene in the depth modes where the hand feels it; null: in the middle of the picture. */
+  register(registration: Registration | null): void {
+    this.registration = registration;
+    this.placeAgain();
+  }
+  /** The stage is at another place on the screen. */
+  placeAgain(): void {
+    this.view?.register(this.registration);
+    this.target.changed();
+  }
   /** Null: the view cannot be shown in one. */
   get headset(): Headset | null {
     return this.view?.headset ?? null;
@@ -239,6 +251,7 @@ export class Stage {
     this.view.set(this.heightFactor, this.look);
     this.view.aim(this.camera.pose);
     this.view.head(this.headMoved);
+    this.view.register(this.registration);
   }
 
   private giveUp3d(why: string): void {

@@ -7,6 +7,7 @@ import type { Place, Surface } from '../surface';
 import type { CameraPose } from './camera';
 import type { Fit } from './depth/fit';
 import type { ScreenPoint } from './depth/frustum';
+import type { Registration } from './depth/registration';
 import type { Headset } from './headset/headset';
 import type { SecondView } from './second_view';
 import type { Speed } from './pace';
@@ -39,6 +40,8 @@ export interface View {
   readonly headset: Headset | null;
   /** Sets how far the head has moved from its resting place (depth/head.ts). */
   head(moved: ScreenPoint): void;
+  /** Draws the scene in depth modes where the hand feels it (depth/registration.ts); null: in the middle of the picture. */
+  register(registration: Registration | null): void;
   /** Sets all probes; numbers are shown if there are several. True if the view has changed. */
   probes(probes: readonly ProbeView[]): boolean;
   /** Sets a line on the surface; empty for none. */

@@ -23,16 +23,17 @@ import {
   type DataTexture,
 } from 'three';
 import type { PictureFrame } from '../codec';
-import { cssPixel } from '../settings/screen_size';
+import { cornerOnScreen, cssPixel } from '../settings/screen_size';
 import { Surface, type Place } from '../surface';
 import { baseThickness, discard, groundOf, sizeOf, textureOf, wallsOf } from './block';
 import { cameraTilt, frontPose, type CameraPose } from './camera';
 import { DepthPicture, turnOf } from './depth/depth_picture';
-import { fitOf, type Fit } from './depth/fit';
-import type { ScreenPoint } from './depth/frustum';
+import { fitByHand, fitOf, type Fit } from './depth/fit';
+import type { ScreenPoint, Size } from './depth/frustum';
 import { restingHead } from './depth/head';
+import { inScene, type Registration } from './depth/registration';
 import { Headset } from './headset/headset';
-import { inWindow, layouts, usedShare, windowOf, type Layout } from './depth/layout';
+import { fillsCanvas, inWindow, layouts, usedShare, windowOf, type Layout } from './depth/layout';
 import { Marble3d, marbleRadius } from './marble3d';
 import { Pace, type Speed } from './pace';
 import { leftEye, rightEyeMesh, type SecondView } from './second_view';
@@ -75,6 +76,7 @@ export class View3d implements View {
   private readonly depth: DepthPicture;
   private onScreen: Fit | null = null;
   private headMoved = restingHead;
+  private registration: Registration | null = null;
   /** The share of the canvas's width that the pictures for both eyes take. */
   private used = 1;
 
@@ -122,6 +124,11 @@ export class View3d implements View {
 
   head(moved: ScreenPoint): void {
     this.headMoved = moved;
+    this.place();
+  }
+
+  register(registration: Registration | null): void {
+    this.registration = registration;
     this.place();
   }
 
@@ -236,11 +243,10 @@ export class View3d implements View {
     return cssPixel(this.look.pixelSize, window.devicePixelRatio) / 1000;
   }
 
-  /** The device pixel of the screen at the canvas's upper left corner, if all of the browser's own bars are above the page. */
+  /** The device pixel of the screen at the canvas's upper left corner. */
   private corner(): { left: number; top: number } {
-    const { left, top } = this.canvas.getBoundingClientRect();
-    const onScreen = (place: number) => Math.round(place * window.devicePixelRatio);
-    return { left: onScreen(window.screenX + left), top: onScreen(window.screenY + window.outerHeight - window.innerHeight + top) };
+    const { left, top } = cornerOnScreen(this.canvas);
+    return { left: Math.round(left * window.devicePixelRatio), top: Math.round(top * window.devicePixelRatio) };
   }
 
   /** Places the camera or the eyes at the tilt angle so that the whole block is visible, then applies the pose. */
@@ -294,6 +300,7 @@ export class View3d implements View {
     const canvas = { width: pixel * this.canvas.clientWidth, height: pixel * this.canvas.clientHeight };
     this.used = usedShare(layout, canvas.width, { distance, eyeDistance });
     const window = windowOf(layout, canvas, this.used);
+    if (this.registration !== null && fillsCanvas(layout)) return this.placeByHand(this.registration, surface, { low, top, head, window });
     const corners = cornersOf(surface, low - baseThickness * size - top / 2, top / 2 + 2 * marbleRadius * size);
     const fit = fitOf(
       corners.map((corner) => ({ x: corner.dot(sideways), y: corner.dot(upwards), z: corner.dot(outwards) })),
@@ -313,6 +320,21 @@ export class View3d implements View {
     const origin = this.target.clone().addScaledVector(outwards, fit.plane - shift);
     const turn = turnOf(sideways, upwards, outwards, new Quaternion());
     this.depth.aim({ origin, turn, fit, window, sceneSize: size }, head, eyeDistance);
+  }
+
+  /** The scene is where the hand feels it: the picture's place on the screen counts, its turn and zoom do not. */
+  private placeByHand(registration: Registration, surface: Surface, { low, top, head, window }: { low: number; top: number; head: ScreenPoint; window: Size }): void {
+    const { right, up, towards } = registration;
+    const size = sizeOf(surface);
+    const eyeDistance = this.look.eyeDistance / 1000;
+    const fit = fitByHand(cornersOf(surface, low - baseThickness * size, top), { distance: head.z, eyeDistance }, registration);
+    this.onScreen = fit;
+    const { left, top: above } = cornerOnScreen(this.canvas);
+    const pixel = this.pixel();
+    const middle = inScene({ x: left * pixel + window.width / 2, y: -above * pixel - window.height / 2, z: 0 }, registration);
+    const axes = [right, up, towards].map(({ x, y, z }) => new Vector3(x, y, z)) as [Vector3, Vector3, Vector3];
+    const origin = new Vector3(middle.x, middle.y, middle.z);
+    this.depth.aim({ origin, turn: turnOf(...axes, new Quaternion()), fit, window, sceneSize: size }, head, eyeDistance);
   }
 
   private recolour(): void {

@@ -42,6 +42,9 @@ export class FlatView implements View {
   head(): void {
     // Seen from above there is no depth.
   }
+  register(): void {
+    // Nor a place of its own on the screen.
+  }
 
   probes(probes: readonly ProbeView[]): boolean {
     if (lookAlike(this.here, probes)) return false;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/tactile/braille_page.hpp"
 
+#include "palpable/formats/tactile/walked_line.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -24,17 +26,6 @@ std::pair<int, int> nearest_dot(double at_m, double pitch_m, double dot_m, int d
 }
 
 bool within(double value, double least, double most) { return value >= least && value <= most; }
-
-/// Calls `visit` for points along the line, at most `step_m` apart.
-template <class Visit>
-void walk(const Polyline& line, double step_m, const Visit& visit) {
-  const std::size_t pieces = line.points.size() - (line.closed ? 0 : 1);
-  for (std::size_t i = 0; i < pieces; ++i) {
-    const Vec3 from = line.points[i], to = line.points[(i + 1) % line.points.size()];
-    const int steps = std::max(1, static_cast<int>(std::ceil(norm(to - from) / step_m)));
-    for (int k = 0; k <= steps; ++k) visit(from + (static_cast<double>(k) / steps) * (to - from));
-  }
-}
 
 }  // namespace
 
@@ -89,9 +80,8 @@ BrailleView draw_dots(BraillePage& page, std::span<const Polyline> lines, double
   const BrailleView view{std::min(page.width_m() / width_m, page.height_m() / height_m), 0.5 * page.width_m(),
                          0.5 * page.height_m()};
   for (const Polyline& line : lines)
-    if (line.points.size() > 1)
-      walk(line, 0.25 * options.dot_m / view.scale,
-           [&](Vec3 p) { page.raise(view.right_m(p.x), view.down_m(p.y)); });
+    walk_along(line, 0.25 * options.dot_m / view.scale,
+               [&](Vec3 p) { page.raise(view.right_m(p.x), view.down_m(p.y)); });
   return view;
 }
 

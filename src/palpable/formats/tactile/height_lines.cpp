@@ -41,13 +41,19 @@ std::vector<Level> levels_of(double lowest_m, double highest_m, const HeightLine
   return levels;
 }
 
-}  // namespace
+struct Range {
+  double lowest_m;
+  double highest_m;
+};
 
-Result<std::string> encode_height_lines(const Raster<float>& heights_m, double pixel_m,
-                                        const HeightLineOptions& options) {
-  constexpr double kMostLines = 200.0;
+Range range_of(const Raster<float>& heights_m) {
   const auto [low, high] = std::minmax_element(heights_m.values().begin(), heights_m.values().end());
-  const double lowest_m{*low}, highest_m{*high}, range = highest_m - lowest_m;
+  return {*low, *high};
+}
+
+Result<void> check(const HeightLineOptions& options, const Range& heights) {
+  constexpr double kMostLines = 200.0;
+  const double range = heights.highest_m - heights.lowest_m;
   if (!(options.interval_m > 0.0) || range / options.interval_m > kMostLines)
     return Error{
         ErrorCode::usage, "the height from line to line must be above 0 and give at most 200 lines", {}};
@@ -56,6 +62,31 @@ Result<std::string> encode_height_lines(const Raster<float>& heights_m, double p
   if ((options.outline_m && !(*options.outline_m > 0.0)) ||
       !(options.least_length_m >= 0.0 && options.least_length_m <= 0.1))
     return Error{ErrorCode::usage, "an outline must be above 0, and the shortest line 0 to 100 mm", {}};
+  return {};
+}
+
+}  // namespace
+
+Result<std::vector<Polyline>> height_polylines(const Raster<float>& heights_m, double pixel_m,
+                                               const HeightLineOptions& options) {
+  const Range range = range_of(heights_m);
+  if (const auto checked = check(options, range); !checked) return checked.error();
+  std::vector<Polyline> lines;
+  for (const Level& level : levels_of(range.lowest_m, range.highest_m, options))
+    for (const Line& line : level_lines(heights_m, level.height_m)) {
+      if (length_of(line) * pixel_m < options.least_length_m) continue;
+      Polyline& added = lines.emplace_back();
+      for (const RasterPoint& point : line)
+        added.points.push_back({(point.x + 0.5 - 0.5 * heights_m.width()) * pixel_m,
+                                (0.5 * heights_m.height() - point.y - 0.5) * pixel_m, 0.0});
+    }
+  return lines;
+}
+
+Result<std::string> encode_height_lines(const Raster<float>& heights_m, double pixel_m,
+                                        const HeightLineOptions& options) {
+  const Range range = range_of(heights_m);
+  if (const auto checked = check(options, range); !checked) return checked.error();
   const double mm = 1000.0;
   const double pixel_mm = mm * pixel_m;
   std::string svg = fmt::format(
@@ -66,7 +97,7 @@ Result<std::string> encode_height_lines(const Raster<float>& heights_m, double p
       "fill=\"white\"/>\n<g fill=\"none\" stroke=\"black\" stroke-linejoin=\"round\" "
       "stroke-linecap=\"round\">\n",
       pixel_mm * heights_m.width(), pixel_mm * heights_m.height(), mm * options.interval_m);
-  for (const Level& level : levels_of(lowest_m, highest_m, options)) {
+  for (const Level& level : levels_of(range.lowest_m, range.highest_m, options)) {
     for (const Line& line : level_lines(heights_m, level.height_m)) {
       if (length_of(line) * pixel_m < options.least_length_m) continue;
       svg += fmt::format("<path stroke-width=\"{:.3f}\" d=\"", mm * level.width * options.line_width_m);

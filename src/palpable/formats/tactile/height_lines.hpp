@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/geometry/polyline.hpp"
 #include "palpable/core/picture/raster.hpp"
 #include "palpable/core/result.hpp"
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace palpable::formats {
 
@@ -22,6 +24,11 @@ struct HeightLineOptions {
   /// Shorter lines are left out, since a finger does not find them. 0 … 0.1 m.
   double least_length_m = 0.0;
 };
+
+/// Lines of equal height in metres from the middle, y up, as drawings of dots need them; widths do not count.
+/// Errors: as encode_height_lines().
+Result<std::vector<Polyline>> height_polylines(const Raster<float>& heights_m, double pixel_m,
+                                               const HeightLineOptions& options);
 
 /// Lines of equal height as an SVG picture at true size, for swell paper; samples are `pixel_m` apart.
 /// Errors: usage for an interval that would give more than 200 lines, and for options out of range.

@@ -64,5 +64,21 @@ TEST(EncodeHeightLines, LeaveOutShortLines) {
   EXPECT_EQ(paths_of(*encode_height_lines(cone(), 0.001, options)), 4);
 }
 
+TEST(HeightLines, ArePolylinesFromTheMiddle) {
+  // A ramp along x from 0 to 10 mm over 11 samples of 1 mm: its line at 5 mm is x = 0.
+  Raster<float> ramp(11, 5);
+  for (int y = 0; y < 5; ++y)
+    for (int x = 0; x < 11; ++x) ramp(x, y) = 0.001F * static_cast<float>(x);
+  HeightLineOptions options;
+  options.interval_m = 0.01;
+  const auto lines = height_polylines(ramp, 0.001, options);
+  ASSERT_TRUE(lines);
+  ASSERT_EQ(lines->size(), 1U);
+  for (const Vec3 point : (*lines)[0].points) EXPECT_NEAR(point.x, 0.0, 1e-9);
+  EXPECT_NEAR(std::abs((*lines)[0].points.front().y), 0.002, 1e-9);
+  options.interval_m = 0.0;
+  EXPECT_FALSE(height_polylines(ramp, 0.001, options));
+}
+
 }  // namespace
 }  // namespace palpable::formats

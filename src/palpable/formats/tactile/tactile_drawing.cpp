@@ -3,9 +3,12 @@
 #include "palpable/formats/tactile/tactile_drawing.hpp"
 
 #include "palpable/formats/tactile/braille_page.hpp"
+#include "palpable/formats/tactile/walked_line.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -48,6 +51,26 @@ Result<std::string> encode_braille(std::span<const Polyline> lines, double width
   BraillePage page(options);
   draw_dots(page, lines, width_m, height_m, options);
   return page.text();
+}
+
+Result<std::string> encode_pins(std::span<const Polyline> lines, double width_m, double height_m,
+                                const PinOptions& options) {
+  const auto [columns, rows, pitch_m] = options;
+  if (columns < 1 || columns > 1000 || rows < 1 || rows > 1000 || !(pitch_m > 0.0))
+    return Error{ErrorCode::usage, "a tactile display must have 1 to 1000 pins on each side", {}};
+  // In pins, from the first one. The outermost pins are at the drawing's borders.
+  const double scale = std::min((columns - 1) / width_m, (rows - 1) / height_m);
+  std::vector<std::string> raised(static_cast<std::size_t>(rows),
+                                  std::string(static_cast<std::size_t>(columns), '0'));
+  const auto pin = [](double at, int pins) {
+    return static_cast<std::size_t>(std::clamp(static_cast<int>(std::lround(at)), 0, pins - 1));
+  };
+  for (const Polyline& line : lines)
+    walk_along(line, 0.25 / scale, [&](Vec3 p) {
+      raised[pin(0.5 * (rows - 1) - scale * p.y, rows)][pin(0.5 * (columns - 1) + scale * p.x, columns)] =
+          '1';
+    });
+  return fmt::format("P1\n{} {}\n{}\n", columns, rows, fmt::join(raised, "\n"));
 }
 
 }  // namespace palpable::formats

@@ -38,4 +38,18 @@ struct BrailleOptions {
 Result<std::string> encode_braille(std::span<const Polyline> lines, double width_m, double height_m,
                                    const BrailleOptions& options);
 
+/// A tactile display: pins in a square grid.
+struct PinOptions {
+  int columns = 60;
+  int rows = 40;
+  /// Distance of two pins, as that of braille dots.
+  double pitch_m = 0.0025;
+};
+
+/// The lines as pins, as a plain portable bitmap (PBM, "P1"): one pixel for each pin, 1 for a raised one. The
+/// drawing is as large as the display allows, with its proportions kept. Errors: usage for options out of
+/// range (1 to 1000 pins).
+Result<std::string> encode_pins(std::span<const Polyline> lines, double width_m, double height_m,
+                                const PinOptions& options);
+
 }  // namespace palpable::formats

@@ -56,6 +56,27 @@ TEST(Braille, StaysOnItsPage) {
   EXPECT_FALSE(encode_braille({}, 0.1, 0.1, {5, 20}));
 }
 
+TEST(Pins, AreAPlainBitmapOfTheLines) {
+  // A frame of the display's own proportions raises its outermost pins and no others.
+  const Polyline border{{{-0.059, 0.039, 0}, {0.059, 0.039, 0}, {0.059, -0.039, 0}, {-0.059, -0.039, 0}},
+                        true};
+  const auto pbm = encode_pins(std::vector<Polyline>{border}, 0.118, 0.078, {});
+  ASSERT_TRUE(pbm);
+  EXPECT_EQ(pbm->substr(0, 9), "P1\n60 40\n");
+  EXPECT_EQ(pbm->size(), 9U + 40U * 61U);
+  EXPECT_EQ(std::count(pbm->begin() + 9, pbm->end(), '1'), 2 * 60 + 2 * 38);
+  EXPECT_EQ(pbm->substr(9, 60), std::string(60, '1'));
+}
+
+TEST(Pins, KeepProportionsInTheMiddle) {
+  const Polyline line{{{0, 0.05, 0}, {0, -0.05, 0}}, false};
+  const auto pbm =
+      encode_pins(std::vector<Polyline>{line, Polyline{{{0.05, 0, 0}}, false}}, 0.1, 0.1, {5, 3});
+  ASSERT_TRUE(pbm);
+  EXPECT_EQ(*pbm, "P1\n5 3\n00100\n00100\n00100\n");
+  EXPECT_FALSE(encode_pins({}, 0.1, 0.1, {0, 3}));
+}
+
 TEST(SwellPaper, HasTheDrawingsSizeAndClosedLines) {
   const std::vector<Polyline> lines{{{{-0.05, 0.025, 0}, {0.05, -0.025, 0}}, false}, frame()};
   const auto svg = encode_swell_paper(lines, 0.1, 0.05, {});

@@ -2,13 +2,24 @@
 // SPDX-License-Identifier: Apache-2.0
 import { describe, expect, it } from 'vitest';
 import { disparityAngle } from './comfort';
-import { eyeInScene, fitOf, type FitOptions } from './fit';
+import { eyeInScene, fitByHand, fitOf, type FitOptions } from './fit';
 import { eyesOf, onScreen, type ScreenPoint } from './frustum';
 
 const viewer = { distance: 0.6, eyeDistance: 0.063 };
 const window = { width: 0.3, height: 0.2 };
 const options: FitOptions = { before: 0.4, depth: 1, comfort: true, zoom: 1, headDistance: 0.6 };
 const box = (x: number, y: number, z: number): ScreenPoint[] => [-x, x].flatMap((a) => [-y, y].flatMap((b) => [-z, z].map((c) => ({ x: a, y: b, z: c }))));
+
+describe('a scene where a hand feels it', () => {
+  const registration = { scale: 2, right: { x: 1, y: 0, z: 0 }, up: { x: 0, y: 1, z: 0 }, towards: { x: 0, y: 0, z: 1 }, origin: { x: 0.2, y: -0.1, z: 0.05 } };
+  it('has its whole depth, and the disparities of its place', () => {
+    const fit = fitByHand(box(0.03, 0.03, 0.04), viewer, registration);
+    expect(fit).toMatchObject({ scale: 2, depth: 1, isByHand: true });
+    expect(fit.nearest).toBeCloseTo(disparityAngle(0.13, viewer), 9);
+    expect(fit.farthest).toBeCloseTo(disparityAngle(-0.03, viewer), 9);
+  });
+  it('has finite ones also beside the eyes', () => expect(fitByHand(box(0.03, 0.03, 0.5), viewer, registration).nearest).toBeGreaterThan(0));
+});
 
 describe('a scene on the screen', () => {
   it('is in the window, for both eyes', () => {

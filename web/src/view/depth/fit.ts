@@ -4,6 +4,7 @@
 // much of its depth is shown.
 import { comfortableDepth, comfortLimit, disparityAngle, type DepthRange, type Viewer } from './comfort';
 import type { ScreenPoint, Size } from './frustum';
+import { inScreen, type Registration } from './registration';
 
 /** The picture's size relative to the block. */
 const margin = 1.07;
@@ -30,6 +31,8 @@ export interface Fit {
   /** The greatest disparities before and behind the screen, degrees; behind it negative. */
   nearest: number;
   farthest: number;
+  /** Whether it is the place where the hand feels the scene. */
+  isByHand: boolean;
 }
 
 /**
@@ -52,7 +55,15 @@ export function fitOf(corners: readonly ScreenPoint[], window: Size, viewer: Vie
   const most = closest.distance / 2 / Math.max(1e-9, shown(1).nearest);
   const depth = Math.min(most, options.depth * (options.comfort ? comfortableDepth(shown(options.depth), closest) : 1));
   const { nearest, farthest } = shown(depth);
-  return { scale, plane, depth, nearest: disparityAngle(nearest, closest), farthest: disparityAngle(farthest, closest) };
+  return { scale, plane, depth, nearest: disparityAngle(nearest, closest), farthest: disparityAngle(farthest, closest), isByHand: false };
+}
+
+/** The fit that puts the scene where a hand feels it, in its whole depth; `corners`: of the block, in the scene's frame. */
+export function fitByHand(corners: readonly ScreenPoint[], viewer: Viewer, registration: Registration): Fit {
+  const depths = corners.map((corner) => inScreen(corner, registration).z);
+  // What is beside the eyes has no disparity.
+  const angle = (depth: number) => disparityAngle(Math.min(depth, 0.9 * viewer.distance), viewer);
+  return { scale: registration.scale, plane: 0, depth: 1, nearest: angle(Math.max(...depths)), farthest: angle(Math.min(...depths)), isByHand: true };
 }
 
 /**

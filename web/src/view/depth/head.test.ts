@@ -21,8 +21,15 @@ describe('the head', () => {
 });
 
 describe('the depth in words', () => {
-  const fit = { scale: 1, plane: 0, depth: 0.641, nearest: 1, farthest: -0.8 };
+  const fit = { scale: 1, plane: 0, depth: 0.641, nearest: 1, farthest: -0.8, isByHand: false };
   const viewer = { depthShare: 100, eyeDistance: 63, screenDistance: 600 };
+  it('says that it is where the hand feels it', () => {
+    const byHand = { ...fit, depth: 1, nearest: 2, isByHand: true };
+    expect(depthWords(byHand, { depthMode: 'head', ...viewer })).toBe('The scene stands where the hand feels it, as seen with one eye from your head’s place.');
+    expect(depthWords(byHand, { depthMode: 'rows', ...viewer })).toBe(
+      'The scene where the hand feels it: disparities up to 2.0° before the screen and 0.8° behind it. More than one degree tires the eyes.',
+    );
+  });
   it('says how much of it is shown, and whether that tires', () => {
     expect(depthWords(null, { depthMode: 'plain', ...viewer })).toBe('A usual picture, the same for both eyes.');
     expect(depthWords(fit, { depthMode: 'rows', ...viewer })).toBe(

@@ -55,6 +55,9 @@ export function usedShare({ straight, columns }: Layout, width: number, viewer: 
   return straight ? Math.min(1, (columns * straightPitch(viewer)) / width) : 1;
 }
 
+/** Whether each eye's picture has its own size and place on the screen, as the scene has where a hand feels it. */
+export const fillsCanvas = ({ columns, stretched }: Layout): boolean => columns === 1 || stretched;
+
 /** The window through which an eye sees the scene; of a canvas of this size, of which `used` is the pictures' share. */
 export function windowOf({ columns, rows, stretched }: Layout, canvas: Size, used: number): Size {
   return stretched ? canvas : { width: (canvas.width * used) / columns, height: canvas.height / rows };

@@ -19,11 +19,12 @@ function shareWords({ depth }: Fit, { depthShare }: Pick<Preferences, 'depthShar
 /** `fit`: null in a usual picture. `showsSecond`: whether the right eye sees the pair's own second picture. */
 export function depthWords(fit: Fit | null, look: Pick<Preferences, 'depthMode' | 'depthShare' | 'eyeDistance' | 'screenDistance'>, showsSecond = false): string {
   if (fit === null) return t('A usual picture, the same for both eyes.');
+  if (fit.isByHand && look.depthMode === 'head') return t('The scene stands where the hand feels it, as seen with one eye from your head’s place.');
   if (look.depthMode === 'head') return t('{shown}, as seen with one eye from your head’s place.', { shown: shareWords(fit, { depthShare: 0 }) });
   const pitch = Math.round(straightPitch({ distance: look.screenDistance, eyeDistance: look.eyeDistance }));
   const apart = look.depthMode === 'parallel' ? ` ${t('The pictures are at most {pitch} mm apart, so that the eyes need not turn outwards.', { pitch })}` : '';
   const second = showsSecond ? ` ${t('The right eye sees the second photograph, laid on the surface; what it does not show is taken from the first.')}` : '';
-  const values = { shown: shareWords(fit, look), nearest: degrees(fit.nearest), farthest: degrees(fit.farthest) };
+  const values = { shown: fit.isByHand ? t('The scene where the hand feels it') : shareWords(fit, look), nearest: degrees(fit.nearest), farthest: degrees(fit.farthest) };
   return `${t('{shown}: disparities up to {nearest} before the screen and {farthest} behind it.', values)}${strainWords(fit)}${apart}${second}`;
 }
 

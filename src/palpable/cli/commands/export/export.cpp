@@ -105,6 +105,7 @@ void add_export(Program& program) {
       "  palpable export aloe.palp -o aloe.stl    for a 3D printer; also .glb\n"
       "  palpable export aloe.palp -o aloe.svg    lines of equal height, for swell paper\n"
       "  palpable export cat.palp -o cat.brf      outlines of contours in braille dots; also .svg, .stl\n"
+      "  palpable export cat.palp -o cat.pbm      the same on the pins of a tactile display, 60 x 40\n"
       "  palpable export town.palp -o town.txt    a map in words; .svg and .brf with keys in braille\n"
       "  palpable export aloe.palp -o heights.png\n"
       "  palpable export aloe.palp -o aloe.html   one page for a phone, that touches the scene by itself\n"

@@ -205,11 +205,24 @@ Result<std::vector<std::string>> add_drawing(const Drawing& drawing, const Tacti
   return paths;
 }
 
+/// The streets on the pins of a tactile display, without keys.
+Result<std::string> pins_of(const models::Scene& scene) {
+  const formats::PinOptions pins;
+  // Lines of pins need two free pins between them.
+  const Drawing drawing =
+      drawing_of(on_paper(scene, pins.columns * pins.pitch_m, pins.pitch_m, 2.0 * pins.pitch_m));
+  std::vector<Polyline> lines;
+  for (const formats::SheetStreet& street : drawing.sheet.streets)
+    lines.insert(lines.end(), street.lines.begin(), street.lines.end());
+  return formats::encode_pins(lines, drawing.sheet.width_m, drawing.sheet.height_m, pins);
+}
+
 }  // namespace
 
 bool is_map_drawing(const models::Scene& scene, const std::filesystem::path& output) {
   const auto ending = output.extension();
-  return scene.map != nullptr && (ending == ".txt" || ending == ".svg" || ending == ".brf");
+  return scene.map != nullptr &&
+         (ending == ".txt" || ending == ".svg" || ending == ".brf" || ending == ".pbm");
 }
 
 std::vector<std::string> map_drawing_files(const std::filesystem::path& output) {
@@ -227,6 +240,10 @@ Result<Answer> export_map(const models::Scene& scene, const TactileArguments& ar
   std::vector<std::string> paths{output.string()};
   if (output.extension() == ".txt") {
     if (const auto added = add_text(files, output, describe::map_text(scene)); !added) return added.error();
+  } else if (output.extension() == ".pbm") {
+    const auto pins = pins_of(scene);
+    if (!pins) return pins.error();
+    if (const auto added = add_text(files, output, *pins); !added) return added.error();
   } else {
     const bool is_svg = output.extension() == ".svg";
     const formats::BrailleOptions dots = braille_options(arguments);

@@ -8,6 +8,7 @@
 #include "palpable/sculpt/contours/outline_polylines.hpp"
 #include "palpable/sculpt/relief/heights_above_ground.hpp"
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <utility>
@@ -29,6 +30,14 @@ formats::BrailleOptions braille_options(const TactileArguments& arguments) {
   return options;
 }
 
+Result<void> write_dots(const std::vector<Polyline>& lines, double width_m, double height_m,
+                        const TactileArguments& arguments, const std::filesystem::path& output) {
+  return write_text(output.extension() == ".pbm"
+                        ? formats::encode_pins(lines, width_m, height_m, {})
+                        : formats::encode_braille(lines, width_m, height_m, braille_options(arguments)),
+                    output);
+}
+
 Result<void> write_height_lines(const models::Relief& relief, const TactileArguments& arguments,
                                 const std::filesystem::path& output, const Work& work) {
   /// Least height of an outline above the ground, and least length of an outline that is felt as an object.
@@ -38,8 +47,15 @@ Result<void> write_height_lines(const models::Relief& relief, const TactileArgum
   const auto above = sculpt::heights_above_ground(relief, work);
   options.least_length_m = kLeastLength_m;
   if (above) options.outline_m = kOutlineShare * (relief.highest_m() - relief.lowest_m());
-  return write_text(
-      formats::encode_height_lines(above ? *above : relief.samples_m(), relief.pixel_m(), options), output);
+  const Raster<float>& heights = above ? *above : relief.samples_m();
+  if (output.extension() == ".svg")
+    return write_text(formats::encode_height_lines(heights, relief.pixel_m(), options), output);
+  // Between two lines of dots a finger needs room.
+  constexpr double kMostHeights = 4.0;
+  options.interval_m = std::max(options.interval_m, (relief.highest_m() - relief.lowest_m()) / kMostHeights);
+  const auto lines = formats::height_polylines(heights, relief.pixel_m(), options);
+  if (!lines) return lines.error();
+  return write_dots(*lines, relief.size_x_m(), relief.size_y_m(), arguments, output);
 }
 
 std::vector<Polyline> outlines_of(const models::Contours& contours) {
@@ -55,12 +71,7 @@ Result<void> write_outlines(const models::Contours& contours, const TactileArgum
     if (arguments.width_mm) options.width_m = *arguments.width_mm / 1000.0;
     return write_text(formats::encode_swell_paper(outlines_of(contours), width_m, height_m, options), output);
   }
-  if (output.extension() == ".brf") {
-    return write_text(
-        formats::encode_braille(outlines_of(contours), width_m, height_m, braille_options(arguments)),
-        output);
-  }
-  return Error{ErrorCode::usage, "outlines are exported as .svg or .brf", output.string()};
+  return write_dots(outlines_of(contours), width_m, height_m, arguments, output);
 }
 
 Result<models::Relief> raised_lines(const models::Contours& contours) {

@@ -29,16 +29,22 @@ struct TactileArguments {
 
 formats::BrailleOptions braille_options(const TactileArguments& arguments);
 
+/// Lines (metres, the origin in the middle) as .brf for a braille embosser or .pbm for a tactile display of
+/// 60 x 40 pins, by the output's suffix. Errors: as the encoders and write_file_atomically().
+Result<void> write_dots(const std::vector<Polyline>& lines, double width_m, double height_m,
+                        const TactileArguments& arguments, const std::filesystem::path& output);
+
 /// Writes lines of equal height above the relief's ground, first the outlines of the objects on it; without a
-/// ground, above its lowest point. Errors: as formats::encode_height_lines() and write_file_atomically().
+/// ground, above its lowest point. As .svg, or as write_dots(), which has room for a few heights only.
+/// Errors: as formats::encode_height_lines() and write_file_atomically().
 Result<void> write_height_lines(const models::Relief& relief, const TactileArguments& arguments,
                                 const std::filesystem::path& output, const Work& work);
 
 /// The outlines of a scene of contours.
 std::vector<Polyline> outlines_of(const models::Contours& contours);
 
-/// Writes outlines as .svg for swell paper, or as .brf for a braille embosser, by the output's suffix.
-/// Errors: usage for another suffix; as the encoders and write_file_atomically().
+/// Writes outlines as .svg for swell paper, or as write_dots(), by the output's suffix.
+/// Errors: as the encoders and write_file_atomically().
 Result<void> write_outlines(const models::Contours& contours, const TactileArguments& arguments,
                             const std::filesystem::path& output);
 
