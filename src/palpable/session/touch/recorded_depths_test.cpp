@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-fs::path new_folder(const std::string& name) {
+fs::path depths_folder(const std::string& name) {
   const fs::path folder = fs::path(testing::TempDir()) / ("recorded-depths-" + name);
   fs::remove_all(folder);
   return folder;
@@ -47,7 +47,7 @@ void expect_equal(const Raster<float>& seen, const Raster<float>& shown) {
 }
 
 TEST(RecordedDepths, AreShownAgainByAFolderWithTheirCameraPosesAndColours) {
-  const auto folder = new_folder("again");
+  const auto folder = depths_folder("again");
   const Transform<WorldFrame, palpable::CameraFrame> pose{
       {0, -1, 0, 1, 0, 0, 0, 0, 1}, {0.5, -0.25, 1.0}, 1.0};
   Image colour{32, 24, 3, 8, std::vector<float>(32 * 24 * 3, 0.2F)};
@@ -78,7 +78,7 @@ TEST(RecordedDepths, AreShownAgainByAFolderWithTheirCameraPosesAndColours) {
 }
 
 TEST(RecordedDepths, KeepTenthsOfMillimetresWhereTheCameraHasThem) {
-  const auto folder = new_folder("tenths");
+  const auto folder = depths_folder("tenths");
   {
     const auto recorder = DepthRecorder::open(folder);
     ASSERT_TRUE(recorder);
@@ -105,7 +105,7 @@ class OneFrame final : public LiveSource {
 
 TEST(RecordedDepths, AreThoseOfAFeed) {
   LiveOptions options;
-  options.record_to = new_folder("feed");
+  options.record_to = depths_folder("feed");
   { ASSERT_TRUE(LiveFeed::open(std::make_unique<OneFrame>(), options, {})); }
   const auto frames = sources::FrameFolder::open(options.record_to);
   ASSERT_TRUE(frames) << frames.error().sentence();
