@@ -2,15 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page reports its connection correctly: too many pages, a corrected address, two pages on one probe, a killed program.
 import type { Browser, BrowserContext, Page } from 'playwright-core';
-import { afterAll, beforeAll, expect, it } from 'vitest';
+import { afterAll, afterEach, beforeAll, expect, it } from 'vitest';
 import { keepPicture, launch, openPage, says, startProgram, violations, type Opened, type Running } from './harness';
 
 let browser: Browser;
 let running: Running;
-let opened: Opened;
+let opened: Opened | undefined;
 
 beforeAll(async () => {
   [browser, running] = await Promise.all([launch({ webgl: false }), startProgram()]);
+});
+// A page that a failed attempt left open would take a place from the next attempt, and from the next test.
+afterEach(async () => {
+  const pages = browser.contexts().flatMap((context) => context.pages());
+  await Promise.all(pages.filter((page) => page !== opened?.page).map((page) => page.close()));
 });
 afterAll(async () => {
   await browser?.close();
@@ -21,6 +26,7 @@ const home = () => new URL('/', running.address).href;
 const isRunning = (page: Page) => page.waitForFunction(() => document.getElementById('status')?.dataset.state === 'running');
 async function another(context: BrowserContext): Promise<Page> {
   const page = await context.newPage();
+  page.setDefaultTimeout(60_000);
   await page.goto(home());
   return page;
 }
@@ -41,7 +47,7 @@ it('a page without the token works after the correct address is entered', async 
 });
 
 it('a second page takes over the probe at its position, and the first page reports it', async () => {
-  const { page, context } = opened;
+  const { page, context } = opened!;
   await page.locator('#stage').focus();
   await page.keyboard.press('Home');
   for (let k = 0; k < 4; ++k) await page.keyboard.press('Shift+ArrowRight');
@@ -54,11 +60,10 @@ it('a second page takes over the probe at its position, and the first page repor
   await xIs(second, 19);
   await xIs(page, 19);
   await says(page, 'Another page moves probe 1 now.');
-  await second.close();
 });
 
 it('a fifth page is told that the limit is four, and is admitted when one is closed', async () => {
-  const { context } = opened;
+  const { context } = opened!;
   const more = [await another(context), await another(context), await another(context)];
   for (const page of more) await isRunning(page);
   const fifth = await another(context);
@@ -67,7 +72,6 @@ it('a fifth page is told that the limit is four, and is admitted when one is clo
   expect(await violations(fifth)).toEqual([]);
   await more.pop()!.close();
   await isRunning(fifth);
-  await Promise.all([...more, fifth].map((page) => page.close()));
 });
 
 it('after the program was killed, no force is shown and nothing is spoken', async () => {
