@@ -1,6 +1,7 @@
 # palpable_module(NAME x SOURCES … TESTS … USES modules… LINKS libraries… HEADERS libraries…): one static library
 # palpable_x, and its tests in one program palpable_x_test. USES is checked against the table in Layers.cmake. HEADERS are
-# header-only libraries that its sources include; users of the installed module do not need them. NOT_HOT: its sources do not
+# header-only libraries that its sources include; users of the installed module do not need them. GROUPS_OF n: complete builds
+# compile so many sources together (16); fewer where files that are not of one room use the same names. NOT_HOT: its sources do not
 # affect the speed of the program, so optimised builds compile them with -O1, which takes about a quarter less time.
 include(${CMAKE_CURRENT_LIST_DIR}/Layers.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/PalpableDependencies.cmake)
@@ -9,7 +10,10 @@ include(${CMAKE_CURRENT_LIST_DIR}/TestProgram.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/TestSuites.cmake)
 
 function(palpable_module)
-  cmake_parse_arguments(M "NOT_HOT" "NAME" "SOURCES;TESTS;USES;LINKS;HEADERS;TEST_USES;TEST_LINKS" ${ARGN})
+  cmake_parse_arguments(M "NOT_HOT" "NAME;GROUPS_OF" "SOURCES;TESTS;USES;LINKS;HEADERS;TEST_USES;TEST_LINKS" ${ARGN})
+  if(NOT M_GROUPS_OF)
+    set(M_GROUPS_OF 16)
+  endif()
   set(linked ${M_LINKS} ${M_TEST_LINKS})
   list(FILTER linked INCLUDE REGEX "^palpable_")
   list(TRANSFORM linked REPLACE "^palpable_" "")
@@ -20,7 +24,7 @@ function(palpable_module)
   endforeach()
   add_library(palpable_${M_NAME} STATIC ${M_SOURCES})
   target_compile_features(palpable_${M_NAME} PUBLIC cxx_std_20)
-  set_target_properties(palpable_${M_NAME} PROPERTIES UNITY_BUILD ${PALPABLE_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+  set_target_properties(palpable_${M_NAME} PROPERTIES UNITY_BUILD ${PALPABLE_UNITY} UNITY_BUILD_BATCH_SIZE ${M_GROUPS_OF})
   if(M_NOT_HOT)
     target_compile_options(palpable_${M_NAME} PRIVATE $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
   endif()
@@ -41,7 +45,7 @@ function(palpable_module)
     add_executable(palpable_${M_NAME}_test ${M_TESTS})
     target_link_libraries(palpable_${M_NAME}_test PRIVATE palpable_options palpable_${M_NAME} ${M_TEST_LINKS}
                                                           palpable_test_folder GTest::gmock GTest::gtest_main)
-    palpable_test_program(palpable_${M_NAME}_test)
+    palpable_test_program(palpable_${M_NAME}_test ${M_GROUPS_OF})
     if(M_NAME STREQUAL "sources" OR "sources" IN_LIST M_USES)
       add_dependencies(palpable_${M_NAME}_test palpable_decoders)
     endif()

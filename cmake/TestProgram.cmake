@@ -1,5 +1,5 @@
-# palpable_test_program(TARGET): what the programs of tests have in common. Optimised builds compile their sources with -O1
-# and only the line numbers of debug information: the tests' own code is not hot, and takes half of a build from nothing.
+# palpable_test_program(TARGET [most]): what the programs of tests have in common. Optimised builds compile their sources with -O1
+# and at most the line numbers of debug information: the tests' own code is not hot, and takes half of a build from nothing.
 # Builds that compile in groups (PALPABLE_UNITY) also compile the headers of GoogleTest once for all of them; the other
 # builds (dev, the sanitizers, clang-tidy) do not, so that a missing include does not stay hidden. The tests of a room are
 # compiled in groups too (half of their time), so that names in their unnamed namespaces are unique within a room. They are
@@ -7,8 +7,9 @@
 find_program(PALPABLE_LLD ld.lld)
 mark_as_advanced(PALPABLE_LLD)
 function(palpable_test_program target)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release,RelWithDebInfo>:-O1> $<$<CONFIG:RelWithDebInfo>:-g1>)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
   if(NOT PALPABLE_UNITY)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-g1>)
     return()
   endif()
   target_link_libraries(${target} PRIVATE GTest::gmock)
@@ -19,23 +20,27 @@ function(palpable_test_program target)
     file(WRITE ${PROJECT_BINARY_DIR}/generated/test_headers.cpp "// Holds nothing: its precompiled headers are used by the tests.\n")
     add_library(palpable_test_headers OBJECT ${PROJECT_BINARY_DIR}/generated/test_headers.cpp)
     target_link_libraries(palpable_test_headers PRIVATE palpable_options GTest::gmock)
-    target_compile_options(palpable_test_headers PRIVATE $<$<CONFIG:Release,RelWithDebInfo>:-O1> $<$<CONFIG:RelWithDebInfo>:-g1>)
+    target_compile_options(palpable_test_headers PRIVATE $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
     target_precompile_headers(palpable_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h> <algorithm> <array> <cmath> <cstdint>
                               <filesystem> <functional> <numbers> <random> <span> <string> <vector>)
   endif()
   target_precompile_headers(${target} REUSE_FROM palpable_test_headers)
-  palpable_group_tests(${target})
+  set(most 16)
+  if(ARGC GREATER 1)
+    set(most ${ARGV1})
+  endif()
+  palpable_group_tests(${target} ${most})
 endfunction()
 
-# Sources of one folder are compiled together, at most 8 at a time.
-function(palpable_group_tests target)
+# Sources of one folder are compiled together, at most `most` at a time.
+function(palpable_group_tests target most)
   get_target_property(sources ${target} SOURCES)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   foreach(source ${sources})
     get_filename_component(room ${source} DIRECTORY)
     string(MAKE_C_IDENTIFIER "tests_${room}" room)
     math(EXPR count_${room} "0${count_${room}} + 1")
-    math(EXPR group "(${count_${room}} - 1) / 8")
+    math(EXPR group "(${count_${room}} - 1) / ${most}")
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${room}_${group})
   endforeach()
 endfunction()

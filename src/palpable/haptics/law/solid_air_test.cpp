@@ -80,18 +80,19 @@ Solid two_balls(const Sampling& sampling = {}) {
 
 /// Eight balls of 2 to 5 mm, some of them apart.
 Solid random_balls(unsigned seed) {
-  struct Ball {
+  struct OneOfTheBalls {
     Vec3 middle_m;
     double radius_m;
   };
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
-  std::vector<Ball> balls;
+  std::vector<OneOfTheBalls> balls;
   Vec3 least_m{1.0, 1.0, 1.0};
   Vec3 most_m{-1.0, -1.0, -1.0};
   for (int k = 0; k < 8; ++k) {
-    const Ball ball{{0.024 * (unit(random) - 0.5), 0.02 * (unit(random) - 0.5), 0.01 * (unit(random) - 0.5)},
-                    0.002 + 0.003 * unit(random)};
+    const OneOfTheBalls ball{
+        {0.024 * (unit(random) - 0.5), 0.02 * (unit(random) - 0.5), 0.01 * (unit(random) - 0.5)},
+        0.002 + 0.003 * unit(random)};
     for (const auto axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
       least_m.*axis = std::min(least_m.*axis, ball.middle_m.*axis - ball.radius_m);
       most_m.*axis = std::max(most_m.*axis, ball.middle_m.*axis + ball.radius_m);
@@ -100,7 +101,7 @@ Solid random_balls(unsigned seed) {
   }
   const DistanceTo distance_to = [balls](Vec3 p) {
     double least = 1.0;
-    for (const Ball& ball : balls) least = std::min(least, norm(p - ball.middle_m) - ball.radius_m);
+    for (const OneOfTheBalls& ball : balls) least = std::min(least, norm(p - ball.middle_m) - ball.radius_m);
     return least;
   };
   return {sampled_solid(distance_to, least_m, most_m), distance_to};
