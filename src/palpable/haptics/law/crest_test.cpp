@@ -71,6 +71,78 @@ TEST(Crest, OfAReliefHoldsNoMoreHandsByFrictionThanWithoutIt) {
   EXPECT_LE(without, 10);
 }
 
+/// Ground of random heights up to 8 mm, nearly as steep as a relief may be.
+models::Scene rugged_ground(double pixel_m, std::mt19937& random) {
+  Raster<float> z(static_cast<int>(0.03 / pixel_m), static_cast<int>(0.02 / pixel_m));
+  std::uniform_real_distribution<float> height(0.0F, 0.008F);
+  for (int j = 0; j < z.height(); ++j)
+    for (int i = 0; i < z.width(); ++i) z(i, j) = height(random);
+  models::limit_slope(z, pixel_m, 100.0);
+  return scene_of(std::move(z), pixel_m);
+}
+
+/// Clear ticks of hands that plough through rugged ground and come out of it, and those of them with force.
+struct PloughedAir {
+  int clear = 0;
+  int pushed = 0;
+  /// The same where the hand is above the highest ground.
+  int above = 0;
+  int pushed_above = 0;
+};
+
+PloughedAir plough(double pixel_m, double friction, double speed_m_per_s, std::mt19937& random) {
+  const models::Scene scene = rugged_ground(pixel_m, random);
+  const auto relief = models::relief_of(scene);
+  LawParameters parameters = frictionless();
+  parameters.static_friction = friction;
+  const auto law = made(scene, parameters);
+  const auto uniform = [&](double least, double most) {
+    return std::uniform_real_distribution<double>(least, most)(random);
+  };
+  const double top_m = relief->bounds_over(-0.02, -0.02, 0.02, 0.02).highest;
+  const auto over = [&](Vec3 p) { return p.z - relief->sample(p.x, p.y).z_m; };
+  PloughedAir air;
+  for (int k = 0; k < 20; ++k) {
+    TouchState state;
+    Vec3 last{uniform(-0.01, 0.0), uniform(-0.005, 0.005), top_m + 0.001};
+    output_at(*law, state, last);
+    double rises = -0.5;
+    for (int n = 0; n < 400; ++n) {
+      if (last.z < top_m - 0.003) rises = 0.5;
+      if (last.z > top_m + 0.002) rises = -0.5;
+      const Vec3 p = last + speed_m_per_s * 0.001 * unit(Vec3{uniform(-1.0, 1.2), uniform(-1.0, 1.0), rises});
+      const double force_N = norm(output_at(*law, state, p).force_N);
+      bool is_clear = true;
+      for (int part = 0; part <= 16; ++part)
+        is_clear = is_clear && over(last + part / 16.0 * (p - last)) > 2e-5;
+      const bool is_above = std::min(last.z, p.z) > top_m;
+      air.clear += is_clear ? 1 : 0;
+      air.pushed += is_clear && force_N > 1e-3 ? 1 : 0;
+      air.above += is_above ? 1 : 0;
+      air.pushed_above += is_above && force_N > 0.0 ? 1 : 0;
+      last = p;
+    }
+  }
+  return air;
+}
+
+TEST(Crest, AHandThatPloughedThroughRuggedGroundIsLetGoAboveIt) {
+  std::mt19937 random(5);
+  for (const double friction : {0.0, 0.3}) {
+    PloughedAir all;
+    for (const double pixel_m : {0.00005, 0.0001, 0.00025})
+      for (const double speed_m_per_s : {0.1, 0.5, 2.0}) {
+        const PloughedAir air = plough(pixel_m, friction, speed_m_per_s, random);
+        EXPECT_EQ(air.pushed_above, 0) << pixel_m << ", " << speed_m_per_s;
+        all.clear += air.clear;
+        all.pushed += air.pushed;
+        all.above += air.above;
+      }
+    EXPECT_GT(all.above, 1000);
+    EXPECT_LE(all.pushed, all.clear / 100) << "of " << all.clear << ", friction " << friction;
+  }
+}
+
 /// A flat top, 12 mm wide and 6 mm high, with sides of the slope `steepest`.
 models::Scene flat_top(double pixel_m, double steepest) {
   constexpr double kHalf_m = 0.006;

@@ -209,15 +209,25 @@ class ProxyFollower {
     return !is_below(tick.hand_m) && !slide_.is_known_below(tick.hand_before_m, proxy) &&
            !is_below(tick.hand_before_m) && is_clear(tick.hand_before_m, tick.hand_m) &&
            ((!tick.is_blocked && is_clear(proxy.place_m, tick.hand_m)) ||
-            is_clear(tick.place_before_m, tick.hand_m) || slides_to_hand(proxy, tick.hand_m));
+            is_clear(tick.place_before_m, tick.hand_m) || is_over(proxy, tick.hand_m) ||
+            slides_to_hand(proxy, tick.hand_m));
+  }
+
+  /// Whether no ground between a proxy and a hand above it rises above the hand: straight up from the proxy
+  /// nothing is in the way either.
+  bool is_over(const SurfaceProxy& proxy, Vec3 hand_m) const noexcept {
+    return hand_m.z >= proxy.place_m.z && is_clear({proxy.place_m.x, proxy.place_m.y, hand_m.z}, hand_m);
   }
 
   /// Whether a proxy without friction slides, without climbing over a wall, to where it sees a hand in the
-  /// air: then no wall is between both, only the edge over which the hand slipped.
+  /// air: then no wall is between both, only the edge over which the hand slipped. One whose hand is higher
+  /// never comes to rest below it, so it also goes around what rises above both.
   bool slides_to_hand(const SurfaceProxy& proxy, Vec3 hand_m) const noexcept {
-    // Steps by pixels could pass over a wall that rises above both.
-    const double top_m = std::max(proxy.place_m.z, hand_m.z) + kBump_pixels * surface_.pixel_m();
-    if (!is_clear({proxy.place_m.x, proxy.place_m.y, top_m}, {hand_m.x, hand_m.y, top_m})) return false;
+    if (hand_m.z <= proxy.place_m.z) {
+      // Steps by pixels could pass over a wall that rises above both.
+      const double top_m = proxy.place_m.z + kBump_pixels * surface_.pixel_m();
+      if (!is_clear({proxy.place_m.x, proxy.place_m.y, top_m}, {hand_m.x, hand_m.y, top_m})) return false;
+    }
     SurfaceProxy slid = proxy;
     int evaluations = kMaxEvaluations;
     SlideEnd end;

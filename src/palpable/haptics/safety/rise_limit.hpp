@@ -41,6 +41,7 @@ class RiseLimit {
   /// The movement since the last call.
   void account(const Input& in) noexcept {
     const double input_before_J = input_energy_J();
+    falls_ = in.gain < gain_;
     gain_ = in.gain;
     has_spring_ = in.stored_J > 0.0 && norm(in.spring_N) > 0.0;
     spring_N_ = in.spring_N;
@@ -72,8 +73,11 @@ class RiseLimit {
   /// `velocity_m_per_s`: of the hand; `most_lost`: see cap_rise().
   Limited<DeviceFrame> limit(Vector<DeviceFrame> law_N, Vector<DeviceFrame> rest_N, double max_rise_N,
                              Vector<DeviceFrame> velocity_m_per_s, double most_lost = 1.0) noexcept {
-    const Vector<DeviceFrame> wanted_N = rendered(law_N, rest_N);
-    Limited<DeviceFrame> risen = cap_rise(wanted_N, force_N_, max_rise_N, velocity_m_per_s, most_lost);
+    // A ramp that falls takes from the force that is, which the limit may have held below the law's.
+    const auto wanted = falls_ ? cap_force(rendered(law_N, rest_N), norm(force_N_))
+                               : Limited<DeviceFrame>{rendered(law_N, rest_N), false};
+    Limited<DeviceFrame> risen = cap_rise(wanted.force_N, force_N_, max_rise_N, velocity_m_per_s, most_lost);
+    risen.limited = risen.limited || wanted.limited;
     if (risen.limited) note_limited();
     force_N_ = risen.force_N;
     return risen;
@@ -113,6 +117,8 @@ class RiseLimit {
     if (!has_spring_) return gain_;
     return spring_offset_ > 0.0 ? 1.0 - spring_offset_ / root_ : 1.0;
   }
+  /// Whether the ramp falls in this tick.
+  bool falls() const noexcept { return falls_; }
   /// Whether the rendered spring returns less energy than the law's spring stores.
   bool is_weaker() const noexcept { return has_spring_ && (release_left_ > 0.0 || spring_offset_ > 0.0); }
   double withheld_J() const noexcept { return std::max(0.0, stored_J_ - input_energy_J()); }
@@ -191,6 +197,7 @@ class RiseLimit {
   Vector<DeviceFrame> force_N_;
   Vector<DeviceFrame> spring_N_;
   double gain_ = 0.0;
+  bool falls_ = false;
   bool has_spring_ = false;
   bool begins_ = true;
   /// U, the energy that the law's spring stores.

@@ -40,7 +40,12 @@ JudgedReading ReadingFilter::judge(const device::Reading& reading, double dt_s) 
       return judged;
     }
   }
-  if (judged.first) judged.passed_s = dt_s;
+  if (judged.first) {
+    judged.passed_s = dt_s;
+    velocity_m_per_s_ = {};
+  } else if (implausible_ == 0) {
+    velocity_m_per_s_ = (1.0 / since_good_s_) * (position - position_);
+  }
   implausible_ = 0;
   agreeing_ = 0;
   since_good_s_ = 0.0;
@@ -58,8 +63,17 @@ bool ReadingFilter::is_plausible(Point<DeviceFrame> position) const noexcept {
   const double from_last_m = norm(position - position_);
   // A late tick may be followed by an early one: the device has still moved for a full period.
   if (from_last_m > max_speed_m_per_s_ * std::max(since_good_s_, period_s_)) return false;
+  if (implausible_ > 0 && !is_where_the_hand_was_going(position)) return false;
   // The jump persists if the reading is nearer to the new position than to the old one.
   return agreeing_ == 0 || norm(position - jumped_to_) >= from_last_m;
+}
+
+bool ReadingFilter::is_where_the_hand_was_going(Point<DeviceFrame> position) const noexcept {
+  // Half of what a hand can do in a period; the longer readings are nonsense, the farther one of them may be
+  // and still be as fast as a hand, but it is no more likely to be true.
+  const double most_m = 0.5 * max_speed_m_per_s_ * period_s_;
+  return norm(position - position_) <= most_m ||
+         norm(position - (position_ + since_good_s_ * velocity_m_per_s_)) <= most_m;
 }
 
 bool ReadingFilter::is_plausible_rotation(const device::Rotation& rotation) const noexcept {

@@ -41,7 +41,8 @@ struct JudgedReading {
 /// Decides which readings of a device are movements of a hand. A hand moves at no more than
 /// TickOptions::max_speed_m_per_s. A faster reading is treated as a glitch for TickOptions::glitch_readings
 /// ticks. If the following readings agree with it, the hand is there, and a new touch begins. Readings that
-/// agree with no other reading are not used. Tick path; no allocation.
+/// agree with no other reading are not used: after one that was not used, a single reading continues the
+/// touch only near the place to which the hand's last velocity leads. Tick path; no allocation.
 class ReadingFilter {
  public:
   ReadingFilter(const device::Traits& device, const TickOptions& options) noexcept;
@@ -55,6 +56,7 @@ class ReadingFilter {
  private:
   bool is_in_reach(Point<DeviceFrame> position) const noexcept;
   bool is_plausible(Point<DeviceFrame> position) const noexcept;
+  bool is_where_the_hand_was_going(Point<DeviceFrame> position) const noexcept;
   bool is_plausible_rotation(const device::Rotation& rotation) const noexcept;
   ReadingUse judge_jump(Point<DeviceFrame> position, double dt_s) noexcept;
 
@@ -70,6 +72,8 @@ class ReadingFilter {
   /// Time since the last valid reading; infinite before the first.
   double since_good_s_ = std::numeric_limits<double>::infinity();
   Point<DeviceFrame> position_;
+  /// Over the last two valid readings between which none was implausible.
+  Vector<DeviceFrame> velocity_m_per_s_;
   device::Rotation rotation_ = device::kIdentityRotation;
   /// Consecutive readings that were not plausible, and how many of the newest of them agree about the
   /// position.

@@ -5,6 +5,7 @@
 #include "palpable/haptics/law/test_period.hpp"
 
 #include <limits>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -61,6 +62,25 @@ TEST_F(ReadingFilterTest, HasNoPositionIfReadingsAgreeWithNoOther) {
   const JudgedReading judged = filter.judge(stale, kT_s);
   EXPECT_EQ(judged.use, ReadingUse::none);
   EXPECT_FALSE(judged.implausible);
+}
+
+TEST_F(ReadingFilterTest, FollowsAFastHandThroughAGlitch) {
+  for (int k = 1; k <= 5; ++k) EXPECT_EQ(judge(0.002 * k), ReadingUse::continues);
+  EXPECT_EQ(judge(-0.02), ReadingUse::glitch);
+  EXPECT_EQ(judge(0.03), ReadingUse::glitch);
+  EXPECT_EQ(judge(0.0165), ReadingUse::continues) << "where its velocity led";
+}
+
+TEST_F(ReadingFilterTest, DoesNotUseASingleReadingAmongNonsenseThoughAHandMightHaveReachedIt) {
+  std::mt19937 random(7);
+  for (int k = 0; k < 200; ++k) {
+    // Each more than 3 mm away, from the hand and from the one before it.
+    const double x_m =
+        (k % 2 == 0 ? 1.0 : -1.0) * std::uniform_real_distribution<double>(0.003, 0.02)(random);
+    const ReadingUse use = judge(x_m);
+    EXPECT_TRUE(use == ReadingUse::glitch || use == ReadingUse::none) << k;
+  }
+  EXPECT_EQ(judge(0.0), ReadingUse::continues);
 }
 
 TEST_F(ReadingFilterTest, LetsThePointerOfADeviceWithoutMotorsMoveFaster) {

@@ -67,7 +67,7 @@ class ShownWork {
     step.contact = (tick.flags & flag::kContact) != 0;
     step.is_spring = tick.has_spring;
     // The readings may have jumped because the hand did, under the force that was held meanwhile.
-    if (is_new && tick.is_contact_law) count(held, moved_m, step);
+    if (is_new) count(held, moved_m, step);
     if (!tick.is_contact_law || is_new || (tick.flags & flag::kFading) != 0) {
       using Beginning = PassivityObserver::Beginning;
       observer_.begin(0.0, is_new ? Beginning::from_no_force : Beginning::in_contact);

@@ -132,6 +132,17 @@ TEST(ShownWork, KnowsNothingOfLawsThatAreNoContactAndOfReadingsThatAreNone) {
   EXPECT_EQ(lost.made_max_J(), 0.0);
 }
 
+TEST(ShownWork, CountsTheJumpOfAHandUnderALawThatIsNoContact) {
+  ShownWork work(without_delay(), {});
+  ShownWork::Tick tick = at(0.001, 1.0);
+  tick.is_contact_law = false;
+  for (int n = 0; n < 10; ++n) work.take(tick);
+  tick = at(0.021, 0.0, flag::kNewTouch);
+  tick.is_contact_law = false;
+  work.take(tick);
+  EXPECT_NEAR(work.made_max_J(), 0.020, 1e-12);
+}
+
 TEST(ShownWork, ChargesAForceThatActsLateToTheMovementThatItMoves) {
   device::Traits late = without_delay();
   late.delay_samples = 1;

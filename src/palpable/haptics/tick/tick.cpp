@@ -256,7 +256,7 @@ Vector<DeviceFrame> TickPipeline::with_transient(Vector<DeviceFrame> force_N, do
                        options_.impact_speed_m_per_s});
     counts_.transients += transient_.is_playing() ? 1 : 0;
   }
-  return force_N + transient_.step(force_N, dt_s);
+  return force_N + transient_.step(force_N, spring_N_, dt_s);
 }
 
 void TickPipeline::make_force(double dt_s) noexcept {
@@ -287,7 +287,9 @@ void TickPipeline::make_torque(double risen_s) noexcept {
   const auto capped = cap_force(law_torque_Nm_, device_.traits().max_torque_Nm);
   const double max_rise_Nm = options_.max_torque_rate_Nm_per_s * risen_s;
   const auto limit = [&](RiseLimit& rise, Vector<DeviceFrame> before_Nm) {
-    const Vector<DeviceFrame> wanted_Nm = rise.share() * capped.force_N;
+    const Vector<DeviceFrame> shared_Nm = rise.share() * capped.force_N;
+    const Vector<DeviceFrame> wanted_Nm =
+        rise.falls() ? cap_force(shared_Nm, norm(before_Nm)).force_N : shared_Nm;
     const auto risen = cap_rise(wanted_Nm, before_Nm, max_rise_Nm, rotation_.velocity_rad_per_s());
     // What is held back of a torque is held back of the same spring.
     if (risen.limited) rise.note_limited();

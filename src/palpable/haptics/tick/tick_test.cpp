@@ -5,6 +5,7 @@
 #include "palpable/core/system/allocations.hpp"
 #include "palpable/haptics/tick/test_loop.hpp"
 
+#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -191,6 +192,32 @@ TEST(Tick, RampsToZeroWhenTheDeviceFailsOrTheSourceIsStale) {
     EXPECT_EQ(loop.written(), Vec3{});
     const auto& counts = loop.tick->counts();
     EXPECT_EQ(counts.fault_ticks, 26U);
+  }
+}
+
+TEST(Tick, AFaultTakesAwayAForceThatTheRiseLimitStillHolds) {
+  for (const auto status : {device::Status::fault, device::Status::stale, device::Status::ok}) {
+    Loop loop(plane());
+    loop.device.reading.position.v = {0.0, 0.0, 0.003};
+    loop.run(400);
+    // In 4 ms, 5 mm deep: the law wants 2.5 N, the limit has let pass less than half of it.
+    for (int n = 0; n < 4; ++n) {
+      loop.device.reading.position.v.z -= 0.002;
+      loop.run(1);
+    }
+    const double before_N = loop.written().z;
+    EXPECT_GT(before_N, 0.5);
+    EXPECT_LT(before_N, 1.3);
+    loop.device.reading.status = status;
+    if (status == device::Status::ok)
+      loop.device.reading.position.v.z = std::numeric_limits<double>::quiet_NaN();
+    double last_N = before_N;
+    for (int n = 0; n < 40; ++n) {
+      loop.run(1);
+      EXPECT_LE(loop.written().z, last_N) << n;
+      last_N = loop.written().z;
+    }
+    EXPECT_EQ(loop.written(), Vec3{});
   }
 }
 

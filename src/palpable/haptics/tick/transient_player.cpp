@@ -29,16 +29,25 @@ void TransientPlayer::strike(const ContactTransient& transient, Vector<DeviceFra
   elapsed_s_ = 0.0;
 }
 
-Vector<DeviceFrame> TransientPlayer::step(Vector<DeviceFrame> push_N, double dt_s) noexcept {
+Vector<DeviceFrame> TransientPlayer::step(Vector<DeviceFrame> push_N, Vector<DeviceFrame> spring_N,
+                                          double dt_s) noexcept {
   if (!is_playing()) return {};
   constexpr double kEnded = 0.01;
   const double middle_s = elapsed_s_ + 0.5 * dt_s;
   elapsed_s_ += dt_s;
   const double envelope = std::exp(-transient_.decay_per_s * middle_s);
-  const double wanted_N =
+  double wanted_N =
       amplitude_N_ * envelope * std::sin(2.0 * std::numbers::pi * transient_.frequency_hz * middle_s);
   if (envelope < kEnded) amplitude_N_ = 0.0;
-  return std::max(wanted_N, -std::max(0.0, dot(push_N, outward_))) * outward_;
+  wanted_N = std::max(wanted_N, -std::max(0.0, dot(push_N, outward_)));
+  // The surface may have turned since it was struck.
+  if (const double size_N = norm(spring_N); size_N > 0.0) {
+    const Vector<DeviceFrame> now = (1.0 / size_N) * spring_N;
+    const double along = dot(outward_, now);
+    const double most_N = std::max(0.0, dot(push_N, now));
+    if (wanted_N * along < -most_N) wanted_N = -most_N / along;
+  }
+  return wanted_N * outward_;
 }
 
 }  // namespace palpable::haptics

@@ -32,8 +32,10 @@ class TransientPlayer {
               Vector<DeviceFrame> velocity_m_per_s, const Limits& limits) noexcept;
   void stop() noexcept { *this = {}; }
 
-  /// The force to add to `push_N` during the next `dt_s`: the vibration at the middle of that time.
-  Vector<DeviceFrame> step(Vector<DeviceFrame> push_N, double dt_s) noexcept;
+  /// The force to add to `push_N` during the next `dt_s`: the vibration at the middle of that time, as far as
+  /// the sum pulls neither against the surface that was struck nor against `spring_N`, the spring's part of
+  /// the push now (0: unknown).
+  Vector<DeviceFrame> step(Vector<DeviceFrame> push_N, Vector<DeviceFrame> spring_N, double dt_s) noexcept;
   bool is_playing() const noexcept { return amplitude_N_ > 0.0; }
 
  private:

@@ -26,13 +26,13 @@ TEST(TransientPlayer, IsADecayingSinusoidOfTheMaterialAndTheImpact) {
   player.strike(kBell, push, {{0.05, 0.0, -0.3}}, kWide);
   for (int n = 0; n < 40; ++n) {
     const double t_s = (n + 0.5) * kT_s;
-    EXPECT_NEAR(player.step(push, kT_s).v.z, 0.6 * std::exp(-30.0 * t_s) * std::sin(2 * M_PI * 50.0 * t_s),
-                1e-12)
+    EXPECT_NEAR(player.step(push, push, kT_s).v.z,
+                0.6 * std::exp(-30.0 * t_s) * std::sin(2 * M_PI * 50.0 * t_s), 1e-12)
         << n;
   }
-  for (int n = 0; n < 200; ++n) player.step(push, kT_s);
+  for (int n = 0; n < 200; ++n) player.step(push, push, kT_s);
   EXPECT_FALSE(player.is_playing());
-  EXPECT_EQ(player.step(push, kT_s).v, Vec3{});
+  EXPECT_EQ(player.step(push, push, kT_s).v, Vec3{});
 }
 
 TEST(TransientPlayer, KeepsToItsLimitsAndNeverPulls) {
@@ -43,14 +43,31 @@ TEST(TransientPlayer, KeepsToItsLimitsAndNeverPulls) {
   double least_N = 1.0;
   double most_N = 0.0;
   for (int n = 0; n < 50; ++n) {
-    const double force_N = player.step(push, kT_s).v.z;
+    const double force_N = player.step(push, push, kT_s).v.z;
     least_N = std::min(least_N, force_N);
     most_N = std::max(most_N, force_N);
   }
   EXPECT_NEAR(most_N, 0.5, 0.05);
   EXPECT_EQ(least_N, -0.1) << "it takes the push away, and no more";
   player.strike(kHard, push, {{0.0, 0.0, -1.0}}, {0.5, 100.0, 0.02});
-  EXPECT_LE(player.step(push, kT_s).v.z, 100.0 * kT_s);
+  EXPECT_LE(player.step(push, push, kT_s).v.z, 100.0 * kT_s);
+}
+
+TEST(TransientPlayer, NeverPullsOnASurfaceThatHasTurnedSinceItWasStruck) {
+  constexpr ContactTransient kRubber{2.0, 18.0, 60.0};
+  for (const double turned_rad : {0.5, 1.2, 1.6, 2.5, 3.1}) {
+    TransientPlayer player;
+    player.strike(kRubber, {{0.0, 0.0, 1.0}}, {{0.0, 0.0, -1.0}}, kWide);
+    // The hand crosses a ridge, with hardly any force from its other side.
+    const Vector<DeviceFrame> spring{{0.1 * std::sin(turned_rad), 0.0, 0.1 * std::cos(turned_rad)}};
+    double added_N = 0.0;
+    for (int n = 0; n < 60; ++n) {
+      const Vector<DeviceFrame> added = player.step(spring, spring, kT_s);
+      EXPECT_GE(dot(spring + added, spring), -1e-15) << turned_rad << ", " << n;
+      added_N = std::max(added_N, norm(added));
+    }
+    EXPECT_GT(added_N, 0.05) << turned_rad;
+  }
 }
 
 TEST(TransientPlayer, IsSilentForASlowOrALeavingHandAndForAMaterialWithoutOne) {
