@@ -4,6 +4,7 @@
 
 #include "palpable/core/frame.hpp"
 #include "palpable/device/contact_transient.hpp"
+#include "palpable/device/hand_account.hpp"
 
 #include <array>
 #include <cmath>
@@ -104,6 +105,8 @@ struct CurrentSurface {
   LocalSurface surface;
   /// It is not too old.
   bool is_usable = false;
+  /// What it may give to the hand.
+  HandAccount account = {};
 };
 
 class LocalTextures;

@@ -106,7 +106,10 @@ void RemoteHost::admit(const std::string& secret) {
     return refuse(Refusal::wrong_token, "its token is wrong or was used already");
   }
   if (is_busy) return refuse(Refusal::in_use, "another program touches already");
-  if (!returns) static_cast<void>(access_->exchange(secret));
+  if (!returns) {
+    static_cast<void>(access_->exchange(secret));
+    exchange_->sessions.fetch_add(1, std::memory_order_release);
+  }
   client_ = std::move(visitor_);
   visitor_.reset();
   client_->heard = client_->second = Clock::now();

@@ -184,10 +184,6 @@ void TwoDiy::follow(std::array<float, 2> board_deg) noexcept {
   angles_ = {rad(is_swapped() ? 1 : 0), rad(is_swapped() ? 0 : 1)};
   const auto handle = variant_.linkage.handle_at(angles_);
   has_place_ = handle.has_value();
-  const bool is_inside = handle && std::abs(handle->x - variant_.centre.x) < 0.5 * variant_.size.x &&
-                         std::abs(handle->y - variant_.centre.y) < 0.5 * variant_.size.y;
-  if (still_.follow({static_cast<double>(board_deg[0]), static_cast<double>(board_deg[1])}, is_inside))
-    is_stuck_ = true;
   // Without a place the hand counts as where it was.
   fresh_.renew(handle ? Vec3{variant_.centre.x - handle->x, variant_.centre.y - handle->y, 0.0}
                       : fresh_.reading().position.v,
@@ -213,7 +209,7 @@ Reading TwoDiy::read() noexcept {
   if (angles && is_clean && is_plausible(*angles)) follow(*angles);
   awaited_ -= std::min(awaited_, answers_.complete() - answered_);
   answered_ = answers_.complete();
-  return fresh_.now(port_->lost() || is_stuck_);
+  return fresh_.now(port_->lost());
 }
 
 void TwoDiy::write(Vector<DeviceFrame> force_N) noexcept {
@@ -249,9 +245,6 @@ void TwoDiy::stop() noexcept {
 
 std::string TwoDiy::fault() const {
   if (port_->lost()) return "the 2DIY was unplugged";
-  if (is_stuck_)
-    return "one link of the 2DIY stands still while the other turns: its encoder is stuck, so its force is "
-           "off";
   return FreshReading::silence_of("2DIY");
 }
 

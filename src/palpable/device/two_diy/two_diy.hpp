@@ -4,7 +4,6 @@
 
 #include "palpable/device/device.hpp"
 #include "palpable/device/motor_heat.hpp"
-#include "palpable/device/stuck_encoder.hpp"
 #include "palpable/device/transport/fresh_reading.hpp"
 #include "palpable/device/transport/port_state.hpp"
 #include "palpable/device/transport/serial_port.hpp"
@@ -29,8 +28,6 @@ struct OpenOptions;
 /// be called by any thread at any time.
 class TwoDiy final : public Device, public Guardable {
  public:
-  /// An encoder whose angle does not change at all while the other one turns by this much is stuck.
-  static constexpr double kStuck_deg = 45.0;
   /// Without a new answer for this long, the torques are sent again.
   static constexpr double kPatience_s = 0.005;
 
@@ -70,9 +67,6 @@ class TwoDiy final : public Device, public Guardable {
   LinkAngles angles_{};
   /// The board numbers its angles and torques by motor, not by port.
   bool ordered_by_motor_ = false;
-  /// In degrees. Once an encoder is stuck there is no force until the device is opened again.
-  StuckEncoder<2> still_{kStuck_deg};
-  bool is_stuck_ = false;
   /// Whether the last angles determine a place.
   bool has_place_ = false;
   /// Messages that were sent and not yet answered, and answers at the last count.

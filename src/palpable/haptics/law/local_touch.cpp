@@ -89,7 +89,7 @@ double LocalTouch::slide(const Hand& hand, const Contact& contact, const Depth& 
 LawOutput LocalTouch::on_plane(const Hand& hand, State& state) const noexcept {
   const device::LocalSurface& surface = current_->surface;
   const Vec3 normal = surface.normal.v;
-  const double valid = validity(hand.position.v);
+  const double valid = current_->account.plane_share() * validity(hand.position.v);
   const Contact contact{valid * surface.stiffness_N_per_m, valid * surface.damping_Ns_per_m,
                         surface.static_friction, surface.dynamic_friction};
   const Depth depth =
@@ -151,7 +151,8 @@ void LocalTouch::add_laid_texture(const Hand& hand, const TexturedPlace& at, Sta
 void LocalTouch::add_sent_pull(const Hand& hand, TouchState& bytes, LawOutput& output) const noexcept {
   const device::LocalSurface& surface = current_->surface;
   State& state = state_as<State>(bytes);
-  const Vec3 change_N = validity(hand.position.v) * surface.pull_N.v - state.pull_N;
+  const double share = current_->account.pull_share() * validity(hand.position.v);
+  const Vec3 change_N = share * surface.pull_N.v - state.pull_N;
   const double most_N = kPullChanges_N_per_s * hand.dt_s;
   const double size_N = norm(change_N);
   state.pull_N += size_N > most_N ? (most_N / size_N) * change_N : change_N;
@@ -161,7 +162,10 @@ void LocalTouch::add_sent_pull(const Hand& hand, TouchState& bytes, LawOutput& o
 
 LawOutput LocalTouch::on_slope(const Hand& hand) const noexcept {
   const device::LocalSurface& surface = current_->surface;
-  const Vec3 force_N = validity(hand.position.v) * surface.force_N.v;
+  const Vec3 whole_N = validity(hand.position.v) * surface.force_N.v;
+  // A hand that turns round gets the force before its velocity shows it.
+  const double gives_W = dot(whole_N, hand.velocity_m_per_s.v) + speeds_up(hand, whole_N);
+  const Vec3 force_N = current_->account.slope_share(gives_W) * whole_N;
   LawOutput output;
   output.contact = true;
   output.force_N.v = force_N - surface.damping_Ns_per_m * hand.velocity_m_per_s.v;

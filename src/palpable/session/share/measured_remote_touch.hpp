@@ -67,9 +67,11 @@ struct RemotelyTouched {
   /// square of the difference, and of the force.
   double rms_difference_N = 0.0;
   double rms_force_N = 0.0;
-  /// What the hand got beyond the scene's own potential at its places, J: the greatest rise of its work and
-  /// that potential together. Of a law with a potential everywhere.
+  /// The most that the hand got in any time beyond what the scene's own potential stored at its beginning, J
+  /// (a passive device gives nothing beyond). Of a law with a potential everywhere, which is never below 0.
   double beyond_potential_J = 0.0;
+  /// The most that the hand had got from all forces since the beginning, J.
+  double net_work_J = 0.0;
 };
 
 /// A simulated hand explores a scene over a link, with a law without damping.
@@ -94,6 +96,7 @@ inline RemotelyTouched remote_touch(const models::Scene& scene, const LinkQualit
     const haptics::TouchSample& sample = bench.step();
     const Vec3 force_N = sample.written_force_N.v;
     work_J += dot(held_N, sample.device_position.v - before_m);
+    touched.net_work_J = std::max(touched.net_work_J, work_J);
     held_N = force_N;
     before_m = sample.device_position.v;
     EXPECT_TRUE(is_finite(force_N));
@@ -103,9 +106,8 @@ inline RemotelyTouched remote_touch(const models::Scene& scene, const LinkQualit
     hand.position = truth.scene_from_device * Point<DeviceFrame>{sample.device_position.v};
     hand.velocity_m_per_s = truth.scene_from_device * Vector<DeviceFrame>{sample.velocity_m_per_s.v};
     const haptics::LawOutput output = truth.touchable->evaluate(hand, state);
-    const double all_J = work_J + output.stored_J / truth.scene_from_device.scale;
-    least_J = std::min(least_J, all_J);
-    touched.beyond_potential_J = std::max(touched.beyond_potential_J, all_J - least_J);
+    least_J = std::min(least_J, work_J + std::max(0.0, output.stored_J / truth.scene_from_device.scale));
+    touched.beyond_potential_J = std::max(touched.beyond_potential_J, work_J - least_J);
     const bool compares = sample.status == device::Status::ok && output.contact;
     touched.contact_ticks += sample.has(haptics::flag::kContact) ? 1.0 : 0.0;
     if (!compares) continue;

@@ -7,6 +7,7 @@
 #include "palpable/session/share/shared_limits.hpp"
 #include "palpable/session/touch/haptic_scene.hpp"
 #include "palpable/session/touch/test_session.hpp"
+#include "palpable/session/touch/touch_session.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -93,6 +94,25 @@ TEST(ShareDevice, IsTouchedWithOverTheLoopbackInterface) {
   EXPECT_GT(here.touch.max_force_N, 0.1);
   EXPECT_LE(here.touch.made_max_J, 1e-3);
   EXPECT_EQ(here.allocations_in_ticks, 0U);
+}
+
+TEST(ShareDevice, IsTouchedByGroovesWhereTracingWasAskedFor) {
+  Sharing sharing;
+  Raster<models::BoundaryPixel> edges(100, 80);
+  for (int x = 10; x < 90; ++x) edges(x, 40) = {1.0F, 0.0F};
+  models::Scene scene;
+  scene.model = std::make_shared<const models::Contours>(
+      models::Contours{*models::BoundaryMap::from_edges(std::move(edges), 0.001, 2.0, {}, Work{}),
+                       models::relief_of(hilly_scene(0.004))});
+  TouchSettings settings;
+  settings.law.law = haptics::Law::tracing;
+  settings.law_is_chosen = true;
+  const auto lines = std::make_shared<const models::Scene>(std::move(scene));
+  const auto session = TouchSession::open(lines, settings, sharing.url(), unprivileged(1.0).session);
+  ASSERT_TRUE(session) << session.error().sentence();
+  std::string said;
+  for (const std::string& notice : (*session)->notices()) said += notice;
+  EXPECT_NE(said.find("would come late: the law is groove."), std::string::npos) << said;
 }
 
 TEST(ShareDevice, LimitsWhatASurfaceAsksFor) {

@@ -15,7 +15,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <string>
 #include <utility>
+#include <variant>
 
 namespace palpable::session {
 namespace {
@@ -30,6 +33,27 @@ RecordedTouch recorded_touch(const PreparedScene& prepared, const TouchSettings&
   touch.materials = prepared.materials;
   touch.scene_from_device = prepared.scene.scene_from_device;
   return touch;
+}
+
+/// For a device at another computer: `tracing` gives the hand energy of its own, which that device does not
+/// pass on, as it would come late. Contours have passive laws as well.
+Result<PreparedScene> without_tracing(
+    const models::Scene& scene, const TouchSettings& settings, const device::Traits& traits,
+    const std::function<Result<PreparedScene>(const TouchSettings&)>& prepare) {
+  const bool is_traced = settings.law.law == haptics::Law::tracing &&
+                         std::holds_alternative<std::shared_ptr<const models::Contours>>(scene.model);
+  if (!is_traced) return prepare(settings);
+  constexpr auto kWhy = "A device at another computer does not render tracing, whose push would come late";
+  if (settings.law_is_required)
+    return Error{ErrorCode::usage, std::string(kWhy) + ", and no other law will do", {}};
+  TouchSettings passive = settings;
+  passive.law.law = traits.degrees_of_freedom < 3 ? haptics::Law::rolling : haptics::Law::groove;
+  passive.law.damping_Ns_per_m.reset();
+  auto prepared = prepare(passive);
+  if (prepared)
+    prepared->notices.push_back(std::string(kWhy) + ": the law is " +
+                                std::string(haptics::name_of(passive.law.law)) + ".");
+  return prepared;
 }
 
 using Opened = Result<std::unique_ptr<device::Device>>;
@@ -184,8 +208,10 @@ Result<DeviceHand::Prepared> DeviceHand::prepared_for(const device::Traits& trai
                                                       const TouchSettings& settings,
                                                       const Transform<SceneFrame, DeviceFrame>& place,
                                                       SceneCaches& caches) {
-  auto scene =
-      prepare_scene(*to, settings, traits, options_.servo.rate_hz, place, caches.kept, options_.work);
+  const auto prepare = [&](const TouchSettings& used) {
+    return prepare_scene(*to, used, traits, options_.servo.rate_hz, place, caches.kept, options_.work);
+  };
+  auto scene = sent_textures_ ? without_tracing(*to, settings, traits, prepare) : prepare(settings);
   if (!scene) return std::move(scene).error();
   scene->scene.id = last_scene_id_ + 1;
   auto description = described(*scene, to, settings, caches);

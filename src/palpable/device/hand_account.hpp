@@ -1,0 +1,118 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+
+namespace palpable::device {
+
+/// What late slopes may give to a hand so that they give no more than the scene's potential, J. Each slope
+/// states the potential where the hand was when it was read, W(s) + U(s) with the work W on the hand until
+/// then. A passive scene gives nothing beyond the least of these, above the lowest potential that was stated.
+/// What the hand has passed since the reading is not known: a slope that is older than kFresh_s gives less,
+/// and from kOld_s on nothing, it only resists. Tick path.
+class PotentialAccount {
+ public:
+  static constexpr double kFresh_s = 0.05;
+  static constexpr double kOld_s = 0.07;
+
+  /// Work on the hand since the last call, with the present time, seconds.
+  void add(double work_J, double now_s) noexcept {
+    work_J_ += work_J;
+    now_s_ = now_s;
+    constexpr double kShortest_s = 6e-4;
+    if (now_s < done_[newest_].at_s + kShortest_s) return;
+    newest_ = (newest_ + 1) % done_.size();
+    done_[newest_] = {now_s, work_J_};
+  }
+  /// The potential at the reading of that time.
+  void note(double read_at_s, double stored_J) noexcept {
+    read_at_s_ = read_at_s;
+    lowest_J_ = std::min(lowest_J_, stored_J);
+    least_J_ = std::min(least_J_, work_until(read_at_s) + stored_J);
+  }
+  /// Another surface, whose potential cannot be compared.
+  void forget() noexcept { lowest_J_ = least_J_ = std::numeric_limits<double>::infinity(); }
+  double left_J() const noexcept {
+    if (!(least_J_ < std::numeric_limits<double>::infinity())) return 0.0;
+    const double age_s = now_s_ - read_at_s_;
+    return std::clamp((kOld_s - age_s) / (kOld_s - kFresh_s), 0.0, 1.0) * (least_J_ - lowest_J_ - work_J_);
+  }
+
+ private:
+  struct Done {
+    double at_s = 0.0;
+    double work_J = 0.0;
+  };
+  double work_until(double time_s) const noexcept {
+    std::size_t age = 0;
+    const auto of = [this](std::size_t ticks) {
+      return done_[(newest_ + done_.size() - ticks) % done_.size()];
+    };
+    while (age + 1 < done_.size() && of(age).at_s > time_s) ++age;
+    return of(age).work_J;
+  }
+
+  /// Longer than surfaces are used (SharedDevice::kOldest_s).
+  std::array<Done, 512> done_{};
+  std::size_t newest_ = 0;
+  double work_J_ = 0.0;
+  double now_s_ = 0.0;
+  double read_at_s_ = 0.0;
+  double lowest_J_ = std::numeric_limits<double>::infinity();
+  double least_J_ = std::numeric_limits<double>::infinity();
+};
+
+/// What the forces of surfaces that another computer sends may still give to the hand, J. It counts the work
+/// of all forces on the hand, whatever they were made of, and believes nothing that is sent: what the hand
+/// gave may come back to it, and one reserve beyond that, once. Three kinds of force have three ends. Slopes
+/// give only what the hand gave before (and kFirst_J, once). Pulls, for which a hand gives nothing before,
+/// end with the reserve. Planes, which are passive by themselves (haptics/law/local_touch.hpp), end kPlanes_J
+/// later: they do so only where surfaces are sent to push a hand. Tick path.
+class HandAccount {
+ public:
+  /// The most of what the hand gave that is remembered: more than it presses into a plane. What it gives
+  /// beyond fills the reserve.
+  static constexpr double kMostGiven_J = 0.3;
+  static constexpr double kReserve_J = 0.02;
+  static constexpr double kPlanes_J = 0.02;
+  static constexpr double kFirst_J = 2e-5;
+
+  /// Of slopes, besides.
+  PotentialAccount potential;
+
+  /// Work of the device's force on the hand since the last call, with the present time, seconds.
+  void add(double work_J, double now_s) noexcept {
+    potential.add(work_J, now_s);
+    given_J_ -= work_J;
+    const double beyond_J = given_J_ - std::clamp(given_J_, 0.0, kMostGiven_J);
+    given_J_ -= beyond_J;
+    reserve_J_ = std::min(kReserve_J, reserve_J_ + beyond_J);
+  }
+
+  /// The part of a slope's force that may act, 0 ... 1, if all of it gives so much to the hand. It leaves
+  /// enough for kSlopeLasts_s.
+  double slope_share(double gives_W) const noexcept {
+    constexpr double kSlopeLasts_s = 0.02;
+    const double left_J = std::clamp(potential.left_J() + kFirst_J, 0.0, given_J_);
+    const double least = gives_W * kSlopeLasts_s > left_J ? left_J / (gives_W * kSlopeLasts_s) : 1.0;
+    return least * plane_share();
+  }
+  double pull_share() const noexcept { return share_of(given_J_ + reserve_J_); }
+  double plane_share() const noexcept { return share_of(given_J_ + reserve_J_ + kPlanes_J); }
+
+ private:
+  static double share_of(double left_J) noexcept {
+    constexpr double kWeakerFrom_J = 2e-3;
+    return std::clamp(left_J / kWeakerFrom_J, 0.0, 1.0);
+  }
+
+  double given_J_ = kFirst_J;
+  /// Below 0 where planes give more than the hand gave.
+  double reserve_J_ = kReserve_J;
+};
+
+}  // namespace palpable::device
