@@ -68,6 +68,8 @@ class ShownWork {
     step.is_spring = tick.has_spring;
     // The readings may have jumped because the hand did, under the force that was held meanwhile.
     if (is_new) count(held, moved_m, step);
+    if (is_new && !tick.is_contact_law)
+      jump_max_J_ = std::max(jump_max_J_, dot(held.force_N - held.guide_N, step.moved_m));
     if (!tick.is_contact_law || is_new || (tick.flags & flag::kFading) != 0) {
       using Beginning = PassivityObserver::Beginning;
       observer_.begin(0.0, is_new ? Beginning::from_no_force : Beginning::in_contact);
@@ -86,7 +88,7 @@ class ShownWork {
   /// The energy that the hand received in this contact beyond what it delivered, if it receives some now; and
   /// the most of it, J.
   double made_J() const noexcept { return observer_.made_J(); }
-  double made_max_J() const noexcept { return observer_.made_max_J(); }
+  double made_max_J() const noexcept { return std::max(observer_.made_max_J(), jump_max_J_); }
   /// The sum of forces times movements, the most of it since the force was last zero, J. It is an upper
   /// bound, never below made_max_J(): of a stall the part of the movement counts that gives the hand more, a
   /// hand gets back after a stall what it delivered before it, and a force that the controller, or in contact
@@ -131,6 +133,8 @@ class ShownWork {
   std::size_t delay_;
   bool counts_ = false;
   bool knows_place_ = false;
+  /// The most that a force which is no contact's gave over a jump.
+  double jump_max_J_ = 0.0;
   double since_zero_J_ = 0.0;
   double since_zero_max_J_ = 0.0;
 };
