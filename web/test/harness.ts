@@ -84,6 +84,7 @@ export async function openPage(
   onBinaryFrame: (payload: ArrayBuffer) => void = () => undefined,
 ): Promise<Opened> {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  await context.addInitScript(keepWhatIsSaid);
   const page = await context.newPage();
   // A busy machine may draw only one frame per second; that is not an error.
   page.setDefaultTimeout(60_000);
@@ -114,6 +115,20 @@ export async function says(page: Page, words: string): Promise<void> {
     throw new Error(`the page did not say “${words}”; last: “${await page.locator('#spoken').textContent()}”`, { cause });
   }
 }
+
+/** Collects what a page says from its load on. Runs in the page. */
+function keepWhatIsSaid(): void {
+  const said: string[] = [];
+  (window as unknown as { said: string[] }).said = said;
+  new MutationObserver(() => {
+    const words = document.getElementById('spoken')?.textContent ?? '';
+    if (words !== said.at(-1)) said.push(words);
+  }).observe(document, { subtree: true, childList: true, characterData: true });
+}
+
+/** Waits until the page has said these words since it was loaded, whatever it says after them. */
+export const hasSaid = (page: Page, words: string) =>
+  page.waitForFunction((wanted) => (window as unknown as { said: string[] }).said.some((one) => one.includes(wanted)), words);
 
 /** Saves a picture of the whole page in web/test-results, for inspection by eye. */
 export async function keepPicture(page: Page, name: string, fullPage = false): Promise<void> {

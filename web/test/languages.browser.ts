@@ -4,7 +4,7 @@
 // on a screen of 320 pixels.
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, it } from 'vitest';
-import { keepPicture, launch, openMore, openPage, says, startProgram, type Running } from './harness';
+import { hasSaid, keepPicture, launch, openMore, openPage, startProgram, type Running } from './harness';
 
 let browser: Browser;
 let running: Running;
@@ -39,7 +39,7 @@ it.each([
   const address = storage ? running.address.split('#')[0]! : running.address;
   const { page, context, complaints } = await openPage(browser, address, { locale, viewport: narrow, ...(storage && { storageState: storage }) });
   storage ??= await context.storageState();
-  await says(page, ready);
+  await hasSaid(page, ready);
   expect(await page.locator('html').getAttribute('lang')).toBe(language);
   const hears = (about: RegExp) => page.waitForFunction(([source]) => new RegExp(source!).test(document.getElementById('spoken')!.textContent ?? ''), [about.source]);
   await page.keyboard.press('d');
@@ -57,9 +57,9 @@ it.each([
   if (language === 'es') {
     // The choice is kept, and goes before the browser's language.
     await Promise.all([page.waitForEvent('load'), page.locator('#language').selectOption('en')]);
-    await says(page, 'Ready to touch');
+    await hasSaid(page, 'Ready to touch');
     await page.reload();
-    await says(page, 'Ready to touch');
+    await hasSaid(page, 'Ready to touch');
     expect(await page.locator('html').getAttribute('lang')).toBe('en');
   }
   expect(complaints.filter((one) => !one.includes('WebGL'))).toEqual([]);

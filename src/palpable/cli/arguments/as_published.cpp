@@ -108,7 +108,9 @@ const std::array<Published, 5> kPublished{
         "ghd", printed_tracing(), 400.0,
         "Eq. 8 is rendered as printed, without our speed gate and tank: it also pushes a resting hand, and "
         "outside of a simulation the passivity controller weakens it. A light wall holds the hand in front "
-        "of the picture. Eq. 4 is used with its mirror, and eq. 7 averages structure tensors.",
+        "of the picture. Eq. 4 is used with its mirror, and eq. 7 averages structure tensors. The field is "
+        "interpolated between pixels (the paper takes pixel i,j), and the epsilon of eq. 5 is fixed at "
+        "0.5 mm (the paper: according to the resolution).",
         session::MakeAs::by_input, make_as_ghd},
     Published{"moustakas", shaded_penalty(), std::nullopt,
               "The sign of the force is corrected, and the field is built from the exact surface, not from "

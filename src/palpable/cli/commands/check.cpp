@@ -150,7 +150,8 @@ Json report_json(const CheckReport& report, const CheckArguments& arguments) {
                     {"made_max_without_controller_J", number_or_null(report.made_max_without_controller_J)},
                     {"clean_to_J", session::kEnergyMade_J},
                     {"work_made_max_J", number_or_null(report.work_made_max_J)},
-                    {"work_since_zero_force_max_J", number_or_null(report.work_since_zero_force_max_J)}};
+                    {"work_since_zero_force_max_J", number_or_null(report.work_since_zero_force_max_J)},
+                    {"scene_change_J", number_or_null(report.scene_change_J)}};
   json["missed"] = {{"ticks", report.missed}, {"longest_period_ms", 1e-6 * report.periods.max_ns}};
   json["lost_ticks"] = report.lost;
   json["findings"] = Json::array();
@@ -184,7 +185,10 @@ std::string energy_sentence(const CheckReport& report) {
                                                  : "Energy made: not known without the scene.";
   std::string text = fmt::format("Energy made: {:.2g} J by the touch's account", report.made_max_J);
   if (const std::string work = by_work(); !work.empty()) text += ", " + work;
-  return text + fmt::format(" (clean to {:.2g} J, whatever the law).", session::kEnergyMade_J);
+  text += fmt::format(" (clean to {:.2g} J, whatever the law).", session::kEnergyMade_J);
+  if (report.scene_change_J > 0.0)
+    text += fmt::format(" Changes of scene and of parameters brought up to {:.2g} J.", report.scene_change_J);
+  return text;
 }
 
 std::string text_of(const CheckReport& report, const CheckArguments& arguments) {

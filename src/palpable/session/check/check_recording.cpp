@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/check/check_recording.hpp"
 
+#include "palpable/haptics/servo/servo_loop.hpp"
 #include "palpable/session/check/recorded_forces.hpp"
 #include "palpable/session/check/recorded_scenes.hpp"
 #include "palpable/session/check/replayed_touch.hpp"
@@ -72,6 +73,9 @@ Result<void> Check::take(const device::Recording& piece) {
       keep_once(report_.scene_hashes, touch->hashes.scene);
     }
   for (const auto& tick : piece.ticks) take(tick);
+  for (const auto& tick : piece.further)
+    if (tick.probe == 0 || tick.probe >= haptics::kMaxLiveProbes)
+      findings_.add(FindingKind::damage, tick, 0.0, "a tick of a further probe has the number of none");
   report_.further_ticks += piece.further.size();
   return {};
 }
@@ -205,6 +209,7 @@ CheckReport Check::finish(const device::RecordingReader& reader) {
   report_.work_since_zero_force_max_J = forces_.work_since_zero_max_J();
   if (report_.recomputed > 0) {
     const auto counts = touch_.counts();
+    report_.scene_change_J = counts.scene_change_J;
     report_.made_max_J = counts.made_max_J;
     report_.made_max_without_controller_J = counts.made_max_without_controller_J;
   }

@@ -55,6 +55,8 @@ struct CheckReport {
   double work_made_max_J = 0.0;
   /// The plain sum of forces times movements, an upper bound (haptics::ShownWork::since_zero_max_J).
   double work_since_zero_force_max_J = 0.0;
+  /// What changes of scene and of parameters brought (haptics::TickCounts; NaN if not recomputed).
+  double scene_change_J = std::numeric_limits<double>::quiet_NaN();
   double made_max_J = std::numeric_limits<double>::quiet_NaN();
   double made_max_without_controller_J = std::numeric_limits<double>::quiet_NaN();
   std::vector<Finding> findings;

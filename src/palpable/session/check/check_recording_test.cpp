@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/check/check_recording.hpp"
 
+#include "palpable/core/files/crc32.hpp"
 #include "palpable/recipes/solid/field_recipe.hpp"
 #include "palpable/session/check/test_recordings.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
 #include <numbers>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -126,6 +131,89 @@ TEST(CheckRecording, FindsATimeThatWasChanged) {
   const auto report = checked(file, {waves(0.010)});
   EXPECT_TRUE(found(report, FindingKind::damage)) << said(report);
   EXPECT_NE(said(report).find("contradict"), std::string::npos) << said(report);
+}
+
+/// The tick after the first that wrote a force comes `late_s` later than it did, and says so.
+std::filesystem::path with_a_late_tick(std::string_view name, double late_s, std::uint32_t flags) {
+  return altered(one_touch(), name, [&](device::Recording& recording) {
+    auto& ticks = recording.ticks;
+    const auto writes = [](const device::TouchSample& tick) { return norm(tick.written_force_N) > 0.05; };
+    const auto held = std::find_if(ticks.begin() + 20, ticks.end() - 1, writes);
+    ASSERT_NE(held, ticks.end() - 1);
+    const auto late = held + 1;
+    late->flags = (late->flags & ~haptics::flag::kStalled) | flags;
+    late->dt_s += late_s;
+    for (auto tick = late; tick != ticks.end(); ++tick) tick->t_s += late_s;
+  });
+}
+
+TEST(CheckRecording, FindsAForceThatWasHeldWithoutATick) {
+  for (const double late_s : {0.049, 0.499}) {
+    const auto report = checked(with_a_late_tick("held.rec", late_s, 0), {});
+    EXPECT_TRUE(found(report, FindingKind::held_force)) << said(report);
+    EXPECT_FALSE(report.is_clean());
+    EXPECT_FALSE(found(report, FindingKind::damage)) << said(report);
+    const std::string text = said(report);
+    EXPECT_NE(text.find(" N was held for "), std::string::npos) << text;
+    EXPECT_NE(text.find(" ms without a tick"), std::string::npos) << text;
+    for (const Finding& finding : report.findings)
+      if (finding.kind == FindingKind::held_force) {
+        EXPECT_GT(finding.size, 0.05);
+        EXPECT_GE(finding.held_s, late_s);
+      }
+  }
+  EXPECT_EQ(name_of(FindingKind::held_force), "held-force");
+  EXPECT_EQ(unit_of(FindingKind::held_force), "N");
+}
+
+TEST(CheckRecording, AForceThatTheWatchdogCutWasNotHeld) {
+  const auto report = checked(with_a_late_tick("cut.rec", 0.049, haptics::flag::kStalled), {});
+  EXPECT_FALSE(found(report, FindingKind::held_force)) << said(report);
+}
+
+/// A replay of one_touch() that goes on after its end.
+const std::filesystem::path& one_replay() {
+  static const std::filesystem::path file = [] {
+    auto options = recorded_touch_of(2.0, "one-replay.rec");
+    options.device_url = "replay:" + one_touch().string();
+    EXPECT_TRUE(touch_headless(makes({waves(0.010)}), options, {}));
+    return options.recording;
+  }();
+  return file;
+}
+
+TEST(CheckRecording, FindsTimesOfAReplayThatWereChanged) {
+  EXPECT_FALSE(found(checked(one_replay(), {}), FindingKind::damage)) << said(checked(one_replay(), {}));
+  const auto later = altered(one_replay(), "later.rec", [](device::Recording& recording) {
+    for (std::size_t n = 70; n < recording.ticks.size(); ++n) recording.ticks[n].t_s += 10.0;
+  });
+  EXPECT_NE(said(checked(later, {})).find("contradict"), std::string::npos) << said(checked(later, {}));
+  const auto twice = altered(one_replay(), "twice.rec", [](device::Recording& recording) {
+    for (auto& tick : recording.ticks) tick.t_s *= 2.0;
+  });
+  EXPECT_NE(said(checked(twice, {})).find("contradict"), std::string::npos) << said(checked(twice, {}));
+}
+
+TEST(CheckRecording, FindsATickOfTheHandThatHasTheNumberOfAnotherProbe) {
+  // A writer would sort it out, so the bytes are changed.
+  std::ifstream in(one_touch(), std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  const auto u32 = [&](std::size_t at) {
+    std::uint32_t value = 0;
+    std::memcpy(&value, bytes.data() + at, sizeof value);
+    return value;
+  };
+  std::size_t at = 8;
+  while (bytes.compare(at, 4, "TICK") != 0) at += 12 + u32(at + 4);
+  constexpr std::size_t kProbe = 191;
+  bytes[at + 12 + kProbe] = 3;
+  const std::uint32_t crc = crc32(std::as_bytes(std::span(bytes).subspan(at + 12, u32(at + 4))));
+  std::memcpy(bytes.data() + at + 8, &crc, sizeof crc);
+  const auto file = in_temp("probe.rec");
+  std::ofstream(file, std::ios::binary) << bytes;
+  const auto report = checked(file, {});
+  EXPECT_TRUE(found(report, FindingKind::damage)) << said(report);
+  EXPECT_NE(said(report).find("the number of another probe"), std::string::npos) << said(report);
 }
 
 TEST(CheckRecording, SaysThatAForceIsNotAFiniteNumberInWords) {
@@ -251,6 +339,46 @@ TEST(CheckRecording, StatesTheEnergiesThatTheTouchStated) {
   EXPECT_EQ(report.work_made_max_J, touch.work_made_max_J);
   EXPECT_EQ(report.work_since_zero_force_max_J, touch.work_since_zero_force_max_J);
   EXPECT_LE(report.work_made_max_J, report.made_max_J);
+}
+
+TEST(CheckRecording, StatesWhatChangesBroughtAsTheTouchDid) {
+  auto options = recorded_touch_of(2.0, "changes.rec");
+  options.settings.law.law = haptics::Law::penalty;
+  const auto statistics = touch_headless(makes({waves(0.010), waves(0.014), waves(0.010)}), options, {});
+  ASSERT_TRUE(statistics) << statistics.error().sentence();
+  const auto report = checked(options.recording, {waves(0.010), waves(0.014)});
+  ASSERT_EQ(report.recomputed, report.ticks) << said(report);
+  EXPECT_EQ(report.scene_change_J, statistics->servo.touch.scene_change_J);
+  EXPECT_TRUE(std::isnan(checked(options.recording, {}).scene_change_J));
+}
+
+TEST(CheckRecording, StatesNoWorkAloneWithTorqueAndForTracingAsTheTouchDoes) {
+  const auto no_work = [](HeadlessOptions options, const std::shared_ptr<const models::Scene>& scene) {
+    const auto statistics = touch_headless(makes({scene}), options, {});
+    ASSERT_TRUE(statistics) << statistics.error().sentence();
+    EXPECT_TRUE(std::isnan(statistics->servo.touch.work_made_max_J));
+    EXPECT_TRUE(std::isnan(statistics->servo.touch.work_since_zero_force_max_J));
+    const auto report = checked(options.recording, {scene});
+    EXPECT_EQ(report.recomputed, report.ticks) << said(report);
+    EXPECT_TRUE(std::isnan(report.work_made_max_J));
+    EXPECT_TRUE(std::isnan(report.work_since_zero_force_max_J));
+  };
+  auto with_torque = recorded_touch_of(0.5, "torque-work.rec");
+  with_torque.device_url = "sim:?torque=1&seed=3";
+  no_work(with_torque, waves(0.010));
+  Raster<models::BoundaryPixel> edges(100, 80);
+  for (int x = 10; x < 90; ++x) edges(x, 40) = {1.0F, 0.0F};
+  models::Scene lines;
+  lines.model = std::make_shared<const models::Contours>(
+      models::Contours{*models::BoundaryMap::from_edges(std::move(edges), 0.001, 2.0, {}, Work{}),
+                       models::relief_of(hilly_scene(0.004))});
+  const auto traced = std::make_shared<const models::Scene>(std::move(lines));
+  for (const double bounds : {1.0, 0.0}) {
+    auto tracing = recorded_touch_of(0.5, "tracing-work.rec");
+    tracing.settings.law.law = haptics::Law::tracing;
+    tracing.settings.law.tracing_bounds = bounds;
+    no_work(tracing, traced);
+  }
 }
 
 TEST(CheckRecording, CanBeStopped) {

@@ -16,7 +16,7 @@ struct FindingWords {
   std::string_view name;
   std::string_view unit;
   bool is_problem;
-  /// {} stands for the size.
+  /// The first {} stands for the size, the second for the time in ms that a force was held.
   std::string_view sentence;
 };
 constexpr std::array<FindingWords, kFindingKinds> kFindingWords{{
@@ -28,6 +28,7 @@ constexpr std::array<FindingWords, kFindingKinds> kFindingWords{{
     {"force-step", "N", true, "the force grew by {:.3g} N more than the rise limit allows"},
     {"force-cap", "N", true, "the force was {:.3g} N above the device's greatest"},
     {"not-finite", "", true, "a force was written that is not a finite number"},
+    {"held-force", "N", true, "a force of {:.3g} N was held for {:.3g} ms without a tick"},
     {"free-air-force", "N", true, "{:.3g} N were written while the hand did not touch the surface"},
     {"energy-made", "J", true, "the hand received {:.3g} J more than it gave"},
     {"damage", "", true, "the file is damaged"},
@@ -52,20 +53,22 @@ std::string sentence_of(const Finding& finding) {
                                       finding.last_tick, finding.t_s, finding.ticks);
   const std::string what =
       std::isfinite(finding.size)
-          ? fmt::format(fmt::runtime(words_of(finding.kind).sentence), finding.size)
+          ? fmt::format(fmt::runtime(words_of(finding.kind).sentence), finding.size, 1e3 * finding.held_s)
           : fmt::format("{}: one of the two values is not a finite number", words_of(finding.kind).name);
   return fmt::format("{}: {}{}{}.", where, what, finding.detail.empty() ? "" : ": ", finding.detail);
 }
 
-void Findings::add(FindingKind kind, const device::TouchSample& at, double size, std::string_view detail) {
+void Findings::add(FindingKind kind, const device::TouchSample& at, double size, std::string_view detail,
+                   double held_s) {
   const auto index = static_cast<std::size_t>(kind);
   ++counts_[index];
   Finding& open = open_[index];
   if (open.ticks > 0 && (at.tick > open.last_tick + kTogether || detail != open.detail)) close(open);
-  if (open.ticks == 0) open = {kind, at.tick, at.tick, at.t_s, 0, size, std::string(detail)};
+  if (open.ticks == 0) open = {kind, at.tick, at.tick, at.t_s, 0, size, held_s, std::string(detail)};
   open.last_tick = at.tick;
   ++open.ticks;
   open.size = std::max(open.size, size);
+  open.held_s = std::max(open.held_s, held_s);
 }
 
 void Findings::close(Finding& finding) {

@@ -25,6 +25,8 @@ enum class FindingKind : std::uint8_t {
   /// It exceeds the device's greatest force, or is not finite.
   force_cap,
   not_finite,
+  /// A force acted on without a tick, and no tick says that it was cut.
+  held_force,
   /// A force was written although the hand and its path were clear of the surface.
   free_air,
   /// The hand received more energy than it delivered, in a contact that began in free air.
@@ -37,7 +39,7 @@ enum class FindingKind : std::uint8_t {
   /// Ticks that could not be recomputed.
   not_recomputed
 };
-inline constexpr std::size_t kFindingKinds = 14;
+inline constexpr std::size_t kFindingKinds = 15;
 
 /// Its name in JSON: "law-force" ...
 std::string_view name_of(FindingKind kind);
@@ -56,6 +58,8 @@ struct Finding {
   /// Greatest value in the unit of unit_of(kind): N, J or periods; infinite if one of the compared values is
   /// not finite.
   double size = 0.0;
+  /// The longest time that a force was held (held_force), s; 0 for other kinds.
+  double held_s = 0.0;
   /// The cause, if the kind alone does not tell it.
   std::string detail;
 };
@@ -70,7 +74,8 @@ class Findings {
  public:
   explicit Findings(std::size_t most_of_a_kind) : most_of_a_kind_(most_of_a_kind) {}
 
-  void add(FindingKind kind, const device::TouchSample& at, double size, std::string_view detail = {});
+  void add(FindingKind kind, const device::TouchSample& at, double size, std::string_view detail = {},
+           double held_s = 0.0);
   /// The findings in order of their first ticks; the collection is empty afterwards.
   std::vector<Finding> take();
   /// Number of findings of a kind, and number of all findings that were not kept.

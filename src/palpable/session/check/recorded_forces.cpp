@@ -26,13 +26,20 @@ double max_allowed_N(const RecordedSession& session) {
   return std::min(device_N, session.tick.max_force_N);
 }
 
+double slowest_hz(const RecordedSession& session) {
+  // A device without a rate of its own states none (NaN).
+  return session.traits && session.traits->rate_hz > 0.0 ? std::min(session.rate_hz, session.traits->rate_hz)
+                                                         : session.rate_hz;
+}
+
 }  // namespace
 
 RecordedForces::RecordedForces(const RecordedSession& session, Findings& findings)
     : session_(session),
       findings_(findings),
       max_allowed_N_(max_allowed_N(session)),
-      has_own_times_(session.device_url.starts_with("replay:")),
+      is_replay_(session.device_url.starts_with("replay:")),
+      slowest_hz_(slowest_hz(session)),
       work_(session.traits.value_or(device::Traits{}), session.tick) {}
 
 void RecordedForces::take(const device::TouchSample& tick, const RecordedTouch* touch) {
@@ -47,14 +54,20 @@ void RecordedForces::take(const device::TouchSample& tick, const RecordedTouch* 
   check_work(tick, touch, force_N);
 }
 
-bool RecordedForces::agree(double between_ticks_s, double period_s) const {
+bool RecordedForces::agrees(const device::TouchSample& tick) const {
+  const double between_ticks_s = tick.t_s - before_s_;
   // Least length of a tick that follows a late one (ServoLoop).
-  const double shortest_s = 0.1 / session_.rate_hz;
-  if (has_own_times_ || (period_s <= 1.001 * shortest_s && between_ticks_s <= period_s)) return true;
-  return std::abs(between_ticks_s - period_s) <= kRounding_s;
+  const double shortest_s = 0.1 / slowest_hz_;
+  if (tick.dt_s <= 1.001 * shortest_s && between_ticks_s <= tick.dt_s) return true;
+  // What a replay repeats has the times of its recording; only where it has nothing to repeat, it is stale.
+  if (is_replay_ && (tick.status == device::Status::stale || before_status_ == device::Status::stale))
+    return true;
+  return std::abs(between_ticks_s - tick.dt_s) <= kRounding_s;
 }
 
 void RecordedForces::check_time(const device::TouchSample& tick) {
+  if (tick.probe != 0)
+    findings_.add(FindingKind::damage, tick, 0.0, "a tick of the hand has the number of another probe");
   if (ticks_ > 0 && tick.tick < next_tick_) {
     findings_.add(FindingKind::damage, tick, 0.0, "its ticks are not in their order");
     knows_before_ = false;
@@ -63,11 +76,12 @@ void RecordedForces::check_time(const device::TouchSample& tick) {
     findings_.add(FindingKind::lost_ticks, tick, static_cast<double>(tick.tick - next_tick_));
     knows_before_ = false;
     work_.forget_place();
-  } else if (ticks_ > 0 && !agree(tick.t_s - before_s_, tick.dt_s)) {
+  } else if (ticks_ > 0 && !agrees(tick)) {
     findings_.add(FindingKind::damage, tick, 0.0, "the times of its ticks contradict their periods");
   }
   next_tick_ = tick.tick + 1;
   before_s_ = tick.t_s;
+  before_status_ = tick.status;
   periods_.record_ns(1e9 * tick.dt_s);
   const double missed = std::floor(tick.dt_s * session_.rate_hz) - 1.0;
   if (ticks_ == 0 || !(missed >= 1.0)) return;
@@ -75,7 +89,16 @@ void RecordedForces::check_time(const device::TouchSample& tick) {
   findings_.add(FindingKind::missed, tick, missed);
 }
 
+void RecordedForces::check_held(const device::TouchSample& tick) {
+  // Without motors nothing is cut, and nothing is felt.
+  if (!knows_before_ || (session_.traits && !session_.traits->pushes_back)) return;
+  const double held_N = norm(before_N_);
+  if (held_N > 0.0 && !tick.has(flag::kStalled) && tick.dt_s - 1.0 / slowest_hz_ > kLongestHold_s)
+    findings_.add(FindingKind::held_force, tick, held_N, {}, tick.dt_s);
+}
+
 void RecordedForces::check_force(const device::TouchSample& tick, Vector<DeviceFrame> force_N) {
+  check_held(tick);
   if (!is_finite(force_N)) {
     findings_.add(FindingKind::not_finite, tick, 0.0);
     knows_before_ = false;

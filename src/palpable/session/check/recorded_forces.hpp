@@ -37,8 +37,10 @@ class RecordedForces {
 
  private:
   void check_time(const device::TouchSample& tick);
-  /// Whether the time between two consecutive ticks equals the period that the later one states.
-  bool agree(double between_ticks_s, double period_s) const;
+  /// Whether the time since the previous tick equals the period that this one states.
+  bool agrees(const device::TouchSample& tick) const;
+  /// A force that acted on although the next tick was late, and that was not cut.
+  void check_held(const device::TouchSample& tick);
   void check_force(const device::TouchSample& tick, Vector<DeviceFrame> force_N);
   void check_work(const device::TouchSample& tick, const RecordedTouch* touch, Vector<DeviceFrame> force_N);
   double known(double value) const {
@@ -48,13 +50,16 @@ class RecordedForces {
   const RecordedSession& session_;
   Findings& findings_;
   double max_allowed_N_;
-  /// A replay: after its end, the times are those of the replaying loop.
-  bool has_own_times_;
+  /// Around the end of what is replayed, the times may be those of the replaying loop.
+  bool is_replay_;
+  /// The slower of the rates of the loop and of the device, which may be a recording of a slower loop.
+  double slowest_hz_;
   std::uint64_t ticks_ = 0;
   std::uint64_t contact_ticks_ = 0;
   std::uint64_t missed_ = 0;
   std::uint64_t next_tick_ = 0;
   double before_s_ = 0.0;
+  device::Status before_status_ = device::Status::ok;
   double max_force_N_ = 0.0;
   double max_step_N_ = 0.0;
   double duration_s_ = 0.0;
@@ -67,6 +72,8 @@ class RecordedForces {
 /// Smallest energy that counts as generated. Less is within the uncertainty of the hand's position due to the
 /// sensor's quantisation.
 inline constexpr double kEnergyMade_J = 5e-6;
+/// So long after a tick was due the watchdog has cut the force of a device with motors.
+inline constexpr double kLongestHold_s = 0.005;
 /// Smallest force that counts as a force in free air.
 inline constexpr double kForceInAir_N = 1e-3;
 

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 #include <utility>
 #include <variant>
@@ -188,8 +189,8 @@ Result<void> DeviceHand::start(const Begin& begin) {
 }
 
 DeviceHand::~DeviceHand() {
-  static_cast<void>(stop_recording());
   if (loop_) loop_->stop();
+  static_cast<void>(stop_recording());
 }
 
 device::RecordedScene DeviceHand::described(const PreparedScene& prepared,
@@ -229,6 +230,7 @@ void DeviceHand::take_over(const Prepared& prepared) {
   last_scene_id_ = prepared.scene.scene.id;
   law_in_use_ = prepared.scene.law.law;
   radius_in_use_m_ = prepared.scene.law.radius_m.value_or(0.0);
+  used_contact_law_ = used_contact_law_ || haptics::description_of(law_in_use_).is_contact;
   scene_from_device_ = prepared.place;
   notices_ = prepared.scene.notices;
   if (sent_textures_) sent_textures_->put(sent_textures(prepared.scene.materials));
@@ -335,6 +337,13 @@ std::string DeviceHand::take_guidance() {
 TouchStatistics DeviceHand::statistics(std::int64_t begin_ns) const {
   TouchStatistics statistics;
   statistics.servo = loop_->statistics();
+  {
+    // The servo also counts the work of `tracing` without its bounds, which proves nothing.
+    const std::lock_guard lock(state_);
+    auto& touch = statistics.servo.touch;
+    if (!used_contact_law_)
+      touch.work_made_max_J = touch.work_since_zero_force_max_J = std::numeric_limits<double>::quiet_NaN();
+  }
   statistics.seconds_to_scene = 1e-9 * static_cast<double>(servo_begin_ns_ - begin_ns);
   statistics.seconds_to_first_force = statistics.seconds_to_scene + statistics.servo.touch.first_force_t_s;
   statistics.device = loop_->device_traits().name;

@@ -92,7 +92,7 @@ class DeviceHand {
   /// Its stop button has ended the force.
   bool is_stopped() const { return workspace_->stopped.load(); }
 
-  /// See TouchSession.
+  /// See TouchSession; stop_recording() after the loop has stopped, else its last ticks are not recorded.
   std::optional<Error> take_recording_fault();
   Result<void> stop_recording();
   std::string take_guidance();
@@ -128,6 +128,8 @@ class DeviceHand {
   /// Guards what follows.
   mutable std::mutex state_;
   haptics::Law law_in_use_ = haptics::Law::proxy;
+  /// Whether any law so far was one with contact.
+  bool used_contact_law_ = false;
   double radius_in_use_m_ = 0.0;
   Transform<SceneFrame, DeviceFrame> scene_from_device_;
   std::vector<std::string> notices_;

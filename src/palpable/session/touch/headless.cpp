@@ -129,9 +129,8 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
   }
   maker.cancel();
   feeding.reset();
-  auto recorded = session.stop_recording();
   const std::string fault = failed ? session.device_fault(*failed) : std::string();
-  session.stop();
+  auto recorded = session.stop_recording();
   if (!recorded) return std::move(recorded).error();
   if (failed)
     return Error{ErrorCode::device, fault.empty() ? "the device has failed" : fault,

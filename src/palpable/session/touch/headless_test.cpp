@@ -127,6 +127,24 @@ TEST(TouchHeadless, AnExplorerStandsInABetterSceneAsTheyStood) {
   EXPECT_NEAR(place["translation_m"][1].get<double>(), 0.01, 1e-9);
 }
 
+TEST(TouchHeadless, RecordsEveryTickToTheLastOfTheLoop) {
+  auto options = unprivileged(0.5);
+  options.session.further_devices = {"sim:?seed=7"};
+  options.recording = std::filesystem::path(testing::TempDir()) / "every-tick.rec";
+  const auto statistics = touch_headless(two_scenes, options, {});
+  ASSERT_TRUE(statistics) << statistics.error().sentence();
+  ASSERT_EQ(statistics->further_hands.size(), 1U);
+  const std::uint64_t ticks[]{statistics->servo.touch.ticks, statistics->further_hands[0].servo.touch.ticks};
+  for (std::size_t hand = 0; hand < 2; ++hand) {
+    const auto recording = device::read_recording(recording_of_hand(options.recording, hand));
+    ASSERT_TRUE(recording) << recording.error().sentence();
+    ASSERT_EQ(recording->lost, 0U);
+    ASSERT_FALSE(recording->ticks.empty());
+    EXPECT_EQ(recording->ticks.size(), ticks[hand]);
+    EXPECT_EQ(recording->ticks.back().tick + 1, ticks[hand]);
+  }
+}
+
 TEST(Recorder, StoresForcesThatTheLawReproducesToTheLastBit) {
   const auto scene = hills(0.010);
   const auto device = device::open_device("sim:", {});

@@ -32,7 +32,8 @@ class Recorder {
   /// The reason why writing failed (for example a full disk), returned once. What was written before stays
   /// readable, and the touch continues. Any thread.
   std::optional<Error> take_fault();
-  /// Writes the remaining ticks and ends the file. Errors of any earlier write are returned here.
+  /// Writes the remaining ticks and ends the file: every tick if the loop has stopped, otherwise those up to
+  /// this call. Errors of any earlier write are returned here.
   Result<void> finish();
 
  private:

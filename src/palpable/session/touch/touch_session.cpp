@@ -206,10 +206,7 @@ Result<void> TouchSession::move_explorer(const ExplorerPose& pose) {
   return moved;
 }
 
-void TouchSession::stop() {
-  static_cast<void>(stop_recording());
-  for (const auto& hand : impl_->hands) hand->loop().stop();
-}
+void TouchSession::stop() { static_cast<void>(stop_recording()); }
 
 std::size_t TouchSession::hands() const { return impl_->hands.size(); }
 std::size_t TouchSession::probes() const { return hands() + impl_->pointers.size() - 1; }
@@ -260,6 +257,8 @@ std::optional<Error> TouchSession::take_recording_fault() {
 }
 
 Result<void> TouchSession::stop_recording() {
+  // First, so that the recordings hold every tick.
+  for (const auto& hand : impl_->hands) hand->loop().stop();
   Result<void> outcome;
   for (const auto& hand : impl_->hands)
     if (auto stopped = hand->stop_recording(); outcome && !stopped) outcome = std::move(stopped);

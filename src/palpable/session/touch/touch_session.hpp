@@ -98,7 +98,8 @@ class TouchSession {
   /// The reason why a recording cannot be continued, returned once; the touch continues.
   std::optional<Error> take_recording_fault();
 
-  /// Ends the recordings; errors of any earlier write are returned here.
+  /// Ends the touch, as stop() does, and then the recordings: the last recorded tick is the last tick. Errors
+  /// of any earlier write are returned here.
   Result<void> stop_recording();
 
   /// Those of the first hand; the others' are in TouchStatistics::further_hands.
