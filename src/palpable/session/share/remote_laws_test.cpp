@@ -99,8 +99,8 @@ INSTANTIATE_TEST_SUITE_P(AllLaws, RemoteLaw,
                                          RemoteLawCase{haptics::Law::penalty, hills, 0.1},
                                          RemoteLawCase{haptics::Law::averaged, hills, 0.1},
                                          RemoteLawCase{haptics::Law::grid, grid_of_hills, 0.4},
-                                         RemoteLawCase{haptics::Law::rolling, hills, 0.2, 0.0, 3e-4, 2e-5},
-                                         RemoteLawCase{haptics::Law::sobel, hills, 0.3, 0.0, 5e-4, 2e-4},
+                                         RemoteLawCase{haptics::Law::rolling, hills, 0.3, 0.0, 3e-4, 2e-5},
+                                         RemoteLawCase{haptics::Law::sobel, hills, 0.5, 0.0, 5e-4, 2e-4},
                                          RemoteLawCase{haptics::Law::groove, two_lines, 0.05}),
                          [](const auto& tested) { return std::string(haptics::name_of(tested.param.law)); });
 
