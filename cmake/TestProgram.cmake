@@ -4,6 +4,8 @@
 # builds (dev, the sanitizers, clang-tidy) do not, so that a missing include does not stay hidden. The tests of a room are
 # compiled in groups too (half of their time), so that names in their unnamed namespaces are unique within a room. They are
 # linked by lld where it is installed, in a quarter of the time: they are 40 programs of 25 to 90 MB.
+# How many sources complete builds compile together, where a module states no other number.
+set(PALPABLE_GROUPS_OF 16)
 find_program(PALPABLE_LLD ld.lld)
 mark_as_advanced(PALPABLE_LLD)
 function(palpable_test_program target)
@@ -25,7 +27,7 @@ function(palpable_test_program target)
                               <filesystem> <functional> <numbers> <random> <span> <string> <vector>)
   endif()
   target_precompile_headers(${target} REUSE_FROM palpable_test_headers)
-  set(most 16)
+  set(most ${PALPABLE_GROUPS_OF})
   if(ARGC GREATER 1)
     set(most ${ARGV1})
   endif()

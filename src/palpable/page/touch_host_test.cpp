@@ -137,7 +137,7 @@ TEST_F(HostOnATouch, FeelsWithSeveralProbesUntilTheyAreLifted) {
   EXPECT_TRUE(comes_true([&] { return numbers() == std::vector<std::int64_t>{0, 9}; }));
   EXPECT_TRUE(first().contact);
   EXPECT_FALSE(host->next_notice()) << "lifting a finger is no news";
-  ASSERT_TRUE(session->stop_recording());
+  ASSERT_TRUE(session->stop());
   const auto recording = device::read_recording(recorded);
   ASSERT_TRUE(recording) << recording.error().sentence();
   std::set<int> probes;

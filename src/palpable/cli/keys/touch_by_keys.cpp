@@ -209,8 +209,7 @@ Result<session::TouchStatistics> touch_by_keys(const session::SceneMaker& make,
   auto explored = explore(session, maker, MapZoom(options.map), names, mouth);
   mouth.say(names.unsaved_words(), voice::Importance::news);
   maker.cancel();
-  auto recorded = session.stop_recording();
-  session.stop();
+  auto recorded = session.stop();
   if (!explored) return std::move(explored).error();
   if (!recorded) return std::move(recorded).error();
   if (auto kept = names.none_lost(); !kept) return std::move(kept).error();

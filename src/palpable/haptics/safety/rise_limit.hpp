@@ -73,9 +73,7 @@ class RiseLimit {
   /// `velocity_m_per_s`: of the hand; `most_lost`: see cap_rise().
   Limited<DeviceFrame> limit(Vector<DeviceFrame> law_N, Vector<DeviceFrame> rest_N, double max_rise_N,
                              Vector<DeviceFrame> velocity_m_per_s, double most_lost = 1.0) noexcept {
-    // A ramp that falls takes from the force that is, which the limit may have held below the law's.
-    const auto wanted = falls_ ? cap_force(rendered(law_N, rest_N), norm(force_N_))
-                               : Limited<DeviceFrame>{rendered(law_N, rest_N), false};
+    const auto wanted = not_growing(rendered(law_N, rest_N), force_N_);
     Limited<DeviceFrame> risen = cap_rise(wanted.force_N, force_N_, max_rise_N, velocity_m_per_s, most_lost);
     risen.limited = risen.limited || wanted.limited;
     if (risen.limited) note_limited();
@@ -117,8 +115,11 @@ class RiseLimit {
     if (!has_spring_) return gain_;
     return spring_offset_ > 0.0 ? 1.0 - spring_offset_ / root_ : 1.0;
   }
-  /// Whether the ramp falls in this tick.
-  bool falls() const noexcept { return falls_; }
+  /// While the ramp falls, a force or torque does not grow, though the limit may have held it below the
+  /// law's.
+  Limited<DeviceFrame> not_growing(Vector<DeviceFrame> wanted, Vector<DeviceFrame> before) const noexcept {
+    return falls_ ? cap_force(wanted, norm(before)) : Limited<DeviceFrame>{wanted, false};
+  }
   /// Whether the rendered spring returns less energy than the law's spring stores.
   bool is_weaker() const noexcept { return has_spring_ && (release_left_ > 0.0 || spring_offset_ > 0.0); }
   double withheld_J() const noexcept { return std::max(0.0, stored_J_ - input_energy_J()); }

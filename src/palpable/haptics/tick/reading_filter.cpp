@@ -69,8 +69,8 @@ bool ReadingFilter::is_plausible(Point<DeviceFrame> position) const noexcept {
 }
 
 bool ReadingFilter::is_where_the_hand_was_going(Point<DeviceFrame> position) const noexcept {
-  // Half of what a hand can do in a period; the longer readings are nonsense, the farther one of them may be
-  // and still be as fast as a hand, but it is no more likely to be true.
+  // Half of the longest way in a period, however long readings were nonsense: meanwhile a hand may have gone
+  // far, but a single reading among them is no proof of it.
   const double most_m = 0.5 * max_speed_m_per_s_ * period_s_;
   return norm(position - position_) <= most_m ||
          norm(position - (position_ + since_good_s_ * velocity_m_per_s_)) <= most_m;

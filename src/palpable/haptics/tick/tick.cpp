@@ -287,9 +287,7 @@ void TickPipeline::make_torque(double risen_s) noexcept {
   const auto capped = cap_force(law_torque_Nm_, device_.traits().max_torque_Nm);
   const double max_rise_Nm = options_.max_torque_rate_Nm_per_s * risen_s;
   const auto limit = [&](RiseLimit& rise, Vector<DeviceFrame> before_Nm) {
-    const Vector<DeviceFrame> shared_Nm = rise.share() * capped.force_N;
-    const Vector<DeviceFrame> wanted_Nm =
-        rise.falls() ? cap_force(shared_Nm, norm(before_Nm)).force_N : shared_Nm;
+    const Vector<DeviceFrame> wanted_Nm = rise.not_growing(rise.share() * capped.force_N, before_Nm).force_N;
     const auto risen = cap_rise(wanted_Nm, before_Nm, max_rise_Nm, rotation_.velocity_rad_per_s());
     // What is held back of a torque is held back of the same spring.
     if (risen.limited) rise.note_limited();

@@ -130,7 +130,7 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
   maker.cancel();
   feeding.reset();
   const std::string fault = failed ? session.device_fault(*failed) : std::string();
-  auto recorded = session.stop_recording();
+  auto recorded = session.stop();
   if (!recorded) return std::move(recorded).error();
   if (failed)
     return Error{ErrorCode::device, fault.empty() ? "the device has failed" : fault,

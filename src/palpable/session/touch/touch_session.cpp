@@ -78,7 +78,7 @@ Result<void> TouchSession::Impl::change(std::shared_ptr<const models::Scene> to_
 }
 
 TouchSession::TouchSession(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-TouchSession::~TouchSession() { stop(); }
+TouchSession::~TouchSession() { static_cast<void>(stop()); }
 
 Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const models::Scene> scene,
                                                          const TouchSettings& settings,
@@ -206,8 +206,6 @@ Result<void> TouchSession::move_explorer(const ExplorerPose& pose) {
   return moved;
 }
 
-void TouchSession::stop() { static_cast<void>(stop_recording()); }
-
 std::size_t TouchSession::hands() const { return impl_->hands.size(); }
 std::size_t TouchSession::probes() const { return hands() + impl_->pointers.size() - 1; }
 
@@ -256,8 +254,7 @@ std::optional<Error> TouchSession::take_recording_fault() {
   return std::nullopt;
 }
 
-Result<void> TouchSession::stop_recording() {
-  // First, so that the recordings hold every tick.
+Result<void> TouchSession::stop() {
   for (const auto& hand : impl_->hands) hand->loop().stop();
   Result<void> outcome;
   for (const auto& hand : impl_->hands)

@@ -73,7 +73,9 @@ class TouchSession {
   /// an explorer; its height and scale do not change. This also holds for later scenes. Forces are
   /// cross-faded, and recordings contain the new placement. Errors: as change_settings().
   Result<void> move_explorer(const ExplorerPose& pose);
-  void stop();
+  /// Ends the touch, and then the recordings: the last recorded tick is the last tick. Errors of any earlier
+  /// write are returned here.
+  Result<void> stop();
 
   /// Number of hands, each at a device: probes 0 to hands() - 1.
   std::size_t hands() const;
@@ -97,10 +99,6 @@ class TouchSession {
   std::vector<haptics::MissedDeadline> take_missed();
   /// The reason why a recording cannot be continued, returned once; the touch continues.
   std::optional<Error> take_recording_fault();
-
-  /// Ends the touch, as stop() does, and then the recordings: the last recorded tick is the last tick. Errors
-  /// of any earlier write are returned here.
-  Result<void> stop_recording();
 
   /// Those of the first hand; the others' are in TouchStatistics::further_hands.
   TouchStatistics statistics() const;

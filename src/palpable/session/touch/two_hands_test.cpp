@@ -105,7 +105,7 @@ TEST(TwoHands, AFailedHandIsOpenedAgainWhileTheOtherTouches) {
 
   session.pause();
   ASSERT_TRUE(comes_true([&] { return force_N(session, 0) == 0.0 && force_N(session, 1) == 0.0; }));
-  session.stop();
+  EXPECT_TRUE(session.stop());
   EXPECT_EQ(board.torques()[0], 0.0);
   EXPECT_EQ(board.torques()[1], 0.0);
 }

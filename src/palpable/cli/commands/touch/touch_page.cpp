@@ -144,8 +144,7 @@ Result<Answer> touch_with_page(const TouchArguments& arguments, const TouchPlan&
   const auto served = serve_page(arguments, plan, session, maker, notes, sharing->get(), console);
   terminal.reset();
   feeding.reset();
-  const auto recorded = session.stop_recording();
-  session.stop();
+  const auto recorded = session.stop();
   if (!served) return served.error();
   if (!recorded) return recorded.error();
   auto statistics = session.statistics();
