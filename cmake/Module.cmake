@@ -6,6 +6,7 @@
 include(${CMAKE_CURRENT_LIST_DIR}/Layers.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/PalpableDependencies.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/Install.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/CommonHeaders.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/TestProgram.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/TestSuites.cmake)
 
@@ -27,6 +28,9 @@ function(palpable_module)
   set_target_properties(palpable_${M_NAME} PROPERTIES UNITY_BUILD ${PALPABLE_UNITY} UNITY_BUILD_BATCH_SIZE ${M_GROUPS_OF})
   if(M_NOT_HOT)
     target_compile_options(palpable_${M_NAME} PRIVATE $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
+    palpable_common_headers(palpable_${M_NAME} NOT_HOT)
+  else()
+    palpable_common_headers(palpable_${M_NAME} MODULE)
   endif()
   target_include_directories(palpable_${M_NAME} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
                                                        $<INSTALL_INTERFACE:include>)

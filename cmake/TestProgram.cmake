@@ -1,9 +1,10 @@
 # palpable_test_program(TARGET [most]): what the programs of tests have in common. Optimised builds compile their sources with -O1
 # and at most the line numbers of debug information: the tests' own code is not hot, and takes half of a build from nothing.
-# Builds that compile in groups (PALPABLE_UNITY) also compile the headers of GoogleTest once for all of them; the other
-# builds (dev, the sanitizers, clang-tidy) do not, so that a missing include does not stay hidden. The tests of a room are
-# compiled in groups too (half of their time), so that names in their unnamed namespaces are unique within a room. They are
-# linked by lld where it is installed, in a quarter of the time: they are 40 programs of 25 to 90 MB.
+# Complete builds (PALPABLE_UNITY) compile the tests of a room in groups (half of their time), so that names in their unnamed
+# namespaces are unique within a room. They are linked by lld where it is installed, in a quarter of the time: they are 40
+# programs of 25 to 90 MB.
+include(${CMAKE_CURRENT_LIST_DIR}/CommonHeaders.cmake)
+
 # How many sources complete builds compile together, where a module states no other number.
 set(PALPABLE_GROUPS_OF 16)
 find_program(PALPABLE_LLD ld.lld)
@@ -18,15 +19,7 @@ function(palpable_test_program target)
   if(PALPABLE_LLD)
     target_link_options(${target} PRIVATE -fuse-ld=lld)
   endif()
-  if(NOT TARGET palpable_test_headers)
-    file(WRITE ${PROJECT_BINARY_DIR}/generated/test_headers.cpp "// Holds nothing: its precompiled headers are used by the tests.\n")
-    add_library(palpable_test_headers OBJECT ${PROJECT_BINARY_DIR}/generated/test_headers.cpp)
-    target_link_libraries(palpable_test_headers PRIVATE palpable_options GTest::gmock)
-    target_compile_options(palpable_test_headers PRIVATE $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
-    target_precompile_headers(palpable_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h> <algorithm> <array> <cmath> <cstdint>
-                              <filesystem> <functional> <numbers> <random> <span> <string> <vector>)
-  endif()
-  target_precompile_headers(${target} REUSE_FROM palpable_test_headers)
+  palpable_common_headers(${target} TEST)
   set(most ${PALPABLE_GROUPS_OF})
   if(ARGC GREATER 1)
     set(most ${ARGV1})
