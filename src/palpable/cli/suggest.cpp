@@ -11,6 +11,11 @@
 namespace palpable::cli {
 
 std::optional<std::string> suggestion(std::string_view typed, std::span<const std::string> known) {
+  // An abbreviation of one word alone.
+  constexpr std::size_t kShortest = 4;
+  const auto begins = [typed](const std::string& word) { return word.starts_with(typed); };
+  if (typed.size() >= kShortest && std::count_if(known.begin(), known.end(), begins) == 1)
+    return *std::find_if(known.begin(), known.end(), begins);
   std::optional<std::string> best;
   std::size_t fewest = std::max<std::size_t>(1, typed.size() / 3) + 1;
   for (const std::string& word : known) {

@@ -9,8 +9,9 @@
 
 namespace palpable::cli {
 
-/// The known word that was most likely meant by `typed`: fewest insertions, deletions, changes and swaps of
-/// neighbours, at most one for every three letters (and at least one). nullopt if none is that close.
+/// The known word that was most likely meant by `typed`: the only one that begins so (four characters or
+/// more), else that of fewest insertions, deletions, changes and swaps of neighbours, at most one for every
+/// three letters (and at least one). nullopt if none is that close.
 std::optional<std::string> suggestion(std::string_view typed, std::span<const std::string> known);
 
 /// The sentence for a word that is not known: "'sectoin' is not one of relief, section; did you mean

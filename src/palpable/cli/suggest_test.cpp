@@ -17,6 +17,13 @@ TEST(Suggestion, CorrectsATypingError) {
   EXPECT_EQ(suggestion("samples", kCommands), "sample");
 }
 
+TEST(Suggestion, CompletesAnAbbreviation) {
+  const std::vector<std::string> options{"--calibration", "--depth-as", "--depth-scale", "--near",
+                                         "--near-plane"};
+  EXPECT_EQ(suggestion("--calib", options), "--calibration");
+  EXPECT_EQ(suggestion("--depth", options), std::nullopt) << "of two";
+}
+
 TEST(Suggestion, StaysSilentWhereNothingIsNear) {
   EXPECT_EQ(suggestion("xyzzy", kCommands), std::nullopt);
   EXPECT_EQ(suggestion("", kCommands), std::nullopt);

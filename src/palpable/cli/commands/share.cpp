@@ -90,6 +90,8 @@ Result<Answer> share(const ShareArguments& arguments, Console& console) {
                  {"allocations_in_ticks", servo.allocations_in_ticks}};
   answer.text = fmt::format("Shared for {} ticks, {} of them in contact; greatest force {:.2f} N.\n",
                             servo.touch.ticks, servo.touch.contact_ticks, servo.touch.max_force_N);
+  // Ctrl-C is the usual end: what was measured is still said.
+  answer.exit_code = interrupted() ? static_cast<int>(ErrorCode::interrupted) : 0;
   return answer;
 }
 

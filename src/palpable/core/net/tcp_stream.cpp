@@ -127,7 +127,7 @@ Result<TcpListener> TcpListener::open(const std::string& address, std::uint16_t 
   Descriptor socket = new_socket(first);
   const int on = 1;
   ::setsockopt(socket.number(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
-  constexpr int kWaiting = 4;
+  constexpr int kWaiting = 32;
   if (socket.number() < 0 || ::bind(socket.number(), first.ai_addr, first.ai_addrlen) != 0 ||
       ::listen(socket.number(), kWaiting) != 0)
     return Error{ErrorCode::failed, "cannot be listened at (" + system_reason(errno) + ")", place};
@@ -147,7 +147,7 @@ std::optional<TcpStream> TcpListener::accept() {
 }
 
 void wait_for_any(std::span<const int> descriptors, std::chrono::milliseconds longest) {
-  std::array<pollfd, 4> waited{};
+  std::array<pollfd, kMostWaitedFor> waited{};
   const std::size_t count = std::min(descriptors.size(), waited.size());
   for (std::size_t k = 0; k < count; ++k) waited[k] = {descriptors[k], POLLIN, 0};
   ::poll(waited.data(), count, static_cast<int>(longest.count()));

@@ -64,7 +64,9 @@ class TcpListener {
   std::uint16_t port_;
 };
 
-/// Waits until one of these descriptors can be read, at most this long.
+inline constexpr std::size_t kMostWaitedFor = 18;
+
+/// Waits until one of these descriptors, at most kMostWaitedFor, can be read, at most this long; -1 is none.
 void wait_for_any(std::span<const int> descriptors, std::chrono::milliseconds longest);
 
 }  // namespace palpable

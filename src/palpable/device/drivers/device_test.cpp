@@ -240,6 +240,12 @@ TEST(Pointer, IgnoresAPlaceThatIsNotFinite) {
   EXPECT_NEAR(pointer.read().position.v.x, 0.01, 1e-15);
 }
 
+TEST(HoldWords, AreNotForADeviceThatIsNotThere) {
+  EXPECT_EQ(hold_words("2diy:/dev/ttyTHEREISNONE"), "");
+  EXPECT_NE(hold_words("2diy:/dev/null"), "");
+  EXPECT_EQ(hold_words("sim:"), "");
+}
+
 TEST(Devices, NeverAllocateWhileTheyAreReadAndWritten) {
   ASSERT_TRUE(allocations_are_counted());
   auto feed = std::make_shared<PointerFeed>();

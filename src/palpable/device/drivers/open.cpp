@@ -19,6 +19,7 @@
 #include <chrono>
 #include <filesystem>
 #include <set>
+#include <system_error>
 
 #include <sys/stat.h>
 
@@ -233,12 +234,17 @@ bool has_buttons(std::string_view url) {
 std::string hold_words(std::string_view url) {
   const auto driver = driver_named_by(url);
   if (!driver) return {};
-  // Nobody holds a device that is not plugged in. Who names its place or an option knows more than the list.
-  const bool is_any = url.ends_with(':') && !(*driver)->calls_vendor && (*driver)->ports != nullptr;
-  if (is_any && !(*driver)->hold.empty()) {
-    const auto ports = (*driver)->ports();
+  if ((*driver)->hold.empty()) return {};
+  // Nobody holds a device that is not there, or whose library is not. Who names an option knows more than the
+  // list.
+  if (url.ends_with(':')) {
+    const auto ports = ports_of(**driver);
     if (!ports || ports->empty()) return {};
   }
+  const auto parsed = DeviceUrl::parse(url);
+  const std::string path = parsed ? parsed->path() : std::string();
+  std::error_code unknown;
+  if (path.starts_with('/') && !std::filesystem::exists(path, unknown)) return {};
   return std::string((*driver)->hold);
 }
 
@@ -247,7 +253,14 @@ Result<std::unique_ptr<Device>> open_device(std::string_view url, const OpenOpti
   if (!parsed) return std::move(parsed).error();
   const auto driver = driver_of(*parsed);
   if (!driver) return driver.error();
-  return open_by(**driver, *parsed, options);
+  auto device = open_by(**driver, *parsed, options);
+  // A library that is not there: what the list of devices advises.
+  if (!device && (*driver)->calls_vendor && url.ends_with(':') && !ports_of(**driver)) {
+    Error error = std::move(device).error();
+    error.message += ": " + std::string((*driver)->advice);
+    return error;
+  }
+  return device;
 }
 
 void describe_serial_port(DeviceKind& kind, const std::string& port,

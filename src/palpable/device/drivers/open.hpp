@@ -40,7 +40,8 @@ bool is_virtual_device(std::string_view url);
 bool has_buttons(std::string_view url);
 
 /// How the handle must be held while this device is opened, as one sentence without a full stop; empty if
-/// anyhow, or if none is plugged in. Looks for devices; not for the tick path.
+/// anyhow, or if it is not there (none is plugged in, its library or its port is missing). Looks for devices;
+/// not for the tick path.
 std::string hold_words(std::string_view url);
 
 /// A kind of device that can be opened, for `palpable devices`.

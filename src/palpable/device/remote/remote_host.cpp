@@ -60,42 +60,72 @@ void RemoteHost::tell(const std::string& sentence) const {
 
 void RemoteHost::run() {
   while (!ends_) {
-    if (!visitor_) accept();
-    if (visitor_) greet();
+    accept();
+    greet();
     if (client_) serve();
     const bool forgotten = !client_ && access_->used() && Clock::now() - lost_since_ > kForgottenAfter;
     if (forgotten) end_session("The program that touched has not come back.");
-    const std::array waited{listener_.descriptor(), client_ ? client_->stream.descriptor() : -1,
-                            visitor_ ? visitor_->stream.descriptor() : -1};
-    // A visitor that waits longer for its turn must not be looked for all the time.
-    const bool may_accept = !visitor_ && Clock::now() >= accepts_from_;
-    wait_for_any(std::span(waited).subspan(may_accept ? 0 : 1),
-                 client_ || visitor_ ? kHostLook : kHostIdleLook);
+    wait();
   }
+}
+
+void RemoteHost::wait() {
+  std::array<int, kMostVisitors + 2> waited{};
+  static_assert(waited.size() <= kMostWaitedFor);
+  waited.fill(-1);
+  // A connection that waits longer for its turn must not be looked for all the time.
+  if (Clock::now() >= accepts_from_) waited[0] = listener_.descriptor();
+  if (client_) waited[1] = client_->stream.descriptor();
+  for (std::size_t i = 0; i < visitors_.size(); ++i) waited[i + 2] = visitors_[i].stream.descriptor();
+  wait_for_any(waited, client_ || !visitors_.empty() ? kHostLook : kHostIdleLook);
 }
 
 void RemoteHost::accept() {
   if (Clock::now() < accepts_from_) return;
-  if (auto stream = listener_.accept()) visitor_.emplace(*std::move(stream));
+  // A visitor is heard at least once before so many others have come that it goes.
+  for (std::size_t k = 0; k < kMostVisitors / 2; ++k) {
+    auto stream = listener_.accept();
+    if (!stream) return;
+    if (visitors_.size() >= kMostVisitors) {
+      // Without a word: to take leave of it takes longer than many come.
+      visitors_.erase(visitors_.begin());
+      tell("A connection was refused: it sent no token while others came.");
+    }
+    visitors_.emplace_back(*std::move(stream));
+  }
 }
 
 void RemoteHost::greet() {
-  std::vector<std::byte> bytes;
-  const bool open = visitor_->stream.receive(bytes, kHostTakes_bytes);
-  visitor_->reader.take(bytes);
-  if (const auto message = visitor_->reader.next()) {
-    const auto secret = parse_hello(*message);
-    return secret ? admit(*secret) : refuse(Refusal::not_understood, "it sent no token");
-  }
-  if (visitor_->reader.is_other_version())
-    return refuse(Refusal::wrong_version, "it is another version of Palpable");
-  if (visitor_->reader.is_broken()) return refuse(Refusal::not_understood, "it is no Palpable");
-  if (!open) visitor_.reset();
-  if (visitor_ && Clock::now() - visitor_->since > kHelloWithin)
-    refuse(Refusal::not_understood, "it sent no token in time");
+  // One that is admitted or refused may change what the next ones are told.
+  std::vector<Client> staying;
+  staying.reserve(visitors_.size());
+  for (Client& visitor : visitors_)
+    if (!greet(visitor)) staying.push_back(std::move(visitor));
+  visitors_ = std::move(staying);
 }
 
-void RemoteHost::admit(const std::string& secret) {
+bool RemoteHost::greet(Client& visitor) {
+  std::vector<std::byte> bytes;
+  const bool open = visitor.stream.receive(bytes, kHostTakes_bytes);
+  visitor.reader.take(bytes);
+  if (const auto message = visitor.reader.next()) {
+    if (const auto secret = parse_hello(*message))
+      admit(std::move(visitor), *secret);
+    else
+      refuse(visitor, Refusal::not_understood, "it sent no token");
+  } else if (visitor.reader.is_other_version()) {
+    refuse(visitor, Refusal::wrong_version, "it is another version of Palpable");
+  } else if (visitor.reader.is_broken()) {
+    refuse(visitor, Refusal::not_understood, "it is no Palpable");
+  } else if (open && Clock::now() - visitor.since > kHelloWithin) {
+    refuse(visitor, Refusal::not_understood, "it sent no token in time");
+  } else {
+    return !open;
+  }
+  return true;
+}
+
+void RemoteHost::admit(Client visitor, const std::string& secret) {
   const bool returns = access_->used() && access_->admits(secret);
   // The program that touches may have lost a connection that is still open here.
   const bool is_busy = client_ && !(returns && Clock::now() - client_->heard > milliseconds(100));
@@ -103,25 +133,24 @@ void RemoteHost::admit(const std::string& secret) {
   if (!is_known) {
     accepts_from_ = Clock::now() + kWrongTokenWait;
     // Whether a session is going on is told to nobody without a token.
-    return refuse(Refusal::wrong_token, "its token is wrong or was used already");
+    return refuse(visitor, Refusal::wrong_token, "its token is wrong or was used already");
   }
-  if (is_busy) return refuse(Refusal::in_use, "another program touches already");
+  if (is_busy) return refuse(visitor, Refusal::in_use, "another program touches already");
   if (!returns) {
     static_cast<void>(access_->exchange(secret));
     exchange_->sessions.fetch_add(1, std::memory_order_release);
+    confirmed_ = false;
   }
-  client_ = std::move(visitor_);
-  visitor_.reset();
+  client_ = std::move(visitor);
   client_->heard = client_->second = Clock::now();
   exchange_->connected = true;
   client_->stream.send(welcome_message(secret_, options_.traits));
   tell(returns ? "The program that touches is connected again." : "A program touches with this device now.");
 }
 
-void RemoteHost::refuse(Refusal refusal, const std::string& why) {
-  visitor_->stream.send(refused_message(refusal));
-  visitor_->stream.close_after_sending(client_ ? milliseconds(2) : kHostLeaving);
-  visitor_.reset();
+void RemoteHost::refuse(Client& visitor, Refusal refusal, const std::string& why) {
+  visitor.stream.send(refused_message(refusal));
+  visitor.stream.close_after_sending(client_ ? milliseconds(2) : kHostLeaving);
   tell("A connection was refused: " + why + ".");
 }
 
@@ -129,6 +158,7 @@ void RemoteHost::serve() {
   const std::string ending = take_messages();
   if (!ending.empty()) return end_session(ending);
   if (client_->stream.is_lost()) {
+    if (!confirmed_) return end_session("The program was gone before it touched.");
     client_.reset();
     exchange_->connected = false;
     lost_since_ = Clock::now();
@@ -152,6 +182,7 @@ std::string RemoteHost::take_messages() {
   client_->reader.take(bytes);
   while (const auto message = client_->reader.next()) {
     client_->heard = now;
+    confirmed_ = true;
     if (++client_->in_this_second > kMostMessages) return "The program that touched sent too many messages.";
     if (std::string ending = take(*message); !ending.empty()) return ending;
   }

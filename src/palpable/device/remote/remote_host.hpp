@@ -10,6 +10,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -17,6 +18,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace palpable::device {
 
@@ -40,11 +42,14 @@ struct HostOptions {
 /// Serves a shared device to one client at a time, by a thread. A client proves by the token of the address
 /// that it may; the token is for one session, in which a client whose connection was lost may come back. What
 /// a client sends is not believed: the first message that is none, or that is out of range, ends its session
-/// with a sentence, and so do more than kMostMessages a second. After a wrong token the next connection has
-/// to wait for kWrongTokenWait.
+/// with a sentence, and so do more than kMostMessages a second. The session of a client that was gone before
+/// its first message ends, since it may not know how to come back. After a wrong token the next connection
+/// has to wait for kWrongTokenWait. kMostVisitors may wait to be heard at the same time; the first of them
+/// goes if more come.
 class RemoteHost {
  public:
   static constexpr int kMostMessages = 3000;
+  static constexpr std::size_t kMostVisitors = 16;
   static constexpr std::chrono::milliseconds kHelloWithin{1000};
   static constexpr std::chrono::milliseconds kWrongTokenWait{500};
   /// A client that was lost for this long has gone, and a new token is made.
@@ -77,10 +82,13 @@ class RemoteHost {
   RemoteHost(HostOptions options, std::shared_ptr<SharedExchange> exchange, TcpListener listener)
       : options_(std::move(options)), exchange_(std::move(exchange)), listener_(std::move(listener)) {}
   void run();
+  void wait();
   void accept();
   void greet();
-  void admit(const std::string& secret);
-  void refuse(Refusal refusal, const std::string& why);
+  /// Takes what a visitor said; false if it stays one.
+  bool greet(Client& visitor);
+  void admit(Client visitor, const std::string& secret);
+  void refuse(Client& visitor, Refusal refusal, const std::string& why);
   void serve();
   /// Takes what the client sent; a sentence if it ends the session, empty if not.
   std::string take_messages();
@@ -93,8 +101,10 @@ class RemoteHost {
   std::shared_ptr<SharedExchange> exchange_;
   TcpListener listener_;
   std::optional<Client> client_;
-  /// Has not said yet who it is.
-  std::optional<Client> visitor_;
+  /// The client has sent a message in this session, so it knows how to come back.
+  bool confirmed_ = false;
+  /// Have not said yet who they are, in the order in which they came.
+  std::vector<Client> visitors_;
   Clock::time_point accepts_from_;
   Clock::time_point lost_since_;
   std::string secret_;

@@ -1,10 +1,9 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/device/remote/remote_host.hpp"
-
 #include "palpable/core/system/allocations.hpp"
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/device/remote/remote_device.hpp"
+#include "palpable/device/remote/remote_host_fixture.hpp"
 
 #include <array>
 #include <chrono>
@@ -15,100 +14,6 @@
 
 namespace palpable::device {
 namespace {
-
-using std::chrono::milliseconds;
-
-constexpr auto kSoon = milliseconds(5000);
-
-/// A host on the loopback interface, whose servo is the test.
-class RemoteHostTest : public testing::Test {
- protected:
-  void SetUp() override { share(0); }
-
-  void share(std::uint16_t port) {
-    HostOptions options;
-    options.port = port;
-    options.traits.name = "shared test device";
-    options.traits.max_force_N = 4.5;
-    options.on_texture = [this](const LocalTexture& texture) {
-      const std::lock_guard lock(mutex_);
-      textures_.push_back(texture);
-      return texture.kind < 5;
-    };
-    options.on_news = [this](const std::string& sentence) {
-      const std::lock_guard lock(mutex_);
-      news_.push_back(sentence);
-    };
-    auto host = RemoteHost::open(std::move(options), exchange_);
-    ASSERT_TRUE(host) << host.error().sentence();
-    host_ = *std::move(host);
-  }
-
-  std::string url() const {
-    return "remote:127.0.0.1:" + std::to_string(host_->port()) + "?token=" + host_->token();
-  }
-  Result<std::unique_ptr<Device>> connect() const { return open_device(url(), {}); }
-
-  TcpStream raw() const {
-    auto stream = TcpStream::connect("127.0.0.1", std::to_string(host_->port()), milliseconds(1000));
-    EXPECT_TRUE(stream);
-    return *std::move(stream);
-  }
-  /// What the host answers to these bytes before it closes, or the first message of a session.
-  static std::optional<Message> answer_to(TcpStream& stream, std::span<const std::byte> bytes) {
-    stream.send(bytes);
-    MessageReader reader;
-    for (const auto until = std::chrono::steady_clock::now() + kSoon;
-         std::chrono::steady_clock::now() < until;) {
-      std::vector<std::byte> got;
-      const bool open = stream.receive(got, 4096);
-      reader.take(got);
-      if (auto message = reader.next()) return message;
-      if (!open) return {};
-      stream.flush();
-      wait_for_any(std::array{stream.descriptor()}, milliseconds(5));
-    }
-    return {};
-  }
-  bool has_news(const std::string& part) {
-    for (const auto until = std::chrono::steady_clock::now() + kSoon;
-         std::chrono::steady_clock::now() < until; std::this_thread::sleep_for(milliseconds(2))) {
-      const std::lock_guard lock(mutex_);
-      for (const auto& sentence : news_)
-        if (sentence.find(part) != std::string::npos) return true;
-    }
-    return false;
-  }
-  /// Ticks of both servos until the condition holds.
-  template <class Condition>
-  bool tick_until(Device& device, const LocalSurface& surface, Condition&& condition) {
-    for (const auto until = std::chrono::steady_clock::now() + kSoon;
-         std::chrono::steady_clock::now() < until; std::this_thread::sleep_for(milliseconds(1))) {
-      exchange_->readings.put({shared_clock_s(), {{0.01, 0.02, 0.03}}, Status::ok, 3});
-      const Reading reading = device.read();
-      dynamic_cast<TakesLocalSurface&>(device).write_surface(surface);
-      device.write({});
-      LocalSurface came;
-      if (exchange_->surfaces.take(came)) came_ = came;
-      if (condition(reading)) return true;
-    }
-    return false;
-  }
-  static LocalSurface a_plane() {
-    LocalSurface surface;
-    surface.kind = LocalSurface::Kind::plane;
-    surface.normal.v = {0.0, 0.0, 1.0};
-    surface.stiffness_N_per_m = 300.0;
-    return surface;
-  }
-
-  std::shared_ptr<SharedExchange> exchange_ = std::make_shared<SharedExchange>();
-  LocalSurface came_;
-  std::mutex mutex_;
-  std::vector<std::string> news_;
-  std::vector<LocalTexture> textures_;
-  std::unique_ptr<RemoteHost> host_;
-};
 
 TEST_F(RemoteHostTest, PassesReadingsAndSurfaces) {
   auto device = connect();
@@ -144,48 +49,6 @@ TEST_F(RemoteHostTest, EndsTheSessionForATextureThatIsNone) {
   ASSERT_TRUE(device) << device.error().sentence();
   dynamic_cast<TakesLocalSurface&>(**device).textures()->put({{1, 9, 0.002, 30e-6, 0.1}});
   EXPECT_TRUE(has_news("texture that is out of range"));
-}
-
-TEST_F(RemoteHostTest, TakesATokenOnce) {
-  const std::string first = url();
-  {
-    auto device = open_device(first, {});
-    ASSERT_TRUE(device);
-    const auto second = open_device(first, {});
-    ASSERT_FALSE(second);
-    EXPECT_NE(second.error().message.find("used already"), std::string::npos) << second.error().message;
-  }
-  EXPECT_TRUE(has_news("has ended"));
-  const auto late = open_device(first, {});
-  ASSERT_FALSE(late);
-  EXPECT_EQ(late.error().code, ErrorCode::device);
-  std::this_thread::sleep_for(RemoteHost::kWrongTokenWait);
-  EXPECT_NE(url(), first);
-  EXPECT_TRUE(connect());
-}
-
-TEST_F(RemoteHostTest, RefusesWhoIsNoClient) {
-  const std::string wrong(kSecret_bytes, '0');
-  auto stream = raw();
-  const auto answer = answer_to(stream, hello_message(wrong));
-  ASSERT_TRUE(answer);
-  EXPECT_EQ(parse_refused(*answer), Refusal::wrong_token);
-  EXPECT_TRUE(has_news("token is wrong"));
-  auto web = raw();
-  const std::string_view request = "GET / HTTP/1.1\r\nHost: x\r\n\r\n";
-  const auto to_web = answer_to(web, std::as_bytes(std::span(request)));
-  ASSERT_TRUE(to_web);
-  EXPECT_EQ(parse_refused(*to_web), Refusal::not_understood);
-  EXPECT_TRUE(has_news("is no Palpable"));
-  auto next = raw();
-  auto other_version = hello_message(host_->token());
-  other_version[2] = std::byte{7};
-  next.send(other_version);
-  EXPECT_TRUE(has_news("another version"));
-  auto silent = raw();
-  EXPECT_TRUE(has_news("no token in time"));
-  // And the next one who has the token is served.
-  EXPECT_TRUE(connect());
 }
 
 TEST_F(RemoteHostTest, ServesOneClientAtATime) {
@@ -273,30 +136,6 @@ TEST_F(RemoteHostTest, EndsTheSessionOfAHostileClientWithASentence) {
     EXPECT_FALSE(exchange_->connected) << hostile.name;
   }
   EXPECT_TRUE(connect());
-}
-
-TEST_F(RemoteHostTest, LetsAClientComeBackToItsSession) {
-  std::string secret;
-  {
-    auto stream = raw();
-    const auto answer = answer_to(stream, hello_message(host_->token()));
-    const auto welcome = answer ? parse_welcome(*answer) : std::nullopt;
-    ASSERT_TRUE(welcome);
-    secret = welcome->secret;
-    EXPECT_TRUE(exchange_->connected);
-  }
-  EXPECT_TRUE(has_news("The connection is broken"));
-  EXPECT_FALSE(exchange_->connected);
-  auto again = raw();
-  const auto answer = answer_to(again, hello_message(secret));
-  ASSERT_TRUE(answer && parse_welcome(*answer));
-  EXPECT_TRUE(has_news("connected again"));
-  EXPECT_TRUE(exchange_->connected);
-  // A connection that is still open here, but silent, is replaced.
-  std::this_thread::sleep_for(milliseconds(150));
-  auto third = raw();
-  const auto to_third = answer_to(third, hello_message(secret));
-  EXPECT_TRUE(to_third && parse_welcome(*to_third));
 }
 
 /// Passes bytes between a client and the host, until it is cut.

@@ -70,10 +70,15 @@ class ShownWork {
     if (is_new) count(held, moved_m, step);
     if (is_new && !tick.is_contact_law)
       jump_max_J_ = std::max(jump_max_J_, dot(held.force_N - held.guide_N, step.moved_m));
-    if (!tick.is_contact_law || is_new || (tick.flags & flag::kFading) != 0) {
+    const bool is_fading = (tick.flags & flag::kFading) != 0;
+    if (!tick.is_contact_law || is_new || is_fading) {
       using Beginning = PassivityObserver::Beginning;
       observer_.begin(0.0, is_new ? Beginning::from_no_force : Beginning::in_contact);
-      since_zero_J_ = 0.0;
+      // The plain sum leaves out nothing: also what the hand receives during a change of scene.
+      if (tick.is_contact_law && !is_new)
+        count_since_zero(held, moved_m, step);
+      else
+        since_zero_J_ = 0.0;
       return;
     }
     counts_ = true;
@@ -91,8 +96,8 @@ class ShownWork {
   double made_max_J() const noexcept { return std::max(observer_.made_max_J(), jump_max_J_); }
   /// The sum of forces times movements, the most of it since the force was last zero, J. It is an upper
   /// bound, never below made_max_J(): of a stall the part of the movement counts that gives the hand more, a
-  /// hand gets back after a stall what it delivered before it, and a force that the controller, or in contact
-  /// a damper, reduced to zero ends no sum that is above zero.
+  /// hand gets back after a stall what it delivered before it, changes of scene count, and a force that is
+  /// zero because the controller reduced it, or in contact, ends no sum that is above zero.
   double since_zero_max_J() const noexcept { return since_zero_max_J_; }
 
  private:
@@ -119,7 +124,7 @@ class ShownWork {
   void count_since_zero(const Sent& held, Vector<DeviceFrame> moved_m,
                         const PassivityObserver::Step& step) noexcept {
     const Vector<DeviceFrame> force_N = held.force_N - held.guide_N;
-    const bool goes_on = (held.weakened || (step.contact && step.is_spring)) && since_zero_J_ > 0.0;
+    const bool goes_on = (held.weakened || step.contact) && since_zero_J_ > 0.0;
     const bool ends = held.force_N == Vector<DeviceFrame>{} && !goes_on;
     since_zero_J_ = ends ? 0.0 : since_zero_J_ + std::max(dot(force_N, moved_m), dot(force_N, step.moved_m));
     since_zero_max_J_ = std::max(since_zero_max_J_, since_zero_J_);

@@ -74,6 +74,26 @@ TEST(ShownWork, CountsAJumpAfterWhichANewTouchBegins) {
   EXPECT_NEAR(work.since_zero_max_J(), 2e-3, 1e-12);
 }
 
+TEST(ShownWork, ItsSumCountsWhatAHandReceivesWhileASceneFadesIn) {
+  ShownWork work(without_delay(), {});
+  work.take(at(0.001, 0.0, 0));
+  work.take(at(0.0, 1.0));
+  work.take(at(0.002, 1.0, flag::kContact | flag::kFading));
+  work.take(at(0.003, 1.0));
+  EXPECT_NEAR(work.since_zero_max_J(), 3e-3, 1e-12);
+  EXPECT_EQ(work.made_max_J(), 0.0) << "what a change brings is not the law's";
+}
+
+TEST(ShownWork, ItsSumGoesOnInAContactOfALawWithoutASpringThatGivesNoForceForATick) {
+  ShownWork work(without_delay(), {});
+  work.take(at(0.0, 0.0, 0));
+  work.take(at(0.0, 1.0));
+  work.take(at(0.002, 0.0));
+  work.take(at(0.003, 1.0));
+  work.take(at(0.004, 1.0));
+  EXPECT_NEAR(work.since_zero_max_J(), 3e-3, 1e-12);
+}
+
 TEST(ShownWork, CountsAMovementInAStallUntilTheWatchdogEndsTheForce) {
   // 2 N over 5 of 50 ms of 2 mm are less than the hand gave.
   EXPECT_EQ(pressed(2.0, 0.05, flag::kStalled).made_max_J(), 0.0);
