@@ -117,9 +117,11 @@ describe('the page of palpable touch', () => {
     expect(await watchedOf(page, 'pageProcessors')).toBe(0);
     const output = await page.evaluate(() => Number(document.documentElement.dataset.outputLatency));
     console.log(`from contact to sound, ms: ${waits.map((wait) => wait.toFixed(1)).join(' ')}, of which the output takes ${output.toFixed(1)}`);
-    // To the worklet's output; the least of them, since how busy the machine is decides about the others.
+    // The least of them, since how busy the machine is decides about the others.
     expect(Math.min(...waits)).toBeGreaterThan(0);
-    expect(Math.min(...waits) - output).toBeLessThanOrEqual(40);
+    expect(Math.min(...waits)).toBeLessThanOrEqual(40);
+    // The shortest latency, not the 32 ms that the browser gives without a wish.
+    expect(output).toBeLessThan(20);
   });
 
   it('asks the motor for a pulse at each contact', async () => {
