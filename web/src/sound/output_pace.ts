@@ -8,19 +8,23 @@ export interface PlaybackStats {
   readonly totalDuration: number;
 }
 
-/** Time over which it is judged (s): the silence of one late block at the start is less than its bearable part. */
+/** Time over which it is judged (s), and how many such times in a row must be bad: audio that begins is late at first. */
 const judgedTime = 2;
+const badTimes = 2;
 const bearablePart = 0.01;
 
 export class OutputPace {
   private since: PlaybackStats | null = null;
+  private bad = 0;
 
-  /** True if more than a hundredth of the last two seconds was lost. */
+  /** True if more than a hundredth was lost of the last two seconds, and of the two before them. */
   losesSound({ underrunDuration, totalDuration }: PlaybackStats): boolean {
     const { since } = this;
     if (since !== null && totalDuration - since.totalDuration < judgedTime) return false;
     this.since = { underrunDuration, totalDuration };
-    return since !== null && underrunDuration - since.underrunDuration > bearablePart * (totalDuration - since.totalDuration);
+    const isBad = since !== null && underrunDuration - since.underrunDuration > bearablePart * (totalDuration - since.totalDuration);
+    this.bad = isBad ? this.bad + 1 : 0;
+    return this.bad >= badTimes;
   }
 }
 
