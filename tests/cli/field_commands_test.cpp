@@ -15,6 +15,7 @@
 namespace palpable::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -64,6 +65,13 @@ TEST_F(FieldCommands, SuperquadricsBecomeAFieldThatIsExportedAsAMesh) {
     ASSERT_EQ(exported.exit_code, 0) << exported.err;
     EXPECT_GT(exported.json()["triangles"], 200);
   }
+  // Seen from its front, as a drawing on A4, in dots and on pins.
+  ASSERT_EQ(palpable({"export", path("s.palp"), "-o", path("s.svg")}).exit_code, 0);
+  EXPECT_THAT(read_text(path("s.svg")), AllOf(HasSubstr("297.000mm"), HasSubstr("<path d=\"M")));
+  ASSERT_EQ(palpable({"export", path("s.palp"), "-o", path("s.brf")}).exit_code, 0);
+  EXPECT_THAT(read_text(path("s.brf")), HasSubstr("\f"));
+  ASSERT_EQ(palpable({"export", path("s.palp"), "-o", path("s.pbm")}).exit_code, 0);
+  EXPECT_THAT(read_text(path("s.pbm")), HasSubstr("11"));
   // The exported mesh is closed and represents the same solid.
   const Outcome again =
       palpable({"make", path("s.ply"), "-o", path("t.palp"), "--resolution", "32", "--json"});

@@ -247,6 +247,41 @@ TEST_F(SceneCommands, ExportDrawsAReliefInDots) {
   EXPECT_THAT(read_text(in("a.brf")), HasSubstr("\f"));
 }
 
+TEST_F(SceneCommands, ExportFitsADrawingToPaper) {
+  const auto exported = [&](const char* file, std::vector<std::string> options) {
+    options.insert(options.begin(), {"export", in("a.palp"), "-o", in(file)});
+    return palpable(options);
+  };
+  ASSERT_EQ(exported("a4.svg", {"--paper", "A4"}).exit_code, 0);
+  // Wider than high: across.
+  EXPECT_THAT(read_text(in("a4.svg")), HasSubstr("width=\"297.000mm\" height=\"210.000mm\""));
+  ASSERT_EQ(exported("a3.svg", {"--paper", "A3"}).exit_code, 0);
+  EXPECT_THAT(read_text(in("a3.svg")), HasSubstr("width=\"420.000mm\" height=\"297.000mm\""));
+  ASSERT_EQ(exported("a4.brf", {"--paper", "A4"}).exit_code, 0);
+  const std::string dots = read_text(in("a4.brf"));
+  EXPECT_EQ(std::count(dots.begin(), dots.end(), '\n'), 19);
+  const Outcome both = exported("both.svg", {"--paper", "A4", "--width", "100"});
+  EXPECT_EQ(both.exit_code, 2);
+  EXPECT_THAT(both.err, HasSubstr("leave out --width"));
+  EXPECT_THAT(exported("p.pbm", {"--paper", "A4"}).err, HasSubstr("--paper has no effect"));
+}
+
+TEST_F(SceneCommands, ExportWritesKeysOfNamesOntoADrawing) {
+  ASSERT_EQ(
+      palpable({"name", in("a.palp"), "--add", "Red door", "--at", "10,5", "-o", in("n.palp")}).exit_code, 0);
+  const Outcome exported = palpable({"export", in("n.palp"), "-o", in("n.svg"), "--paper", "A4", "--json"});
+  ASSERT_EQ(exported.exit_code, 0);
+  EXPECT_EQ(exported.json()["files"].size(), 2);
+  // The disc of its point, and dots of its key.
+  EXPECT_THAT(read_text(in("n.svg")), AllOf(HasSubstr("r=\"2.000\""), HasSubstr("r=\"0.800\"")));
+  EXPECT_THAT(read_text(in("n-key.svg")), HasSubstr("<title>Key of a tactile drawing</title>"));
+  ASSERT_EQ(palpable({"export", in("n.palp"), "-o", in("n.brf"), "--paper", "A4"}).exit_code, 0);
+  EXPECT_THAT(read_text(in("n.brf")), AllOf(HasSubstr("RD"), HasSubstr("DOOR")));
+  // Without the name the sheet of its key goes.
+  ASSERT_EQ(palpable({"export", in("a.palp"), "-o", in("n.svg")}).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(in("n-key.svg")));
+}
+
 TEST_F(SceneCommands, ExportSaysWhatASceneIsExportedAsAndWhatAnOptionIsFor) {
   const Outcome wrong = palpable({"export", in("a.palp"), "-o", in("a.vdb")});
   EXPECT_EQ(wrong.exit_code, 2);
@@ -257,7 +292,7 @@ TEST_F(SceneCommands, ExportSaysWhatASceneIsExportedAsAndWhatAnOptionIsFor) {
   EXPECT_THAT(unread.err,
               HasSubstr("--grid has no effect on a relief as .npz: it is for a field as .vdb or .npz."));
   for (const std::vector<std::string>& option :
-       {std::vector<std::string>{"--width", "100"}, {"--lines", "raised"}, {"--braille-rows", "20"}}) {
+       {std::vector<std::string>{"--grid", "64"}, {"--lines", "raised"}, {"--braille-rows", "20"}}) {
     std::vector<std::string> command{"export", in("a.palp"), "-o", in("u.svg")};
     command.insert(command.end(), option.begin(), option.end());
     EXPECT_THAT(palpable(command).err, HasSubstr(option[0] + " has no effect"));

@@ -1,8 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Measures a one-file page: node web/scripts/onefile_speed.mjs FILE.html [SLOWDOWN]
-// The time from opening it to the first force, and the frames per second of a pointer that moves, with a processor
-// that is SLOWDOWN times slower (4).
+// The time from opening it to the first force; the processor time of the page's own thread for each frame of a pointer
+// that moves; and its frames per second with a processor that is SLOWDOWN times slower (4).
 import { statSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { chromium } from 'playwright-core';
@@ -32,8 +32,24 @@ await page.waitForFunction(() => window.firstForce !== undefined);
 const { touchable, firstForce } = await page.evaluate(() => ({ touchable: window.touchable, firstForce: window.firstForce }));
 
 const session = await context.newCDPSession(page);
-await session.send('Emulation.setCPUThrottlingRate', { rate: Number(slowdown) });
 const box = await page.locator('#stage').boundingBox();
+const moveTo = (k) => page.mouse.move(box.x + box.width * (0.5 + 0.4 * Math.sin(k / 9)), box.y + box.height * (0.5 + 0.4 * Math.sin(k / 13)));
+
+/** Processor time, which other programs of the machine change little: a move of the pointer for each frame. */
+async function mainThreadMs(frames) {
+  await session.send('Performance.enable', { timeDomain: 'threadTicks' });
+  const busy = async () => (await session.send('Performance.getMetrics')).metrics.find(({ name }) => name === 'TaskDuration').value;
+  const before = await busy();
+  for (let k = 0; k < frames; ++k) {
+    await moveTo(k);
+    await page.evaluate(() => new Promise(requestAnimationFrame));
+  }
+  return (1000 * ((await busy()) - before)) / frames;
+}
+await mainThreadMs(60);
+const mainMs = await mainThreadMs(240);
+
+await session.send('Emulation.setCPUThrottlingRate', { rate: Number(slowdown) });
 const counted = page.evaluate(
   () =>
     new Promise((done) => {
@@ -44,8 +60,7 @@ const counted = page.evaluate(
 );
 let moving = true;
 const move = (async () => {
-  for (let k = 0; moving; ++k)
-    await page.mouse.move(box.x + box.width * (0.5 + 0.4 * Math.sin(k / 9)), box.y + box.height * (0.5 + 0.4 * Math.sin(k / 13)));
+  for (let k = 0; moving; ++k) await moveTo(k);
 })();
 const times = await counted;
 moving = false;
@@ -56,6 +71,7 @@ console.log(
     megabytes: statSync(file).size / 1e6,
     ms_to_touchable: Math.round(touchable),
     ms_to_first_force: Math.round(firstForce),
+    main_thread_ms_a_frame: Number(mainMs.toFixed(2)),
     slowdown: Number(slowdown),
     frames_per_s: Number(((1000 * gaps.length) / (times.at(-1) - times[0])).toFixed(1)),
     frame_ms: { p50: gaps[Math.floor(gaps.length / 2)], p99: gaps[Math.floor(0.99 * gaps.length)] },

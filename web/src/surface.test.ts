@@ -20,6 +20,19 @@ describe('the surface', () => {
     expect(slanted.y).toBeCloseTo(-2 * slope.heightAt(slanted), 3);
     expect(slope.hit([0, 0, 1], [0, 0, 1], 1)).toBeNull();
   });
+  it('searches its lowest and highest place once, however often it is asked', () => {
+    let read = 0;
+    const heights = new Proxy(Float32Array.from([3, -1, 2, 5]), {
+      get: (samples, key) => {
+        if (key === Symbol.iterator) read += 1;
+        const value: unknown = Reflect.get(samples, key, samples);
+        return typeof value === 'function' ? (value as () => unknown).bind(samples) : value;
+      },
+    });
+    const surface = new Surface(2, 2, heights, 1, 1);
+    expect([surface.range(), surface.range(), surface.range()]).toEqual(Array(3).fill({ lowest: -1, highest: 5 }));
+    expect(read).toBe(1);
+  });
   it('has a scale that its steps follow, from 5 mm to 10 m', () => {
     const scale = (size: number) => new Surface(2, 2, new Float32Array(4), size, size / 2).scale;
     expect([0.005, 0.03, 0.1, 0.12, 0.2, 1, 10].map(scale)).toEqual([0.05, 0.2, 1, 1, 2, 10, 100]);

@@ -8,7 +8,9 @@ export interface Place {
 }
 
 export class Surface {
-  /** `heights`: metres, row-major, origin top-left; `sizeX` and `sizeY`: metres along x and y. */
+  private heightRange: { lowest: number; highest: number } | null = null;
+
+  /** `heights`: metres, row-major, origin top-left, which do not change; `sizeX` and `sizeY`: metres along x and y. */
   constructor(
     readonly columns: number,
     readonly rows: number,
@@ -74,12 +76,13 @@ export class Surface {
   }
 
   range(): { lowest: number; highest: number } {
+    if (this.heightRange !== null) return this.heightRange;
     let [lowest, highest] = [Infinity, -Infinity];
     for (const z of this.heights) {
       lowest = Math.min(lowest, z);
       highest = Math.max(highest, z);
     }
-    return { lowest, highest };
+    return (this.heightRange = { lowest, highest });
   }
 
   /**

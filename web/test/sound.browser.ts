@@ -117,9 +117,25 @@ describe('the page of palpable touch', () => {
     expect(await watchedOf(page, 'pageProcessors')).toBe(0);
     const output = await page.evaluate(() => Number(document.documentElement.dataset.outputLatency));
     console.log(`from contact to sound, ms: ${waits.map((wait) => wait.toFixed(1)).join(' ')}, of which the output takes ${output.toFixed(1)}`);
-    // To the worklet's output; the least of them, since how busy the machine is decides about the others.
+    // The least of them, since how busy the machine is decides about the others.
     expect(Math.min(...waits)).toBeGreaterThan(0);
-    expect(Math.min(...waits) - output).toBeLessThanOrEqual(40);
+    expect(Math.min(...waits)).toBeLessThanOrEqual(40);
+  });
+
+  it('takes a longer latency where sound is lost, and contacts are heard as before', async () => {
+    await page.evaluate(() => {
+      Object.defineProperty(AudioContext.prototype, 'playbackStats', {
+        get: () => ({ totalDuration: performance.now() / 1000, underrunDuration: performance.now() / 10_000 }),
+      });
+    });
+    for (let k = 0; k < 4; ++k) {
+      const before = await heard(page);
+      for (let press = 0; press < 8; ++press) await page.keyboard.press('PageDown');
+      await heardAgain(page, before);
+      await page.waitForTimeout(2500);
+      await lifted(page);
+    }
+    expect(await page.evaluate(() => Number(document.documentElement.dataset.outputLatency))).toBeGreaterThan(20);
   });
 
   it('asks the motor for a pulse at each contact', async () => {

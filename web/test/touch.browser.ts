@@ -62,6 +62,29 @@ describe('by pointer', () => {
     await page.waitForFunction(() => Number.parseFloat(document.getElementById('read-force')?.textContent ?? '') > 0.05);
   });
 
+  it('the view from above, of which only parts are drawn at each move, is as if it were drawn whole', async () => {
+    const { page } = opened;
+    const stage = (await page.locator('#stage').boundingBox())!;
+    for (let k = 0; k <= 40; ++k) {
+      await page.mouse.move(stage.x + stage.width * (0.5 + 0.49 * Math.sin(k)), stage.y + stage.height * (0.5 + 0.49 * Math.cos(2 * k)));
+      await page.waitForTimeout(30);
+    }
+    const pixels = () =>
+      page.evaluate(() => {
+        const canvas = document.querySelector<HTMLCanvasElement>('#stage canvas')!;
+        return [...canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height).data];
+      });
+    await settled(page, 'read-force');
+    const inParts = await pixels();
+    await page.locator('#stage').focus();
+    await page.keyboard.press('r');
+    await page.waitForTimeout(500);
+    const whole = await pixels();
+    expect(inParts.length).toBe(whole.length);
+    expect(inParts.some((value) => value !== inParts[0])).toBe(true);
+    expect(inParts.filter((value, i) => value !== whole[i]).length).toBe(0);
+  });
+
   it('a pause sets the force to zero, and resuming restores it', async () => {
     const { page } = opened;
     await page.waitForFunction(() => Number.parseFloat(document.getElementById('read-force')?.textContent ?? '') > 0.05);

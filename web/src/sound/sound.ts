@@ -4,6 +4,7 @@
 import { t } from '../language';
 import type { Preferences } from '../settings/preferences';
 import { soundKinds, type Command, type Levels } from './instrument/instrument';
+import { OutputPace, playbackStatsOf } from './output_pace';
 import { loadPlayers, type MakePlayer, type Player } from './players';
 import type { Direction } from './sonify';
 
@@ -48,6 +49,8 @@ export class Sound {
   /** A user action has asked for audio, which does not run yet. */
   private starting = false;
   private timer: ReturnType<typeof setTimeout> | undefined;
+  /** Null: the latency is one that slow machines keep up with. */
+  private pace: OutputPace | null = new OutputPace();
   private readonly told = new Set<string>();
 
   constructor(private readonly tell: (sentence: string) => void) {}
@@ -95,6 +98,8 @@ export class Sound {
     if (command.what === 'material') this.materials.set(probe, command);
     if (!this.on) return command.what === 'material' ? this.voices.get(probe)?.player.send(command) : undefined;
     if (command.what === 'slide' && command.speed > 0 && !this.runs && !this.starting) this.tellOnce('waits');
+    // Not for what is timed by the context's own clock.
+    if (command.at === undefined && this.context !== null && this.isTooQuick(this.context)) this.rebuild(this.context);
     const { context, master, make } = this;
     if (context === null) return;
     if ((soundKinds as readonly string[]).includes(command.what)) this.stayAwake();
@@ -141,7 +146,13 @@ export class Sound {
 
   private build(): boolean {
     try {
-      this.context = new AudioContext({ latencyHint: 'interactive' });
+      // The shortest latency that there is, as long as the browser tells whether sound is lost by it.
+      this.context = new AudioContext({ latencyHint: this.pace === null ? 'interactive' : 0 });
+      if (this.pace !== null && playbackStatsOf(this.context) === null) {
+        void this.context.close();
+        this.pace = null;
+        this.context = new AudioContext({ latencyHint: 'interactive' });
+      }
     } catch {
       // No output device, or the browser has too many contexts.
       this.tellOnce('refused');
@@ -154,10 +165,27 @@ export class Sound {
     this.output.connect(context.destination);
     this.level();
     void loadPlayers(context, (onset) => showOnset(context, onset)).then((make) => {
+      if (this.context !== context) return;
       this.make = make;
       for (const [probe, command, from] of this.waiting.splice(0)) this.play(probe, command, from);
     });
     return true;
+  }
+
+  /** Whether sound is lost by the shortest latency. A recorded one goes on. */
+  private isTooQuick(context: AudioContext): boolean {
+    const stats = this.tapped === null ? playbackStatsOf(context) : null;
+    return stats !== null && this.pace !== null && this.pace.losesSound(stats);
+  }
+
+  /** Sound goes on with a longer latency; what sounds at this moment ends. */
+  private rebuild(context: AudioContext): void {
+    this.pace = null;
+    for (const { player } of this.voices.values()) player.end();
+    this.voices.clear();
+    this.make = null;
+    void context.close();
+    if (this.build() && this.context !== null) void this.resume(this.context);
   }
 
   private async resume(context: AudioContext): Promise<void> {

@@ -10,6 +10,25 @@ import { lookAlike, themeColours, type Look, type ProbeView, type View } from '.
 
 const lightFrom = { x: -0.5, y: 0.6, z: 0.62 };
 const newtonPixels = 30;
+/** A probe's circle with its border, and half of its arrow's width, stay within this of their middle (CSS pixels). */
+const probeReach = 14;
+
+/** A part of the canvas, device pixels. */
+interface Box {
+  left: number;
+  top: number;
+  width: number;
+  height: number;
+}
+
+/** Where the scene lies on the canvas, CSS pixels. */
+interface Frame {
+  middleX: number;
+  middleY: number;
+  scale: number;
+}
+
+type Colours = ReturnType<typeof themeColours>;
 
 export class FlatView implements View {
   readonly headset = null;
@@ -19,7 +38,15 @@ export class FlatView implements View {
   private picture: PictureFrame | null = null;
   private heightFactor = 1;
   private look: Preferences['surface'] = 'picture';
+  /** The shaded surface, a pixel for each sample. */
   private ground: HTMLCanvasElement | null = null;
+  /** All but the probes, a pixel for each of the canvas; null: it must be drawn. */
+  private backdrop: HTMLCanvasElement | null = null;
+  /** Where the canvas shows probes. */
+  private covered: Box[] = [];
+  private colours: Colours | null = null;
+  /** Of the canvas, CSS pixels: asking the browser for it costs a layout. */
+  private size = { width: 0, height: 0 };
   private drawn: readonly Place[] = [];
   private here: readonly ProbeView[] = [];
   private pose: CameraPose = frontPose;
@@ -29,14 +56,15 @@ export class FlatView implements View {
     this.surface = surface;
     this.picture = picture;
     this.ground = null;
-    this.stale = true;
+    this.renew();
   }
 
   set(heightFactor: number, look: Look): void {
     this.heightFactor = heightFactor;
     this.look = look.surface;
     this.ground = null;
-    this.stale = true;
+    this.colours = null;
+    this.renew();
   }
 
   head(): void {
@@ -55,7 +83,7 @@ export class FlatView implements View {
 
   aim(pose: CameraPose): void {
     this.pose = pose;
-    this.stale = true;
+    this.renew();
   }
 
   metresPerPixel(): number {
@@ -64,7 +92,7 @@ export class FlatView implements View {
 
   line(points: readonly Place[]): void {
     this.drawn = points;
-    this.stale = true;
+    this.renew();
   }
 
   placeAt(left: number, top: number): Place | null {
@@ -75,9 +103,10 @@ export class FlatView implements View {
 
   resize(): void {
     const ratio = window.devicePixelRatio;
-    this.canvas.width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
-    this.canvas.height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
-    this.stale = true;
+    this.size = { width: this.canvas.clientWidth, height: this.canvas.clientHeight };
+    this.canvas.width = Math.max(1, Math.round(this.size.width * ratio));
+    this.canvas.height = Math.max(1, Math.round(this.size.height * ratio));
+    this.renew();
   }
 
   draw(): Speed {
@@ -85,19 +114,18 @@ export class FlatView implements View {
     const frame = this.frame();
     if (!this.stale || pen === null || frame === null || this.surface === null) return 'fine';
     this.stale = false;
+    const colours = (this.colours ??= themeColours(this.canvas));
     const ratio = window.devicePixelRatio;
-    const colours = themeColours(this.canvas);
+    if (this.backdrop === null) this.covered = [{ left: 0, top: 0, width: this.canvas.width, height: this.canvas.height }];
+    this.backdrop ??= this.withoutProbes(this.surface, frame, colours);
+    // Only what the probes covered is drawn anew: a whole canvas costs a slow processor most of a frame.
+    pen.setTransform(1, 0, 0, 1, 0, 0);
+    for (const { left, top, width, height } of this.covered) {
+      pen.clearRect(left, top, width, height);
+      pen.drawImage(this.backdrop, left, top, width, height, left, top, width, height);
+    }
+    this.covered = this.here.map((probe) => this.boxOf(probe, frame)).filter(({ width, height }) => width > 0 && height > 0);
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-    pen.clearRect(0, 0, this.canvas.clientWidth, this.canvas.clientHeight);
-    this.ground ??= this.shaded(this.surface, colours.clay);
-    const [width, height] = [this.surface.sizeX * frame.scale, this.surface.sizeY * frame.scale];
-    pen.imageSmoothingQuality = 'high';
-    pen.drawImage(this.ground, frame.middleX - width / 2, frame.middleY - height / 2, width, height);
-    pen.beginPath();
-    this.drawn.forEach(({ x, y }, k) => pen[k === 0 ? 'moveTo' : 'lineTo'](frame.middleX + x * frame.scale, frame.middleY - y * frame.scale));
-    pen.lineWidth = 3;
-    pen.strokeStyle = colours.force;
-    pen.stroke();
     for (const probe of this.here) this.drawProbe(pen, probe, frame, colours);
     return 'fine';
   }
@@ -106,13 +134,51 @@ export class FlatView implements View {
     this.canvas.remove();
   }
 
-  private frame(): { middleX: number; middleY: number; scale: number } | null {
+  /** All but the probes must be drawn again. */
+  private renew(): void {
+    this.backdrop = null;
+    this.stale = true;
+  }
+
+  private frame(): Frame | null {
     if (this.surface === null) return null;
-    const { clientWidth, clientHeight } = this.canvas;
+    const { width, height } = this.size;
     const margin = 12;
     const { zoom, centre } = this.pose;
-    const scale = zoom * Math.min((clientWidth - 2 * margin) / this.surface.sizeX, (clientHeight - 2 * margin) / this.surface.sizeY);
-    return { middleX: clientWidth / 2 - centre.x * scale, middleY: clientHeight / 2 + centre.y * scale, scale };
+    const scale = zoom * Math.min((width - 2 * margin) / this.surface.sizeX, (height - 2 * margin) / this.surface.sizeY);
+    return { middleX: width / 2 - centre.x * scale, middleY: height / 2 + centre.y * scale, scale };
+  }
+
+  private withoutProbes(surface: Surface, frame: Frame, colours: Colours): HTMLCanvasElement {
+    const backdrop = document.createElement('canvas');
+    backdrop.width = this.canvas.width;
+    backdrop.height = this.canvas.height;
+    const pen = backdrop.getContext('2d')!;
+    const ratio = window.devicePixelRatio;
+    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    this.ground ??= this.shaded(surface, colours.clay);
+    const [width, height] = [surface.sizeX * frame.scale, surface.sizeY * frame.scale];
+    pen.imageSmoothingQuality = 'high';
+    pen.drawImage(this.ground, frame.middleX - width / 2, frame.middleY - height / 2, width, height);
+    pen.beginPath();
+    this.drawn.forEach(({ x, y }, k) => pen[k === 0 ? 'moveTo' : 'lineTo'](frame.middleX + x * frame.scale, frame.middleY - y * frame.scale));
+    pen.lineWidth = 3;
+    pen.strokeStyle = colours.force;
+    pen.stroke();
+    return backdrop;
+  }
+
+  /** What a probe with its arrow covers of the canvas. */
+  private boxOf(probe: ProbeView, frame: Frame): Box {
+    const ratio = window.devicePixelRatio;
+    const [x, y] = [frame.middleX + probe.x * frame.scale, frame.middleY - probe.y * frame.scale];
+    const [toX, toY] = [x + probe.force[0] * newtonPixels, y - probe.force[1] * newtonPixels];
+    const within = (pixels: number, most: number) => Math.min(most, Math.max(0, pixels));
+    const left = within(Math.floor((Math.min(x, toX) - probeReach) * ratio), this.canvas.width);
+    const top = within(Math.floor((Math.min(y, toY) - probeReach) * ratio), this.canvas.height);
+    const right = within(Math.ceil((Math.max(x, toX) + probeReach) * ratio), this.canvas.width);
+    const bottom = within(Math.ceil((Math.max(y, toY) + probeReach) * ratio), this.canvas.height);
+    return { left, top, width: right - left, height: bottom - top };
   }
 
   /** One pixel per sample: the picture or plain clay, multiplied by the shading. */
@@ -151,8 +217,8 @@ export class FlatView implements View {
   private drawProbe(
     pen: CanvasRenderingContext2D,
     probe: ProbeView,
-    frame: { middleX: number; middleY: number; scale: number },
-    colours: { marble: string; force: string },
+    frame: Frame,
+    colours: Colours,
   ): void {
     const [x, y] = [frame.middleX + probe.x * frame.scale, frame.middleY - probe.y * frame.scale];
     pen.beginPath();

@@ -6,9 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
-
-#include <fmt/format.h>
 
 namespace palpable::formats {
 namespace {
@@ -57,58 +56,62 @@ Result<void> check(const HeightLineOptions& options, const Range& heights) {
   if (!(options.interval_m > 0.0) || range / options.interval_m > kMostLines)
     return Error{
         ErrorCode::usage, "the height from line to line must be above 0 and give at most 200 lines", {}};
-  if (!(options.line_width_m >= 0.00005 && options.line_width_m <= 0.01))
-    return Error{ErrorCode::usage, "the lines must be 0.05 to 10 mm wide", {}};
   if ((options.outline_m && !(*options.outline_m > 0.0)) ||
-      !(options.least_length_m >= 0.0 && options.least_length_m <= 0.1))
-    return Error{ErrorCode::usage, "an outline must be above 0, and the shortest line 0 to 100 mm", {}};
+      !(options.least_length_m >= 0.0 && options.least_length_m <= 0.1) ||
+      !(options.smooth_m >= 0.0 && options.smooth_m <= 0.1))
+    return Error{ErrorCode::usage,
+                 "an outline must be above 0, the shortest line and the width of smoothing 0 to 100 mm",
+                 {}};
   return {};
+}
+
+/// The mean of the samples within `reach` on both sides along rows; the border's values go on beyond it.
+Raster<float> averaged_along_rows(const Raster<float>& values, int reach) {
+  Raster<float> means(values.width(), values.height());
+  for (int y = 0; y < values.height(); ++y)
+    for (int x = 0; x < values.width(); ++x) {
+      double sum = 0.0;
+      for (int k = -reach; k <= reach; ++k) sum += values(std::clamp(x + k, 0, values.width() - 1), y);
+      means(x, y) = static_cast<float>(sum / (2 * reach + 1));
+    }
+  return means;
+}
+
+Raster<float> transposed(const Raster<float>& values) {
+  Raster<float> turned(values.height(), values.width());
+  for (int y = 0; y < values.height(); ++y)
+    for (int x = 0; x < values.width(); ++x) turned(y, x) = values(x, y);
+  return turned;
+}
+
+/// Averaged twice along rows and columns, which is nearly as round as a Gaussian.
+Raster<float> smoothed(Raster<float> heights_m, int reach) {
+  for (int k = 0; k < 4; ++k) heights_m = transposed(averaged_along_rows(heights_m, reach));
+  return heights_m;
 }
 
 }  // namespace
 
-Result<std::vector<Polyline>> height_polylines(const Raster<float>& heights_m, double pixel_m,
-                                               const HeightLineOptions& options) {
+Result<std::vector<HeightLine>> height_lines(const Raster<float>& heights_m, double pixel_m,
+                                             const HeightLineOptions& options) {
   const Range range = range_of(heights_m);
   if (const auto checked = check(options, range); !checked) return checked.error();
-  std::vector<Polyline> lines;
+  const int reach = static_cast<int>(std::lround(0.25 * options.smooth_m / pixel_m));
+  const Raster<float> heights = reach > 0 ? smoothed(heights_m, reach) : heights_m;
+  std::vector<HeightLine> lines;
   for (const Level& level : levels_of(range.lowest_m, range.highest_m, options))
-    for (const Line& line : level_lines(heights_m, level.height_m)) {
+    for (const Line& line : level_lines(heights, level.height_m)) {
       if (length_of(line) * pixel_m < options.least_length_m) continue;
-      Polyline& added = lines.emplace_back();
+      HeightLine& added = lines.emplace_back(HeightLine{{}, level.width});
       for (const RasterPoint& point : line)
-        added.points.push_back({(point.x + 0.5 - 0.5 * heights_m.width()) * pixel_m,
-                                (0.5 * heights_m.height() - point.y - 0.5) * pixel_m, 0.0});
+        added.line.points.push_back({(point.x + 0.5 - 0.5 * heights.width()) * pixel_m,
+                                     (0.5 * heights.height() - point.y - 0.5) * pixel_m, 0.0});
     }
+  std::stable_sort(lines.begin(), lines.end(), [](const HeightLine& a, const HeightLine& b) {
+    return std::pair(-a.weight, -palpable::length_of(a.line)) <
+           std::pair(-b.weight, -palpable::length_of(b.line));
+  });
   return lines;
-}
-
-Result<std::string> encode_height_lines(const Raster<float>& heights_m, double pixel_m,
-                                        const HeightLineOptions& options) {
-  const Range range = range_of(heights_m);
-  if (const auto checked = check(options, range); !checked) return checked.error();
-  const double mm = 1000.0;
-  const double pixel_mm = mm * pixel_m;
-  std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.3f}mm\" height=\"{1:.3f}mm\" viewBox=\"0 0 "
-      "{0:.3f} "
-      "{1:.3f}\">\n<title>Lines of equal height, every {2:g} mm</title>\n<rect width=\"100%\" "
-      "height=\"100%\" "
-      "fill=\"white\"/>\n<g fill=\"none\" stroke=\"black\" stroke-linejoin=\"round\" "
-      "stroke-linecap=\"round\">\n",
-      pixel_mm * heights_m.width(), pixel_mm * heights_m.height(), mm * options.interval_m);
-  for (const Level& level : levels_of(range.lowest_m, range.highest_m, options)) {
-    for (const Line& line : level_lines(heights_m, level.height_m)) {
-      if (length_of(line) * pixel_m < options.least_length_m) continue;
-      svg += fmt::format("<path stroke-width=\"{:.3f}\" d=\"", mm * level.width * options.line_width_m);
-      for (std::size_t i = 0; i < line.size(); ++i)
-        svg += fmt::format("{}{:.3f} {:.3f}", i == 0 ? 'M' : 'L', (line[i].x + 0.5) * pixel_mm,
-                           (line[i].y + 0.5) * pixel_mm);
-      svg += "\"/>\n";
-    }
-  }
-  svg += "</g>\n</svg>\n";
-  return svg;
 }
 
 }  // namespace palpable::formats

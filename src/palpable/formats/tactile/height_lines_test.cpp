@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/tactile/height_lines.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <string>
 
 #include <gtest/gtest.h>
 
@@ -18,50 +18,64 @@ Raster<float> cone() {
   return z;
 }
 
-TEST(EncodeHeightLines, DrawsClosedRingsAroundACone) {
+TEST(HeightLines, OfAConeAreClosedRings) {
   HeightLineOptions options;
   options.interval_m = 0.002;
-  const auto svg = encode_height_lines(cone(), 0.001, options);
-  ASSERT_TRUE(svg);
-  std::size_t rings = 0;
-  for (std::size_t from = svg->find("<path"); from != std::string::npos;
-       from = svg->find("<path", from + 1)) {
-    const std::size_t begin = svg->find("d=\"M", from) + 4;
-    const std::size_t end = svg->find('"', begin);
-    const std::string path = svg->substr(begin, end - begin);
-    EXPECT_EQ(path.substr(0, path.find('L')), path.substr(path.rfind('L') + 1)) << "it closes";
-    ++rings;
-  }
-  EXPECT_EQ(rings, 5U);
-  EXPECT_NE(svg->find("width=\"61.000mm\""), std::string::npos);
+  const auto lines = height_lines(cone(), 0.001, options);
+  ASSERT_TRUE(lines);
+  ASSERT_EQ(lines->size(), 5U);
+  for (const HeightLine& ring : *lines)
+    EXPECT_NEAR(norm(ring.line.points.front() - ring.line.points.back()), 0.0, 1e-9);
   options.interval_m = 0.0;
-  EXPECT_FALSE(encode_height_lines(cone(), 0.001, options));
+  EXPECT_FALSE(height_lines(cone(), 0.001, options));
   options.interval_m = 1e-6;
-  EXPECT_FALSE(encode_height_lines(cone(), 0.001, options));
+  EXPECT_FALSE(height_lines(cone(), 0.001, options));
 }
 
-int paths_of(const std::string& svg) {
-  int count = 0;
-  for (std::size_t at = svg.find("<path"); at != std::string::npos; at = svg.find("<path", at + 1)) ++count;
-  return count;
-}
-
-TEST(EncodeHeightLines, BeginWithAnOutlineAboveTheGround) {
-  // A cone of 10 mm: its outline, and lines at 2, 4, 6 and 8 mm.
+TEST(HeightLines, BeginWithAnOutlineAboveTheGround) {
+  // A cone of 10 mm: its outline, and lines at 2, 4, 6 and 8 mm, the longest first.
   HeightLineOptions options;
   options.outline_m = 0.0005;
-  const auto svg = encode_height_lines(cone(), 0.001, options);
-  ASSERT_TRUE(svg);
-  EXPECT_EQ(paths_of(*svg), 5);
-  EXPECT_NE(svg->find("stroke-width=\"1.200\""), std::string::npos);
+  const auto lines = height_lines(cone(), 0.001, options);
+  ASSERT_TRUE(lines);
+  ASSERT_EQ(lines->size(), 5U);
+  EXPECT_EQ((*lines)[0].weight, 1.5);
+  for (std::size_t k = 1; k < 5; ++k) {
+    EXPECT_EQ((*lines)[k].weight, 1.0);
+    EXPECT_LT(length_of((*lines)[k].line), length_of((*lines)[k - 1].line));
+  }
 }
 
-TEST(EncodeHeightLines, LeaveOutShortLines) {
+TEST(HeightLines, LeaveOutShortLines) {
   HeightLineOptions options;
   options.outline_m = 0.0005;
   // The line at 8 mm is a ring of 4 mm radius, 25 mm long.
   options.least_length_m = 0.030;
-  EXPECT_EQ(paths_of(*encode_height_lines(cone(), 0.001, options)), 4);
+  EXPECT_EQ(height_lines(cone(), 0.001, options)->size(), 4U);
+}
+
+TEST(HeightLines, OfASmoothedSurfaceHaveNoFineDetail) {
+  // A plate of 5 mm with a tooth of 2 mm.
+  Raster<float> plate(60, 60);
+  for (int y = 20; y < 40; ++y)
+    for (int x = 20; x < 40; ++x) plate(x, y) = 0.005F;
+  plate(30, 19) = plate(31, 19) = plate(30, 18) = plate(31, 18) = 0.005F;
+  HeightLineOptions options;
+  options.outline_m = 0.0025, options.interval_m = 1.0;
+  const auto fine = height_lines(plate, 0.001, options);
+  options.smooth_m = 0.008;
+  const auto smooth = height_lines(plate, 0.001, options);
+  ASSERT_TRUE(fine && smooth);
+  ASSERT_EQ(smooth->size(), 1U);
+  const auto top_of = [](const HeightLine& line) {
+    double top = -1.0;
+    for (const Vec3 p : line.line.points) top = std::max(top, p.y);
+    return top;
+  };
+  EXPECT_NEAR(top_of((*fine)[0]), 0.012, 1e-6);
+  EXPECT_NEAR(top_of((*smooth)[0]), 0.010, 8e-4);
+  options.smooth_m = 1.0;
+  EXPECT_FALSE(height_lines(plate, 0.001, options));
 }
 
 TEST(HeightLines, ArePolylinesFromTheMiddle) {
@@ -71,13 +85,13 @@ TEST(HeightLines, ArePolylinesFromTheMiddle) {
     for (int x = 0; x < 11; ++x) ramp(x, y) = 0.001F * static_cast<float>(x);
   HeightLineOptions options;
   options.interval_m = 0.01;
-  const auto lines = height_polylines(ramp, 0.001, options);
+  const auto lines = height_lines(ramp, 0.001, options);
   ASSERT_TRUE(lines);
   ASSERT_EQ(lines->size(), 1U);
-  for (const Vec3 point : (*lines)[0].points) EXPECT_NEAR(point.x, 0.0, 1e-9);
-  EXPECT_NEAR(std::abs((*lines)[0].points.front().y), 0.002, 1e-9);
+  for (const Vec3 point : (*lines)[0].line.points) EXPECT_NEAR(point.x, 0.0, 1e-9);
+  EXPECT_NEAR(std::abs((*lines)[0].line.points.front().y), 0.002, 1e-9);
   options.interval_m = 0.0;
-  EXPECT_FALSE(height_polylines(ramp, 0.001, options));
+  EXPECT_FALSE(height_lines(ramp, 0.001, options));
 }
 
 }  // namespace

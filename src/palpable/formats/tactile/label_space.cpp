@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/tactile/label_space.hpp"
 
+#include "palpable/formats/tactile/walked_line.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace palpable::formats {
 namespace {
@@ -56,9 +59,7 @@ bool LabelSpace::all_in(Vec3 middle, double width_m, double height_m, const Visi
 void LabelSpace::add_line(const Polyline& line, double half_width_m, std::size_t owner) {
   const double reach_m = half_width_m + kFartherFromOthers * gap_m_;
   const auto number = static_cast<std::int32_t>(owner) + 1;
-  const int steps = std::max(1, static_cast<int>(std::ceil(length_of(line) / kCell_m)));
-  for (int k = 0; k <= steps; ++k) {
-    const Vec3 at = place_on(line, static_cast<double>(k) / steps).at;
+  walk_along(line, kCell_m, [&](Vec3 at) {
     all_in(at, 2.0 * reach_m, 2.0 * reach_m, [&](int i, int j) {
       if (i < 0 || j < 0 || i >= near_.width() || j >= near_.height()) return true;
       const double dx = (i + 0.5) * kCell_m - 0.5 * width_m_ - at.x;
@@ -70,7 +71,7 @@ void LabelSpace::add_line(const Polyline& line, double half_width_m, std::size_t
       if (distance_m < half_width_m + gap_m_ - kCell_m) taken_(i, j) = 1;
       return true;
     });
-  }
+  });
 }
 
 void LabelSpace::block(Vec3 middle, double width_m, double height_m) {
@@ -80,12 +81,32 @@ void LabelSpace::block(Vec3 middle, double width_m, double height_m) {
   });
 }
 
-bool LabelSpace::is_free(Vec3 middle, double width_m, double height_m, std::size_t owner) const {
-  const auto number = static_cast<std::int32_t>(owner) + 1;
+bool LabelSpace::is_free(Vec3 middle, double width_m, double height_m,
+                         std::optional<std::size_t> owner) const {
+  const auto is_near_others = [&](int i, int j) {
+    return owner && near_(i, j) != 0 && near_(i, j) != static_cast<std::int32_t>(*owner) + 1;
+  };
   return all_in(middle, width_m, height_m, [&](int i, int j) {
     return i >= 0 && j >= 0 && i < taken_.width() && j < taken_.height() && taken_(i, j) == 0 &&
-           (near_(i, j) == 0 || near_(i, j) == number);
+           !is_near_others(i, j);
   });
+}
+
+std::optional<Vec3> LabelSpace::take_room_near(Vec3 at, double reach_m, double box_width_m,
+                                               double box_height_m,
+                                               const std::function<bool(Vec3)>& accepts) {
+  constexpr double kStep_m = 0.001;
+  for (double radius_m = 0.0; radius_m <= reach_m; radius_m += kStep_m) {
+    const int directions = std::max(1, static_cast<int>(2.0 * std::numbers::pi * radius_m / kStep_m));
+    for (int k = 0; k < directions; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / directions;
+      const Vec3 middle = at + radius_m * Vec3{std::cos(angle), std::sin(angle), 0.0};
+      if (!is_free(middle, box_width_m, box_height_m, std::nullopt) || !accepts(middle)) continue;
+      block(middle, box_width_m + 2.0 * gap_m_, box_height_m + 2.0 * gap_m_);
+      return middle;
+    }
+  }
+  return std::nullopt;
 }
 
 std::optional<Vec3> LabelSpace::take_room(const std::vector<Polyline>& lines, double half_width_m,

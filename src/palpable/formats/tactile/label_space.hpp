@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -29,8 +30,14 @@ class LabelSpace {
   std::optional<Vec3> take_room(const std::vector<Polyline>& lines, double half_width_m, std::size_t owner,
                                 double box_width_m, double box_height_m);
 
+  /// The middle of the free box that is nearest to a place, at most `reach_m` away, and that `accepts` its
+  /// middle. The box is taken then. nullopt if there is none.
+  std::optional<Vec3> take_room_near(Vec3 at, double reach_m, double box_width_m, double box_height_m,
+                                     const std::function<bool(Vec3)>& accepts);
+
  private:
-  bool is_free(Vec3 middle, double width_m, double height_m, std::size_t owner) const;
+  /// Without an owner the box keeps `gap_m` from all lines.
+  bool is_free(Vec3 middle, double width_m, double height_m, std::optional<std::size_t> owner) const;
   template <class Visit>
   bool all_in(Vec3 middle, double width_m, double height_m, const Visit& visit) const;
 

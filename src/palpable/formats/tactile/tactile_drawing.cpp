@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/tactile/tactile_drawing.hpp"
 
-#include "palpable/formats/tactile/braille_page.hpp"
+#include "palpable/formats/tactile/line_spacing.hpp"
 #include "palpable/formats/tactile/walked_line.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,61 +16,69 @@
 namespace palpable::formats {
 namespace {
 
-constexpr double kMm = 1000.0;
+/// A pin, in columns and rows from the upper left.
+struct Pin {
+  int column = 0, row = 0;
+  bool operator==(const Pin&) const = default;
+};
 
-bool is_within(double value, double least, double most) { return value >= least && value <= most; }
+bool are_neighbours(Pin a, Pin b) {
+  return std::abs(a.column - b.column) <= 1 && std::abs(a.row - b.row) <= 1;
+}
+
+/// The pins of a line in its order, without those at the inside of a step of a stair, which make it thick.
+std::vector<Pin> pins_of(const Polyline& line, double pitch_m, const PinOptions& options) {
+  const auto nearest = [](double at, int pins) {
+    return std::clamp(static_cast<int>(std::lround(at)), 0, pins - 1);
+  };
+  std::vector<Pin> pins;
+  walk_along(line, 0.25 * pitch_m, [&](Vec3 p) {
+    const Pin pin{nearest(0.5 * (options.columns - 1) + p.x / pitch_m, options.columns),
+                  nearest(0.5 * (options.rows - 1) - p.y / pitch_m, options.rows)};
+    if (!pins.empty() && pins.back() == pin) return;
+    if (pins.size() > 1 && are_neighbours(pins[pins.size() - 2], pin))
+      pins.back() = pin;
+    else
+      pins.push_back(pin);
+  });
+  return pins;
+}
 
 }  // namespace
 
-Result<std::string> encode_swell_paper(std::span<const Polyline> lines, double width_m, double height_m,
-                                       const SwellPaperOptions& options) {
-  if (!is_within(options.line_width_m, 0.00005, 0.01))
-    return Error{ErrorCode::usage, "the lines must be 0.05 to 10 mm wide", {}};
-  if (options.width_m != 0.0 && !is_within(options.width_m, 0.01, 1.0))
-    return Error{ErrorCode::usage, "the printed width must be 10 to 1000 mm", {}};
-  const double scale = options.width_m > 0.0 ? options.width_m / width_m : 1.0;
-  const double to_mm = kMm * scale;
-  std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.3f}mm\" height=\"{1:.3f}mm\" viewBox=\"0 0 "
-      "{0:.3f} {1:.3f}\">\n<title>Outlines</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
-      "<g fill=\"none\" stroke=\"black\" stroke-width=\"{2:.3f}\" stroke-linejoin=\"round\" "
-      "stroke-linecap=\"round\">\n",
-      to_mm * width_m, to_mm * height_m, kMm * options.line_width_m);
-  for (const Polyline& line : lines) {
-    svg += "<path d=\"";
-    for (std::size_t i = 0; i < line.points.size(); ++i)
-      svg += fmt::format("{}{:.3f} {:.3f}", i == 0 ? 'M' : 'L', to_mm * (line.points[i].x + 0.5 * width_m),
-                         to_mm * (0.5 * height_m - line.points[i].y));
-    svg += line.closed ? "Z\"/>\n" : "\"/>\n";
-  }
-  return svg + "</g>\n</svg>\n";
+BrailleOptions braille_on(Paper paper, double width_m, double height_m) {
+  constexpr double kMargin_m = 0.010;
+  const PaperSize size = paper_for(paper, width_m, height_m, kMargin_m);
+  BrailleOptions options;
+  options.columns = static_cast<int>((size.width_m - 2.0 * kMargin_m) / options.cell_m);
+  options.rows = static_cast<int>((size.height_m - 2.0 * kMargin_m) / options.line_m);
+  return options;
 }
 
-Result<std::string> encode_braille(std::span<const Polyline> lines, double width_m, double height_m,
-                                   const BrailleOptions& options) {
-  if (auto checked = check_braille(options); !checked) return checked.error();
-  BraillePage page(options);
-  draw_dots(page, lines, width_m, height_m, options);
-  return page.text();
+double pin_pitch_on(double width_m, double height_m, const PinOptions& options) {
+  return std::max(width_m / (options.columns - 1), height_m / (options.rows - 1));
 }
 
 Result<std::string> encode_pins(std::span<const Polyline> lines, double width_m, double height_m,
                                 const PinOptions& options) {
-  const auto [columns, rows, pitch_m] = options;
-  if (columns < 1 || columns > 1000 || rows < 1 || rows > 1000 || !(pitch_m > 0.0))
-    return Error{ErrorCode::usage, "a tactile display must have 1 to 1000 pins on each side", {}};
-  // In pins, from the first one. The outermost pins are at the drawing's borders.
-  const double scale = std::min((columns - 1) / width_m, (rows - 1) / height_m);
+  const auto [columns, rows, spacing, on_display_m] = options;
+  if (columns < 2 || columns > 1000 || rows < 2 || rows > 1000 || !(on_display_m > 0.0))
+    return Error{ErrorCode::usage, "a tactile display must have 2 to 1000 pins on each side", {}};
+  // The outermost pins are at the drawing's borders.
+  const double pitch_m = pin_pitch_on(width_m, height_m, options);
   std::vector<std::string> raised(static_cast<std::size_t>(rows),
                                   std::string(static_cast<std::size_t>(columns), '0'));
-  const auto pin = [](double at, int pins) {
-    return static_cast<std::size_t>(std::clamp(static_cast<int>(std::lround(at)), 0, pins - 1));
+  const auto raise = [&](const Polyline& line) {
+    for (const Pin pin : pins_of(line, pitch_m, options))
+      raised[static_cast<std::size_t>(pin.row)][static_cast<std::size_t>(pin.column)] = '1';
   };
-  for (const Polyline& line : lines)
-    walk_along(line, 0.25 / scale, [&](Vec3 p) {
-      raised[pin(0.5 * (rows - 1) - scale * p.y, rows)][pin(0.5 * (columns - 1) + scale * p.x, columns)] =
-          '1';
-    });
+  if (spacing == LineSpacing::spaced) {
+    constexpr double kPins = 2.0;
+    for (const auto& pieces : spaced_lines(lines, kPins * pitch_m))
+      std::for_each(pieces.begin(), pieces.end(), raise);
+  } else {
+    std::for_each(lines.begin(), lines.end(), raise);
+  }
   return fmt::format("P1\n{} {}\n{}\n", columns, rows, fmt::join(raised, "\n"));
 }
 

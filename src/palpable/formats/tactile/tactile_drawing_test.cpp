@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/tactile/tactile_drawing.hpp"
 
+#include "palpable/formats/tactile/tactile_sheet.hpp"
+
 #include <algorithm>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -15,6 +19,15 @@ constexpr double kWide_m = 39 * 0.006 + 0.0025, kHigh_m = 24 * 0.010 + 0.005;
 Polyline frame() {
   const double x = 0.5 * kWide_m, y = 0.5 * kHigh_m;
   return {{{-x, y, 0}, {x, y, 0}, {x, -y, 0}, {-x, -y, 0}}, true};
+}
+
+/// A page of dots without keys.
+Result<std::string> encode_braille(std::vector<Polyline> lines, double width_m, double height_m,
+                                   const BrailleOptions& options) {
+  const TactileSheet sheet{"", width_m, height_m, {{std::move(lines)}}};
+  auto drawing = encode_braille_sheet(sheet, {}, options);
+  if (!drawing) return drawing.error();
+  return drawing->text;
 }
 
 std::vector<std::string> rows_of(const std::string& brf) {
@@ -49,6 +62,15 @@ TEST(Braille, KeepsProportionsInMillimetres) {
   EXPECT_FALSE(rows[24].empty());
 }
 
+TEST(Braille, OnPaperLiesAsTheDrawingDoes) {
+  const auto upright = braille_on(Paper::a4, 0.1, 0.1414), across = braille_on(Paper::a4, 0.1, 0.05);
+  EXPECT_EQ(upright.columns, 31);
+  EXPECT_EQ(upright.rows, 27);
+  EXPECT_EQ(across.columns, 46);
+  EXPECT_EQ(across.rows, 19);
+  EXPECT_EQ(braille_on(Paper::a3, 0.1, 0.05).columns, 66);
+}
+
 TEST(Braille, StaysOnItsPage) {
   const auto brf = encode_braille(std::vector<Polyline>{frame()}, kWide_m, kHigh_m, {30, 20});
   ASSERT_TRUE(brf);
@@ -77,17 +99,36 @@ TEST(Pins, KeepProportionsInTheMiddle) {
   EXPECT_FALSE(encode_pins({}, 0.1, 0.1, {0, 3}));
 }
 
-TEST(SwellPaper, HasTheDrawingsSizeAndClosedLines) {
-  const std::vector<Polyline> lines{{{{-0.05, 0.025, 0}, {0.05, -0.025, 0}}, false}, frame()};
-  const auto svg = encode_swell_paper(lines, 0.1, 0.05, {});
-  ASSERT_TRUE(svg);
-  EXPECT_NE(svg->find("width=\"100.000mm\" height=\"50.000mm\""), std::string::npos);
-  EXPECT_NE(svg->find("M0.000 0.000L100.000 50.000\""), std::string::npos);
-  EXPECT_EQ(std::count(svg->begin(), svg->end(), 'Z'), 1);
-  const auto large = encode_swell_paper(lines, 0.1, 0.05, {0.001, 0.2});
-  ASSERT_TRUE(large);
-  EXPECT_NE(large->find("L200.000 100.000\""), std::string::npos);
-  EXPECT_FALSE(encode_swell_paper(lines, 0.1, 0.05, {0.1, 0.2}));
+TEST(Pins, OfAStairHaveNoPinsAtItsInnerCorners) {
+  // A diagonal: one pin in each column.
+  const Polyline line{{{-0.05, -0.02, 0}, {0.05, 0.02, 0}}, false};
+  const auto pbm = encode_pins(std::vector<Polyline>{line}, 0.118, 0.078, {});
+  ASSERT_TRUE(pbm);
+  EXPECT_EQ(std::count(pbm->begin() + 9, pbm->end(), '1'), 51);
+}
+
+TEST(Pins, OfLinesSideBySideLeaveAFreePinBetween) {
+  PinOptions pins;
+  std::vector<Polyline> lines;
+  for (int k = 0; k < 8; ++k) {
+    const double y = 0.01 - 0.002 * k;
+    lines.push_back({{{-0.05, y, 0}, {0.05, y, 0}}, false});
+  }
+  const auto crowded = encode_pins(lines, 0.118, 0.078, pins);
+  pins.spacing = LineSpacing::spaced;
+  const auto spaced = encode_pins(lines, 0.118, 0.078, pins);
+  ASSERT_TRUE(crowded && spaced);
+  EXPECT_NE(crowded->find("\n" + std::string(4, '0') + std::string(51, '1')), std::string::npos);
+  std::istringstream in(spaced->substr(9));
+  bool before = false;
+  int raised = 0;
+  for (std::string row; std::getline(in, row);) {
+    const bool has = row.find('1') != std::string::npos;
+    EXPECT_FALSE(has && before);
+    before = has;
+    raised += has;
+  }
+  EXPECT_GE(raised, 3);
 }
 
 }  // namespace

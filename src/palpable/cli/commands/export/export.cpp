@@ -29,7 +29,7 @@ namespace {
 /// The files that an export to this one may write.
 std::vector<std::string> exported_files(const std::string& output) {
   const auto ending = std::filesystem::path(output).extension();
-  if (ending == ".svg") return map_drawing_files(output);
+  if (ending == ".svg") return drawing_files(output);
   std::vector<std::string> files{output};
   if (ending == ".png") files.push_back(sidecar_of(output));
   return files;
@@ -49,14 +49,14 @@ Result<Answer> run_export_recording(const ExportArguments& arguments, const Work
   return answer;
 }
 
-/// The model's own exports; a map's drawings and the page are not among them.
+/// The model's own exports; tactile drawings and the page are not among them.
 struct ModelExport {
   const models::Scene& scene;
   const ExportArguments& arguments;
   const Work& work;
 
   Result<Answer> operator()(const std::shared_ptr<const models::Relief>& relief) const {
-    return export_relief(*relief, scene, arguments, work);
+    return export_relief(*relief, scene, arguments);
   }
   Result<Answer> operator()(const std::shared_ptr<const models::Contours>& contours) const {
     return export_contours(*contours, scene, arguments);
@@ -91,6 +91,8 @@ Result<Answer> run_export(const ExportArguments& arguments, Console& console) {
     return export_page(scene, arguments.output);
   if (is_map_drawing(scene, arguments.output))
     return export_map(scene, arguments.tactile, arguments.output, console);
+  if (is_drawing(arguments.output))
+    return export_drawing(scene, arguments.tactile, arguments.output, console);
   return std::visit(ModelExport{scene, arguments, work}, scene.model);
 }
 
@@ -103,7 +105,7 @@ void add_export(Program& program) {
       "Write a scene for printers, phones (.html) and other programs; a recording as .csv or .npz",
       "  palpable export aloe.palp -o aloe.npz\n"
       "  palpable export aloe.palp -o aloe.stl    for a 3D printer; also .glb\n"
-      "  palpable export aloe.palp -o aloe.svg    lines of equal height, for swell paper\n"
+      "  palpable export aloe.palp -o aloe.svg --paper A4    lines of equal height, for swell paper\n"
       "  palpable export cat.palp -o cat.brf      outlines of contours in braille dots; also .svg, .stl\n"
       "  palpable export cat.palp -o cat.pbm      the same on the pins of a tactile display, 60 x 40\n"
       "  palpable export town.palp -o town.txt    a map in words; .svg and .brf with keys in braille\n"
@@ -121,16 +123,23 @@ void add_export(Program& program) {
   options.choice("--band", arguments->band, {"narrow", "full"},
                  "Field in a .vdb: three voxels on each side of the surface, or also the whole inside");
   TactileArguments& tactile = arguments->tactile;
-  options.number("--interval", tactile.interval_mm, {0.1, 100.0},
-                 "Relief: difference of height between lines in an .svg, mm");
-  options.number("--width", tactile.width_mm, {10.0, 1000.0},
-                 "Printed width of an .svg of contours or a map, mm; default true size, of a map 180");
+  options.number(
+      "--interval", tactile.interval_mm, {0.1, 100.0},
+      "Difference of height between lines of a drawing, mm; default 2, of a solid or grid a quarter of "
+      "its height");
+  options.number(
+      "--width", tactile.width_mm, {10.0, 1000.0},
+      "Printed width of an .svg, mm; default true size, of a map 180, of a solid or grid as large as A4 "
+      "allows");
+  options.choice("--paper", tactile.paper, {"none", "A4", "A3"},
+                 "Paper that an .svg or .brf is made as large as possible for, upright or across");
   options.choice("--lines", arguments->lines, {"grooves", "raised"},
                  "Contours: lines as grooves or raised, in an .stl or .glb");
-  options.integer("--braille-columns", tactile.braille_columns, {10, 100}, "Cells in a row of a .brf");
-  options.integer("--braille-rows", tactile.braille_rows, {5, 100}, "Rows on a page of a .brf");
+  options.integer("--braille-columns", tactile.braille_columns, {10, 100},
+                  "Cells in a row of a .brf; default 40");
+  options.integer("--braille-rows", tactile.braille_rows, {5, 100}, "Rows on a page of a .brf; default 25");
   options.text("--braille-table", tactile.braille_table,
-               "Map: table of liblouis for the names in braille, as en-ueb-g1.ctb or de-g1.ctb");
+               "Table of liblouis for the names in braille, as en-ueb-g1.ctb or de-g1.ctb");
 }
 
 }  // namespace palpable::cli

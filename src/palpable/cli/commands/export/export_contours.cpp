@@ -52,11 +52,6 @@ Result<Answer> export_contours(const models::Contours& contours, const models::S
   Answer answer;
   answer.json["output"] = arguments.output;
   answer.text = fmt::format("{}\n", arguments.output);
-  if (ending == ".svg" || ending == ".brf" || ending == ".pbm") {
-    if (const auto written = write_outlines(contours, arguments.tactile, output); !written)
-      return written.error();
-    return answer;
-  }
   if (ending == ".stl" || ending == ".glb") {
     const auto plate = arguments.lines == "raised" ? raised_lines(contours) : *contours.grooves;
     if (!plate) return plate.error();

@@ -27,26 +27,26 @@ constexpr std::array kKinds{
 
 constexpr std::string_view kGrid = "--grid", kBand = "--band", kInterval = "--interval", kWidth = "--width",
                            kLines = "--lines", kColumns = "--braille-columns", kRows = "--braille-rows",
-                           kTable = "--braille-table";
+                           kTable = "--braille-table", kPaper = "--paper";
 
 struct Format {
   Exported what;
   std::string_view suffix;
-  std::array<std::string_view, 3> options{};  ///< those that it reads; empty ones are none
+  std::array<std::string_view, 5> options{};  ///< those that it reads; empty ones are none
 };
 
 using enum Exported;
 constexpr std::array kFormats{Format{relief, ".stl"},
                               Format{relief, ".glb"},
-                              Format{relief, ".svg", {kInterval}},
-                              Format{relief, ".brf", {kInterval, kColumns, kRows}},
+                              Format{relief, ".svg", {kInterval, kWidth, kPaper, kTable}},
+                              Format{relief, ".brf", {kInterval, kColumns, kRows, kPaper, kTable}},
                               Format{relief, ".pbm", {kInterval}},
                               Format{relief, ".npz"},
                               Format{relief, ".png"},
                               Format{relief, ".html"},
                               Format{map, ".txt"},
-                              Format{map, ".svg", {kWidth, kTable}},
-                              Format{map, ".brf", {kColumns, kRows, kTable}},
+                              Format{map, ".svg", {kWidth, kPaper, kTable}},
+                              Format{map, ".brf", {kColumns, kRows, kPaper, kTable}},
                               Format{map, ".pbm"},
                               Format{map, ".stl"},
                               Format{map, ".glb"},
@@ -58,11 +58,17 @@ constexpr std::array kFormats{Format{relief, ".stl"},
                               Format{field, ".glb"},
                               Format{field, ".vdb", {kGrid, kBand}},
                               Format{field, ".npz", {kGrid}},
+                              Format{field, ".svg", {kInterval, kWidth, kPaper, kTable}},
+                              Format{field, ".brf", {kInterval, kColumns, kRows, kPaper, kTable}},
+                              Format{field, ".pbm", {kInterval}},
                               Format{field, ".html"},
                               Format{grid, ".npz"},
+                              Format{grid, ".svg", {kInterval, kWidth, kPaper, kTable}},
+                              Format{grid, ".brf", {kInterval, kColumns, kRows, kPaper, kTable}},
+                              Format{grid, ".pbm", {kInterval}},
                               Format{grid, ".html"},
-                              Format{contours, ".svg", {kWidth}},
-                              Format{contours, ".brf", {kColumns, kRows}},
+                              Format{contours, ".svg", {kWidth, kPaper, kTable}},
+                              Format{contours, ".brf", {kColumns, kRows, kPaper, kTable}},
                               Format{contours, ".pbm"},
                               Format{contours, ".stl", {kLines}},
                               Format{contours, ".glb", {kLines}},

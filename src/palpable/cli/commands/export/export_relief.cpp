@@ -73,7 +73,7 @@ Result<void> write_body(const models::Relief& relief, const models::Scene& scene
 }
 
 Result<Answer> export_relief(const models::Relief& relief, const models::Scene& scene,
-                             const ExportArguments& arguments, const Work& work) {
+                             const ExportArguments& arguments) {
   Answer answer;
   answer.json["output"] = arguments.output;
   answer.text = fmt::format("{}\n", arguments.output);
@@ -96,12 +96,7 @@ Result<Answer> export_relief(const models::Relief& relief, const models::Scene& 
                               arguments.output, 1000.0 * metres_per_step);
     return answer;
   }
-  if (ending == ".stl" || ending == ".glb") {
-    if (const auto written = write_body(relief, scene, output); !written) return written.error();
-    return answer;
-  }
-  if (const auto written = write_height_lines(relief, arguments.tactile, output, work); !written)
-    return written.error();
+  if (const auto written = write_body(relief, scene, output); !written) return written.error();
   return answer;
 }
 

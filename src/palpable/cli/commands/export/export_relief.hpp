@@ -12,10 +12,11 @@
 
 namespace palpable::cli {
 
-/// Writes a relief as the output's suffix says: one of export_formats.hpp's for a relief. Errors: as
+/// Writes a relief as the output's suffix says: one of export_formats.hpp's for a relief that is no tactile
+/// drawing. Errors: as
 /// write_file_atomically() and the encoders.
 Result<Answer> export_relief(const models::Relief& relief, const models::Scene& scene,
-                             const ExportArguments& arguments, const Work& work);
+                             const ExportArguments& arguments);
 
 /// Writes the solid between the surface and its base plate as .stl or .glb, the latter with the scene's
 /// picture.

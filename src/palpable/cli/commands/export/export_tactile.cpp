@@ -2,76 +2,170 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/commands/export/export_tactile.hpp"
 
+#include "palpable/cli/commands/export/drawn_names.hpp"
 #include "palpable/core/files/atomic_file.hpp"
 #include "palpable/formats/tactile/height_lines.hpp"
+#include "palpable/formats/tactile/tactile_drawing.hpp"
 #include "palpable/sculpt/contours/boundary_map_from_picture.hpp"
 #include "palpable/sculpt/contours/outline_polylines.hpp"
 #include "palpable/sculpt/relief/heights_above_ground.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <span>
-#include <string>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace palpable::cli {
 namespace {
 
-Result<void> write_text(const Result<std::string>& text, const std::filesystem::path& output) {
+/// What the drawings of one kind of file have room for.
+struct Medium {
+  /// Most heights; unlimited if not given.
+  std::optional<double> most_heights;
+  /// Finer detail of the surface is smoothed away, in the scene.
+  double smooth_m = 0.0;
+};
+
+Medium medium_of(const std::filesystem::path& output, const PrintOptions& print, double width_m,
+                 double height_m) {
+  if (output.extension() == ".svg") {
+    constexpr double kOnPaper_m = 0.0015;
+    return {{}, kOnPaper_m * width_m / formats::printed_width_m(width_m, height_m, print.sheet)};
+  }
+  if (output.extension() == ".brf") return {4.0, width_m / print.braille.columns};
+  constexpr double kPins = 0.7;
+  return {3.0, kPins * formats::pin_pitch_on(width_m, height_m, {})};
+}
+
+/// The heights that are drawn, and where the outline of what stands on the ground is.
+struct Heights {
+  Raster<float> heights_m;
+  formats::HeightLineOptions lines;
+};
+
+/// A solid or a grid stands on its own lowest point, which its view from above has all around it.
+Heights heights_of_solid(const models::Relief& from_above, const TactileArguments& arguments) {
+  constexpr double kHeights = 4.0, kOutlineShare = 0.02;
+  const double lowest_m = from_above.lowest_m(), range_m = from_above.highest_m() - lowest_m;
+  Heights out{from_above.samples_m(), {}};
+  for (float& z : out.heights_m.values()) z -= static_cast<float>(lowest_m);
+  out.lines.interval_m = arguments.interval_mm ? *arguments.interval_mm / 1000.0 : range_m / kHeights;
+  out.lines.outline_m = kOutlineShare * range_m;
+  return out;
+}
+
+Heights heights_of_relief(const models::Relief& relief, const TactileArguments& arguments, const Work& work) {
+  constexpr double kInterval_mm = 2.0, kOutlineShare = 0.04;
+  auto above = sculpt::heights_above_ground(relief, work);
+  Heights out{above ? *std::move(above) : relief.samples_m(), {}};
+  out.lines.interval_m = arguments.interval_mm.value_or(kInterval_mm) / 1000.0;
+  if (above) out.lines.outline_m = kOutlineShare * (relief.highest_m() - relief.lowest_m());
+  return out;
+}
+
+Result<std::vector<formats::SheetStroke>> height_strokes(const models::Scene& scene, const Medium& medium,
+                                                         const TactileArguments& arguments,
+                                                         const Work& work) {
+  /// Shorter lines are not felt as objects.
+  constexpr double kLeastLength = 0.06;
+  const models::Relief& relief = *models::relief_of(scene);
+  const bool is_relief = std::holds_alternative<std::shared_ptr<const models::Relief>>(scene.model);
+  Heights heights =
+      is_relief ? heights_of_relief(relief, arguments, work) : heights_of_solid(relief, arguments);
+  heights.lines.least_length_m = kLeastLength * std::max(relief.size_x_m(), relief.size_y_m());
+  heights.lines.smooth_m = medium.smooth_m;
+  if (medium.most_heights)
+    heights.lines.interval_m =
+        std::max(heights.lines.interval_m, (relief.highest_m() - relief.lowest_m()) / *medium.most_heights);
+  auto lines = formats::height_lines(heights.heights_m, relief.pixel_m(), heights.lines);
+  if (!lines) return lines.error();
+  std::vector<formats::SheetStroke> strokes;
+  for (formats::HeightLine& line : *lines) strokes.push_back({{std::move(line.line)}, {}, line.weight});
+  return strokes;
+}
+
+/// The longest first.
+std::vector<formats::SheetStroke> contour_strokes(const models::Contours& contours) {
+  auto lines =
+      sculpt::outline_polylines(sculpt::boundary_lines(contours.boundaries), contours.boundaries.pixel_m());
+  std::stable_sort(lines.begin(), lines.end(),
+                   [](const Polyline& a, const Polyline& b) { return length_of(a) > length_of(b); });
+  std::vector<formats::SheetStroke> strokes;
+  for (Polyline& line : lines) strokes.push_back({{std::move(line)}});
+  return strokes;
+}
+
+Result<Answer> write_pins(const formats::TactileSheet& sheet, const std::filesystem::path& output) {
+  formats::PinOptions pins;
+  pins.spacing = formats::LineSpacing::spaced;
+  const auto text = formats::encode_pins(formats::lines_of(sheet), sheet.width_m, sheet.height_m, pins);
   if (!text) return text.error();
-  return write_file_atomically(output, std::as_bytes(std::span(*text)));
+  if (const auto written = write_file_atomically(output, std::as_bytes(std::span(*text))); !written)
+    return written.error();
+  Answer answer;
+  answer.json["output"] = output.string();
+  answer.text = output.string() + "\n";
+  return answer;
 }
 
 }  // namespace
 
-formats::BrailleOptions braille_options(const TactileArguments& arguments) {
-  formats::BrailleOptions options;
-  options.columns = arguments.braille_columns;
-  options.rows = arguments.braille_rows;
+Result<PrintOptions> print_options(const TactileArguments& arguments, double width, double height,
+                                   double width_m) {
+  PrintOptions options;
+  options.table = arguments.braille_table;
+  options.sheet.width_m = arguments.width_mm ? *arguments.width_mm / 1000.0 : width_m;
+  if (arguments.braille_columns) options.braille.columns = *arguments.braille_columns;
+  if (arguments.braille_rows) options.braille.rows = *arguments.braille_rows;
+  if (arguments.paper == "none") return options;
+  if (arguments.width_mm || arguments.braille_columns || arguments.braille_rows)
+    return Error{ErrorCode::usage,
+                 "the paper sets the size: leave out --width, --braille-columns and --braille-rows",
+                 "--paper"};
+  options.sheet.paper = arguments.paper == "A4" ? formats::Paper::a4 : formats::Paper::a3;
+  options.braille = formats::braille_on(*options.sheet.paper, width, height);
   return options;
 }
 
-Result<void> write_dots(const std::vector<Polyline>& lines, double width_m, double height_m,
-                        const TactileArguments& arguments, const std::filesystem::path& output) {
-  return write_text(output.extension() == ".pbm"
-                        ? formats::encode_pins(lines, width_m, height_m, {})
-                        : formats::encode_braille(lines, width_m, height_m, braille_options(arguments)),
-                    output);
+bool is_drawing(const std::filesystem::path& output) {
+  const auto ending = output.extension();
+  return ending == ".svg" || ending == ".brf" || ending == ".pbm";
 }
 
-Result<void> write_height_lines(const models::Relief& relief, const TactileArguments& arguments,
-                                const std::filesystem::path& output, const Work& work) {
-  /// Least height of an outline above the ground, and least length of an outline that is felt as an object.
-  constexpr double kOutlineShare = 0.04, kLeastLength_m = 0.006;
-  formats::HeightLineOptions options;
-  options.interval_m = arguments.interval_mm / 1000.0;
-  const auto above = sculpt::heights_above_ground(relief, work);
-  options.least_length_m = kLeastLength_m;
-  if (above) options.outline_m = kOutlineShare * (relief.highest_m() - relief.lowest_m());
-  const Raster<float>& heights = above ? *above : relief.samples_m();
-  if (output.extension() == ".svg")
-    return write_text(formats::encode_height_lines(heights, relief.pixel_m(), options), output);
-  // Between two lines of dots a finger needs room.
-  constexpr double kMostHeights = 4.0;
-  options.interval_m = std::max(options.interval_m, (relief.highest_m() - relief.lowest_m()) / kMostHeights);
-  const auto lines = formats::height_polylines(heights, relief.pixel_m(), options);
-  if (!lines) return lines.error();
-  return write_dots(*lines, relief.size_x_m(), relief.size_y_m(), arguments, output);
-}
-
-std::vector<Polyline> outlines_of(const models::Contours& contours) {
-  return sculpt::outline_polylines(sculpt::boundary_lines(contours.boundaries),
-                                   contours.boundaries.pixel_m());
-}
-
-Result<void> write_outlines(const models::Contours& contours, const TactileArguments& arguments,
-                            const std::filesystem::path& output) {
-  const double width_m = contours.boundaries.size_x_m(), height_m = contours.boundaries.size_y_m();
-  if (output.extension() == ".svg") {
-    formats::SwellPaperOptions options;
-    if (arguments.width_mm) options.width_m = *arguments.width_mm / 1000.0;
-    return write_text(formats::encode_swell_paper(outlines_of(contours), width_m, height_m, options), output);
+Result<Answer> export_drawing(const models::Scene& scene, const TactileArguments& arguments,
+                              const std::filesystem::path& output, Console& console) {
+  constexpr double kOutline_m = 0.0012, kHeight_m = 0.0008;
+  const auto* contours = std::get_if<std::shared_ptr<const models::Contours>>(&scene.model);
+  const bool has_true_size =
+      contours != nullptr || std::holds_alternative<std::shared_ptr<const models::Relief>>(scene.model);
+  KeyedDrawing drawing;
+  drawing.sheet.title = contours != nullptr ? "Outlines" : "Lines of equal height";
+  const double width_m =
+      contours != nullptr ? (*contours)->boundaries.size_x_m() : models::relief_of(scene)->size_x_m();
+  const double height_m =
+      contours != nullptr ? (*contours)->boundaries.size_y_m() : models::relief_of(scene)->size_y_m();
+  drawing.sheet.width_m = width_m;
+  drawing.sheet.height_m = height_m;
+  auto options = print_options(arguments, width_m, height_m, width_m);
+  if (!options) return options.error();
+  // Buildings have their own size, in metres.
+  if (!has_true_size && !arguments.width_mm && !options->sheet.paper)
+    options->sheet.paper = formats::Paper::a4;
+  options->sheet.line_m = contours != nullptr ? kOutline_m : kHeight_m;
+  options->sheet.spacing = options->braille.spacing = formats::LineSpacing::spaced;
+  if (contours != nullptr) {
+    drawing.sheet.strokes = contour_strokes(**contours);
+  } else {
+    auto lines =
+        height_strokes(scene, medium_of(output, *options, width_m, height_m), arguments, console.work());
+    if (!lines) return lines.error();
+    drawing.sheet.strokes = *std::move(lines);
   }
-  return write_dots(outlines_of(contours), width_m, height_m, arguments, output);
+  if (output.extension() == ".pbm") return write_pins(drawing.sheet, output);
+  add_names(scene, drawing);
+  return write_drawing(drawing, *options, output, console);
 }
 
 Result<models::Relief> raised_lines(const models::Contours& contours) {

@@ -2,51 +2,49 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/geometry/polyline.hpp"
+#include "palpable/cli/command.hpp"
+#include "palpable/cli/commands/export/sheet_files.hpp"
 #include "palpable/core/result.hpp"
-#include "palpable/core/work.hpp"
-#include "palpable/formats/tactile/tactile_drawing.hpp"
 #include "palpable/models/contours/contours.hpp"
 #include "palpable/models/relief/relief.hpp"
+#include "palpable/models/scene/scene.hpp"
 
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace palpable::cli {
 
 /// Options of `export` for tactile drawings.
 struct TactileArguments {
-  double interval_mm = 2.0;
-  /// Printed width of outlines and maps; default: true size of outlines, 180 mm of maps.
+  /// From one height to the next; default: 2 mm, of a solid or grid a quarter of its height.
+  std::optional<double> interval_mm;
+  /// Printed width of an .svg; default: true size, of maps 180 mm; solids and grids are fitted to A4.
   std::optional<double> width_mm;
-  int braille_columns = 40;
-  int braille_rows = 25;
+  /// "none", "A4" or "A3".
+  std::string paper = "none";
+  /// Of a .brf; default: 40 and 25.
+  std::optional<int> braille_columns;
+  std::optional<int> braille_rows;
   /// A table of liblouis.
   std::string braille_table = "en-ueb-g1.ctb";
 };
 
-formats::BrailleOptions braille_options(const TactileArguments& arguments);
+/// How a drawing of these proportions is printed, `width_m` wide unless the arguments say otherwise.
+/// Errors: usage for a paper together with other sizes.
+Result<PrintOptions> print_options(const TactileArguments& arguments, double width, double height,
+                                   double width_m);
 
-/// Lines (metres, the origin in the middle) as .brf for a braille embosser or .pbm for a tactile display of
-/// 60 x 40 pins, by the output's suffix. Errors: as the encoders and write_file_atomically().
-Result<void> write_dots(const std::vector<Polyline>& lines, double width_m, double height_m,
-                        const TactileArguments& arguments, const std::filesystem::path& output);
+/// Whether this is a tactile drawing, by its suffix.
+bool is_drawing(const std::filesystem::path& output);
 
-/// Writes lines of equal height above the relief's ground, first the outlines of the objects on it; without a
-/// ground, above its lowest point. As .svg, or as write_dots(), which has room for a few heights only.
-/// Errors: as formats::encode_height_lines() and write_file_atomically().
-Result<void> write_height_lines(const models::Relief& relief, const TactileArguments& arguments,
-                                const std::filesystem::path& output, const Work& work);
-
-/// The outlines of a scene of contours.
-std::vector<Polyline> outlines_of(const models::Contours& contours);
-
-/// Writes outlines as .svg for swell paper, or as write_dots(), by the output's suffix.
-/// Errors: as the encoders and write_file_atomically().
-Result<void> write_outlines(const models::Contours& contours, const TactileArguments& arguments,
-                            const std::filesystem::path& output);
+/// Writes any scene but a map as a tactile drawing: contours as their lines, others seen from above as lines
+/// of equal height, of which the first is the outline of what stands on the ground. Those of a relief are
+/// above its own ground; without one, above its lowest point. As write_drawing(), with keys of the names that
+/// persons gave and of the regions with a name; or as .pbm for a tactile display of 60 x 40 pins. Dots and
+/// pins have room for a few heights only. Errors: as formats::height_lines() and write_drawing().
+Result<Answer> export_drawing(const models::Scene& scene, const TactileArguments& arguments,
+                              const std::filesystem::path& output, Console& console);
 
 /// The plate of the contours' grooves, inverted: lines are raised, for printing and reading by finger.
 /// Errors: as Relief::from_samples().

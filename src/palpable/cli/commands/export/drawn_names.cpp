@@ -1,0 +1,79 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/commands/export/drawn_names.hpp"
+
+#include "palpable/describe/place_guide.hpp"
+#include "palpable/describe/scene_words.hpp"
+#include "palpable/describe/street_keys.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace palpable::cli {
+namespace {
+
+using Extent = models::PlaceName::Extent;
+
+bool is_drawn(const models::Scene& scene, const describe::NamedPlace& place) {
+  if (place.written) return true;
+  if (place.name.extent != Extent::label ||
+      std::holds_alternative<std::shared_ptr<const models::Contours>>(scene.model))
+    return false;
+  const std::size_t label = models::label_at(scene, {{place.name.at.x_m, place.name.at.y_m, 0.0}});
+  return scene.materials[label].name != models::Material{}.name;
+}
+
+/// Which places a name covers; empty for a point or a line.
+std::function<bool(Vec3)> cover_of(const models::Scene& scene, const models::PlaceName& name) {
+  if (name.extent == Extent::label) {
+    const std::size_t label = models::label_at(scene, {{name.at.x_m, name.at.y_m, 0.0}});
+    return [&scene, label](Vec3 p) { return models::label_at(scene, {{p.x, p.y, 0.0}}) == label; };
+  }
+  if (name.extent == Extent::area)
+    return [line = name.line](Vec3 p) { return models::nearest_in_area(line, {p.x, p.y}).distance_m == 0.0; };
+  return {};
+}
+
+formats::SheetPlace place_of(const models::Scene& scene, const models::PlaceName& name,
+                             const std::string& key) {
+  formats::SheetPlace place{formats::plain_braille(key), {name.at.x_m, name.at.y_m, 0.0}};
+  place.contains = cover_of(scene, name);
+  if (name.extent == Extent::point) place.mark = formats::SheetPlace::Mark::disc;
+  // An outline's own place is its beginning.
+  if (name.extent == Extent::area) {
+    place.at = {};
+    for (const Place p : name.line)
+      place.at += 1.0 / static_cast<double>(name.line.size()) * Vec3{p.x_m, p.y_m, 0.0};
+  }
+  return place;
+}
+
+}  // namespace
+
+void add_names(const models::Scene& scene, KeyedDrawing& drawing) {
+  const describe::PlaceGuide guide(scene);
+  std::vector<const models::PlaceName*> drawn;
+  std::vector<std::string> names;
+  for (const describe::NamedPlace& place : guide.places())
+    if (is_drawn(scene, place)) {
+      drawn.push_back(&place.name);
+      names.push_back(place.name.name);
+    }
+  if (drawn.empty()) return;
+  drawing.heading.push_back(shortened(describe::name_of(scene)));
+  const auto keys = describe::street_keys(names);
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    if (keys[k].empty()) {
+      ++drawing.not_drawn;
+      continue;
+    }
+    drawing.sheet.places.push_back(place_of(scene, *drawn[k], keys[k]));
+    drawing.key_lines.push_back(keys[k] + " " + shortened(names[k]));
+  }
+}
+
+}  // namespace palpable::cli
