@@ -26,7 +26,26 @@ bool are_neighbours(Pin a, Pin b) {
   return std::abs(a.column - b.column) <= 1 && std::abs(a.row - b.row) <= 1;
 }
 
-/// The pins of a line in its order, without those at the inside of a step of a stair, which make it thick.
+/// Whether `b` lies in the middle between its neighbours.
+bool is_straight(Pin a, Pin b, Pin c) {
+  return a.column + c.column == 2 * b.column && a.row + c.row == 2 * b.row;
+}
+
+/// Leaves out the pins at the inside of a stair's steps, which make it thick. Corners between straight lines
+/// stay.
+std::vector<Pin> without_steps(const std::vector<Pin>& pins) {
+  std::vector<Pin> thin;
+  for (std::size_t i = 0; i < pins.size(); ++i) {
+    const bool is_inner =
+        i > 0 && i + 1 < pins.size() && !thin.empty() && are_neighbours(thin.back(), pins[i + 1]);
+    const bool is_corner = i > 1 && i + 2 < pins.size() && is_straight(pins[i - 2], pins[i - 1], pins[i]) &&
+                           is_straight(pins[i], pins[i + 1], pins[i + 2]);
+    if (!is_inner || is_corner) thin.push_back(pins[i]);
+  }
+  return thin;
+}
+
+/// The pins of a line in its order.
 std::vector<Pin> pins_of(const Polyline& line, double pitch_m, const PinOptions& options) {
   const auto nearest = [](double at, int pins) {
     return std::clamp(static_cast<int>(std::lround(at)), 0, pins - 1);
@@ -35,13 +54,9 @@ std::vector<Pin> pins_of(const Polyline& line, double pitch_m, const PinOptions&
   walk_along(line, 0.25 * pitch_m, [&](Vec3 p) {
     const Pin pin{nearest(0.5 * (options.columns - 1) + p.x / pitch_m, options.columns),
                   nearest(0.5 * (options.rows - 1) - p.y / pitch_m, options.rows)};
-    if (!pins.empty() && pins.back() == pin) return;
-    if (pins.size() > 1 && are_neighbours(pins[pins.size() - 2], pin))
-      pins.back() = pin;
-    else
-      pins.push_back(pin);
+    if (pins.empty() || pins.back() != pin) pins.push_back(pin);
   });
-  return pins;
+  return without_steps(pins);
 }
 
 }  // namespace

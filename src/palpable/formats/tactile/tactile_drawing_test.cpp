@@ -107,12 +107,20 @@ TEST(Pins, OfAStairHaveNoPinsAtItsInnerCorners) {
   EXPECT_EQ(std::count(pbm->begin() + 9, pbm->end(), '1'), 51);
 }
 
+TEST(Pins, OfACornerBetweenStraightLinesStayPointed) {
+  const Polyline corner{{{-0.051, 0.011, 0}, {0.001, 0.011, 0}, {0.001, -0.021, 0}}, false};
+  const auto pbm = encode_pins(std::vector<Polyline>{corner}, 0.118, 0.078, {});
+  ASSERT_TRUE(pbm);
+  // 27 columns, and 16 rows below them.
+  EXPECT_EQ(std::count(pbm->begin() + 9, pbm->end(), '1'), 27 + 16);
+}
+
 TEST(Pins, OfLinesSideBySideLeaveAFreePinBetween) {
   PinOptions pins;
   std::vector<Polyline> lines;
   for (int k = 0; k < 8; ++k) {
-    const double y = 0.01 - 0.002 * k;
-    lines.push_back({{{-0.05, y, 0}, {0.05, y, 0}}, false});
+    const double y = 0.011 - 0.002 * k;
+    lines.push_back({{{-0.051, y, 0}, {0.049, y, 0}}, false});
   }
   const auto crowded = encode_pins(lines, 0.118, 0.078, pins);
   pins.spacing = LineSpacing::spaced;
