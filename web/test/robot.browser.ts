@@ -3,7 +3,7 @@
 // The simulated robot on the page: started and stopped by keys, its modes, and what is shown and said of it.
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, it } from 'vitest';
-import { keepPicture, launch, openPage, says, startProgram, violations, type Opened, type Running } from './harness';
+import { hasSaid, keepPicture, launch, openPage, startProgram, violations, type Opened, type Running } from './harness';
 
 let browser: Browser;
 let running: Running;
@@ -49,7 +49,8 @@ it('is started by a key from the middle, and says so', async () => {
   await page.locator('#stage').focus();
   await page.keyboard.press('Shift+ArrowRight');
   await start();
-  await says(page, 'The robot is started. The floor within');
+  // What stands before it is said at once afterwards.
+  await hasSaid(page, 'The robot is started. The floor within');
   expect(await page.evaluate(() => document.activeElement?.id)).toBe('stage');
   await keepPicture(page, 'robot-started');
 });

@@ -3,7 +3,7 @@
 #include "palpable/core/system/allocations.hpp"
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/device/remote/remote_device.hpp"
-#include "palpable/device/remote/remote_host_fixture.hpp"
+#include "palpable/device/remote/test_remote_host.hpp"
 
 #include <array>
 #include <chrono>

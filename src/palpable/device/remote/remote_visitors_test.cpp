@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Who may touch with a shared device: tokens, refusals, and those who come back.
-#include "palpable/device/remote/remote_host_fixture.hpp"
+#include "palpable/device/remote/test_remote_host.hpp"
 
 #include <string_view>
 
