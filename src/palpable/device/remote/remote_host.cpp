@@ -129,14 +129,16 @@ void RemoteHost::admit(Client visitor, const std::string& secret) {
   const bool returns = access_->used() && access_->admits(secret);
   // The program that touches may have lost a connection that is still open here.
   const bool is_busy = client_ && !(returns && Clock::now() - client_->heard > milliseconds(100));
-  const bool is_known = returns || (!access_->used() && same_secret(secret, token()));
+  // The answer to one that was gone before its first message may have been lost.
+  const bool tries_again = access_->used() && !confirmed_ && !client_ && same_secret(secret, token());
+  const bool is_known = returns || tries_again || (!access_->used() && same_secret(secret, token()));
   if (!is_known) {
     accepts_from_ = Clock::now() + kWrongTokenWait;
     // Whether a session is going on is told to nobody without a token.
     return refuse(visitor, Refusal::wrong_token, "its token is wrong or was used already");
   }
   if (is_busy) return refuse(visitor, Refusal::in_use, "another program touches already");
-  if (!returns) {
+  if (!returns && !tries_again) {
     static_cast<void>(access_->exchange(secret));
     exchange_->sessions.fetch_add(1, std::memory_order_release);
     confirmed_ = false;
@@ -158,7 +160,6 @@ void RemoteHost::serve() {
   const std::string ending = take_messages();
   if (!ending.empty()) return end_session(ending);
   if (client_->stream.is_lost()) {
-    if (!confirmed_) return end_session("The program was gone before it touched.");
     client_.reset();
     exchange_->connected = false;
     lost_since_ = Clock::now();

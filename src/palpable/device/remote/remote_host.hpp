@@ -42,10 +42,10 @@ struct HostOptions {
 /// Serves a shared device to one client at a time, by a thread. A client proves by the token of the address
 /// that it may; the token is for one session, in which a client whose connection was lost may come back. What
 /// a client sends is not believed: the first message that is none, or that is out of range, ends its session
-/// with a sentence, and so do more than kMostMessages a second. The session of a client that was gone before
-/// its first message ends, since it may not know how to come back. After a wrong token the next connection
-/// has to wait for kWrongTokenWait. kMostVisitors may wait to be heard at the same time; the first of them
-/// goes if more come.
+/// with a sentence, and so do more than kMostMessages a second. A client that was gone before its first
+/// message may use the token again, since it may not know how to come back. After a wrong token the next
+/// connection has to wait for kWrongTokenWait. kMostVisitors may wait to be heard at the same time; the first
+/// of them goes if more come.
 class RemoteHost {
  public:
   static constexpr int kMostMessages = 3000;
