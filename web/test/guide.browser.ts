@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, it } from 'vitest';
-import { keepPicture, launch, openPage, startProgram, violations, type Opened, type Running } from './harness';
+import { framesDrawn, keepPicture, launch, openPage, startProgram, violations, type Opened, type Running } from './harness';
 import { Listener } from './listener';
 
 const folder = mkdtempSync(join(tmpdir(), 'palpable-guide-'));
@@ -114,7 +114,7 @@ it('for the eyes outlines what is meant, at every size', async () => {
   for (const [width, height] of [[320, 640], [1280, 600], [3840, 2160]] as const) {
     await page.setViewportSize({ width, height });
     // The stage is drawn anew in the frame after the one that lays it out.
-    await page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
+    await framesDrawn(page, 2);
     expect(await violations(page), `${width} wide`).toEqual([]);
     expect(await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth)).toBeLessThanOrEqual(0);
     if (width > 1000) expect((await page.locator('#stage').boundingBox())!.height).toBeGreaterThan(height / 4);

@@ -130,6 +130,12 @@ function keepWhatIsSaid(): void {
 export const hasSaid = (page: Page, words: string) =>
   page.waitForFunction((wanted) => (window as unknown as { said: string[] }).said.some((one) => one.includes(wanted)), words);
 
+/** Waits until the browser has drawn so many frames. */
+export const framesDrawn = (page: Page, count: number) =>
+  page.evaluate(async (frames) => {
+    for (let k = 0; k < frames; ++k) await new Promise(requestAnimationFrame);
+  }, count);
+
 /** Saves a picture of the whole page in web/test-results, for inspection by eye. */
 export async function keepPicture(page: Page, name: string, fullPage = false): Promise<void> {
   mkdirSync(results, { recursive: true });

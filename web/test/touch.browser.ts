@@ -4,7 +4,7 @@
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { readRaster, type HeightsFrame } from '../src/codec';
-import { keepPicture, launch, openMore, openPage, startProgram, type Opened, type Running } from './harness';
+import { framesDrawn, keepPicture, launch, openMore, openPage, startProgram, type Opened, type Running } from './harness';
 import { Listener } from './listener';
 
 let browser: Browser;
@@ -67,7 +67,7 @@ describe('by pointer', () => {
     const stage = (await page.locator('#stage').boundingBox())!;
     for (let k = 0; k <= 40; ++k) {
       await page.mouse.move(stage.x + stage.width * (0.5 + 0.49 * Math.sin(k)), stage.y + stage.height * (0.5 + 0.49 * Math.cos(2 * k)));
-      await page.waitForTimeout(30);
+      await framesDrawn(page, 2);
     }
     const pixels = () =>
       page.evaluate(() => {
@@ -78,7 +78,7 @@ describe('by pointer', () => {
     const inParts = await pixels();
     await page.locator('#stage').focus();
     await page.keyboard.press('r');
-    await page.waitForTimeout(500);
+    await framesDrawn(page, 4);
     const whole = await pixels();
     expect(inParts.length).toBe(whole.length);
     expect(inParts.some((value) => value !== inParts[0])).toBe(true);

@@ -7,7 +7,7 @@
 #include "palpable/describe/map_words.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/describe/scene_words.hpp"
-#include "palpable/describe/street_keys.hpp"
+#include "palpable/describe/name_keys.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -300,7 +300,7 @@ std::vector<KeyedStreet> keyed_streets(const models::Scene& scene) {
   const MapGuide guide(scene);
   std::vector<std::string> names;
   for (const auto& street : guide.streets()) names.push_back(street.name);
-  const auto keys = street_keys(names);
+  const auto keys = name_keys(names);
   std::vector<KeyedStreet> keyed;
   for (std::size_t i = 0; i < names.size(); ++i) keyed.push_back({names[i], keys[i]});
   return keyed;

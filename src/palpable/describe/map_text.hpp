@@ -17,12 +17,12 @@ struct MapTextOptions {
 };
 
 /// A street map in words to read or to hear, UTF-8, one sentence or item a line: its title and scale; each
-/// street with its key (street_keys.hpp), length, direction and what it meets, in order along it, those that
+/// street with its key (name_keys.hpp), length, direction and what it meets, in order along it, those that
 /// cannot be felt last under a heading; junctions
 /// with the bearings of their streets; places, water and buildings. The scene must have a map.
 std::string map_text(const models::Scene& scene, const MapTextOptions& options = {});
 
-/// Every street with a name, the longest first, and its key (street_keys.hpp): those of the text and of all
+/// Every street with a name, the longest first, and its key (name_keys.hpp): those of the text and of all
 /// drawings.
 struct KeyedStreet {
   std::string name;

@@ -175,6 +175,14 @@ Result<std::unique_ptr<Device>> open_by(const Driver& driver, DeviceUrl& url, co
   return std::unique_ptr<Device>(*std::move(device));
 }
 
+Result<std::unique_ptr<Device>> open_named(std::string_view url, const OpenOptions& options) {
+  auto parsed = DeviceUrl::parse(url);
+  if (!parsed) return std::move(parsed).error();
+  const auto driver = driver_of(*parsed);
+  if (!driver) return driver.error();
+  return open_by(**driver, *parsed, options);
+}
+
 Result<std::vector<std::string>> ports_of(const Driver& driver) {
   if (driver.ports == nullptr) return std::vector<std::string>{""};
   return driver.calls_vendor ? hosted_ports(std::string(driver.scheme)) : driver.ports();
@@ -249,13 +257,10 @@ std::string hold_words(std::string_view url) {
 }
 
 Result<std::unique_ptr<Device>> open_device(std::string_view url, const OpenOptions& options) {
-  auto parsed = DeviceUrl::parse(url);
-  if (!parsed) return std::move(parsed).error();
-  const auto driver = driver_of(*parsed);
-  if (!driver) return driver.error();
-  auto device = open_by(**driver, *parsed, options);
+  auto device = open_named(url, options);
+  const auto driver = driver_named_by(url);
   // A library that is not there: what the list of devices advises.
-  if (!device && (*driver)->calls_vendor && url.ends_with(':') && !ports_of(**driver)) {
+  if (!device && driver && (*driver)->calls_vendor && url.ends_with(':') && !ports_of(**driver)) {
     Error error = std::move(device).error();
     error.message += ": " + std::string((*driver)->advice);
     return error;
@@ -289,7 +294,7 @@ std::function<Result<std::unique_ptr<Device>>()> reopener(const std::string& url
   if (is_virtual_device(url) || url.starts_with("remote:")) return {};
   OpenOptions options;
   options.rate_hz = rate_hz;
-  return [url, options] { return open_device(url, options); };
+  return [url, options] { return open_named(url, options); };
 }
 
 std::vector<DeviceKind> list_devices() {

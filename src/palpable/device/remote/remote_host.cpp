@@ -98,7 +98,6 @@ void RemoteHost::accept() {
 void RemoteHost::greet() {
   // One that is admitted or refused may change what the next ones are told.
   std::vector<Client> staying;
-  staying.reserve(visitors_.size());
   for (Client& visitor : visitors_)
     if (!greet(visitor)) staying.push_back(std::move(visitor));
   visitors_ = std::move(staying);

@@ -44,8 +44,8 @@ struct HostOptions {
 /// a client sends is not believed: the first message that is none, or that is out of range, ends its session
 /// with a sentence, and so do more than kMostMessages a second. A client that was gone before its first
 /// message may use the token again, since it may not know how to come back. After a wrong token the next
-/// connection has to wait for kWrongTokenWait. kMostVisitors may wait to be heard at the same time; the first
-/// of them goes if more come.
+/// connection has to wait for kWrongTokenWait; those that came before it are heard. kMostVisitors may wait to
+/// be heard at the same time; the first of them goes if more come.
 class RemoteHost {
  public:
   static constexpr int kMostMessages = 3000;

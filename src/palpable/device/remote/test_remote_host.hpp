@@ -6,8 +6,10 @@
 #include "palpable/device/remote/remote_device.hpp"
 #include "palpable/device/remote/remote_host.hpp"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
+#include <condition_variable>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -42,6 +44,7 @@ class RemoteHostTest : public testing::Test {
     options.on_news = [this](const std::string& sentence) {
       const std::lock_guard lock(mutex_);
       news_.push_back(sentence);
+      told_.notify_all();
     };
     auto host = RemoteHost::open(std::move(options), exchange_);
     ASSERT_TRUE(host) << host.error().sentence();
@@ -75,13 +78,11 @@ class RemoteHostTest : public testing::Test {
     return {};
   }
   bool has_news(const std::string& part) {
-    for (const auto until = std::chrono::steady_clock::now() + kSoon;
-         std::chrono::steady_clock::now() < until; std::this_thread::sleep_for(milliseconds(2))) {
-      const std::lock_guard lock(mutex_);
-      for (const auto& sentence : news_)
-        if (sentence.find(part) != std::string::npos) return true;
-    }
-    return false;
+    std::unique_lock lock(mutex_);
+    return told_.wait_for(lock, kSoon, [&] {
+      return std::any_of(news_.begin(), news_.end(),
+                         [&](const auto& sentence) { return sentence.find(part) != std::string::npos; });
+    });
   }
   /// Ticks of both servos until the condition holds.
   template <class Condition>
@@ -116,6 +117,7 @@ class RemoteHostTest : public testing::Test {
   std::shared_ptr<SharedExchange> exchange_ = std::make_shared<SharedExchange>();
   LocalSurface came_;
   std::mutex mutex_;
+  std::condition_variable told_;
   std::vector<std::string> news_;
   std::vector<LocalTexture> textures_;
   std::unique_ptr<RemoteHost> host_;

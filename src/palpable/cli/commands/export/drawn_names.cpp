@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/commands/export/drawn_names.hpp"
 
+#include "palpable/describe/name_keys.hpp"
 #include "palpable/describe/place_guide.hpp"
 #include "palpable/describe/scene_words.hpp"
-#include "palpable/describe/street_keys.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -65,7 +65,7 @@ void add_names(const models::Scene& scene, KeyedDrawing& drawing) {
     }
   if (drawn.empty()) return;
   drawing.heading.push_back(shortened(describe::name_of(scene)));
-  const auto keys = describe::street_keys(names);
+  const auto keys = describe::name_keys(names);
   for (std::size_t k = 0; k < drawn.size(); ++k) {
     if (keys[k].empty()) {
       ++drawing.not_drawn;

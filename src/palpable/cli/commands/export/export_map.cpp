@@ -3,7 +3,6 @@
 #include "palpable/cli/commands/export/export_map.hpp"
 
 #include "palpable/cli/commands/export/sheet_files.hpp"
-#include "palpable/core/files/atomic_file.hpp"
 #include "palpable/describe/map_text.hpp"
 #include "palpable/describe/map_words.hpp"
 #include "palpable/describe/scene_words.hpp"
@@ -12,7 +11,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -91,23 +89,10 @@ Result<std::string> pins_of(const models::Scene& scene) {
   return formats::encode_pins(formats::lines_of(sheet), sheet.width_m, sheet.height_m, pins);
 }
 
-Result<Answer> write_text(const Result<std::string>& text, const std::filesystem::path& output) {
-  if (!text) return text.error();
-  if (const auto written = write_file_atomically(output, std::as_bytes(std::span(*text))); !written)
-    return written.error();
-  Answer answer;
-  answer.json["output"] = output.string();
-  answer.json["files"] = {output.string()};
-  answer.text = output.string() + "\n";
-  return answer;
-}
-
 }  // namespace
 
 bool is_map_drawing(const models::Scene& scene, const std::filesystem::path& output) {
-  const auto ending = output.extension();
-  return scene.map != nullptr &&
-         (ending == ".txt" || ending == ".svg" || ending == ".brf" || ending == ".pbm");
+  return scene.map != nullptr && (output.extension() == ".txt" || is_drawing(output));
 }
 
 Result<Answer> export_map(const models::Scene& scene, const TactileArguments& arguments,

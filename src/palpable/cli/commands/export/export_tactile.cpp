@@ -3,7 +3,6 @@
 #include "palpable/cli/commands/export/export_tactile.hpp"
 
 #include "palpable/cli/commands/export/drawn_names.hpp"
-#include "palpable/core/files/atomic_file.hpp"
 #include "palpable/formats/tactile/height_lines.hpp"
 #include "palpable/formats/tactile/tactile_drawing.hpp"
 #include "palpable/sculpt/contours/boundary_map_from_picture.hpp"
@@ -12,7 +11,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <span>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -97,17 +95,10 @@ std::vector<formats::SheetStroke> contour_strokes(const models::Contours& contou
   return strokes;
 }
 
-Result<Answer> write_pins(const formats::TactileSheet& sheet, const std::filesystem::path& output) {
+Result<std::string> pins_of(const formats::TactileSheet& sheet) {
   formats::PinOptions pins;
   pins.spacing = formats::LineSpacing::spaced;
-  const auto text = formats::encode_pins(formats::lines_of(sheet), sheet.width_m, sheet.height_m, pins);
-  if (!text) return text.error();
-  if (const auto written = write_file_atomically(output, std::as_bytes(std::span(*text))); !written)
-    return written.error();
-  Answer answer;
-  answer.json["output"] = output.string();
-  answer.text = output.string() + "\n";
-  return answer;
+  return formats::encode_pins(formats::lines_of(sheet), sheet.width_m, sheet.height_m, pins);
 }
 
 }  // namespace
@@ -163,7 +154,7 @@ Result<Answer> export_drawing(const models::Scene& scene, const TactileArguments
     if (!lines) return lines.error();
     drawing.sheet.strokes = *std::move(lines);
   }
-  if (output.extension() == ".pbm") return write_pins(drawing.sheet, output);
+  if (output.extension() == ".pbm") return write_text(pins_of(drawing.sheet), output);
   add_names(scene, drawing);
   return write_drawing(drawing, *options, output, console);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/commands/export/sheet_files.hpp"
 
+#include "palpable/core/files/atomic_file.hpp"
 #include "palpable/core/files/atomic_files.hpp"
 #include "palpable/formats/tactile/braille_cells.hpp"
 
@@ -115,6 +116,15 @@ Result<std::vector<std::string>> add_drawing(const KeyedDrawing& drawing, const 
   return paths;
 }
 
+/// The first of them is what was asked for.
+Answer answer_of(const std::vector<std::string>& files) {
+  Answer answer;
+  answer.json["output"] = files.front();
+  answer.json["files"] = files;
+  answer.text = fmt::format("{}\n", fmt::join(files, "\n"));
+  return answer;
+}
+
 }  // namespace
 
 std::string shortened(const std::string& name) {
@@ -141,11 +151,14 @@ Result<Answer> write_drawing(const KeyedDrawing& drawing, const PrintOptions& op
   const auto paths = add_drawing(drawing, options, output, console, files);
   if (!paths) return paths.error();
   if (const auto written = files.commit(); !written) return written.error();
-  Answer answer;
-  answer.json["output"] = output.string();
-  answer.json["files"] = *paths;
-  answer.text = fmt::format("{}\n", fmt::join(*paths, "\n"));
-  return answer;
+  return answer_of(*paths);
+}
+
+Result<Answer> write_text(const Result<std::string>& text, const std::filesystem::path& output) {
+  if (!text) return text.error();
+  if (const auto written = write_file_atomically(output, std::as_bytes(std::span(*text))); !written)
+    return written.error();
+  return answer_of({output.string()});
 }
 
 }  // namespace palpable::cli

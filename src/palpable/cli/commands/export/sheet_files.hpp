@@ -36,6 +36,9 @@ struct PrintOptions {
 Result<Answer> write_drawing(const KeyedDrawing& drawing, const PrintOptions& options,
                              const std::filesystem::path& output, Console& console);
 
+/// Writes an export that is one text. Errors: that of `text`; as write_file_atomically().
+Result<Answer> write_text(const Result<std::string>& text, const std::filesystem::path& output);
+
 /// The files that a drawing into this .svg may write or replace: the drawing, and sheets of its key.
 std::vector<std::string> drawing_files(const std::filesystem::path& output);
 

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/describe/street_keys.hpp"
+#include "palpable/describe/name_keys.hpp"
 
 #include <cctype>
 #include <cstddef>
@@ -49,7 +49,7 @@ std::string free_key(const Letters& letters, const std::set<std::string>& used) 
 
 }  // namespace
 
-std::vector<std::string> street_keys(const std::vector<std::string>& names) {
+std::vector<std::string> name_keys(const std::vector<std::string>& names) {
   std::vector<std::string> keys;
   std::set<std::string> used;
   for (const std::string& name : names) {

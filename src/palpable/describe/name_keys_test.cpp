@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/describe/street_keys.hpp"
+#include "palpable/describe/name_keys.hpp"
 
 #include <set>
 #include <string>
@@ -10,8 +10,8 @@
 namespace palpable::describe {
 namespace {
 
-TEST(StreetKeys, AreInitialsAndAllDifferent) {
-  const auto keys = street_keys({"High Street", "Mill Lane", "Hope Street", "Rue de la Poste", "Église"});
+TEST(NameKeys, AreInitialsAndAllDifferent) {
+  const auto keys = name_keys({"High Street", "Mill Lane", "Hope Street", "Rue de la Poste", "Église"});
   EXPECT_EQ(keys[0], "hs");
   EXPECT_EQ(keys[1], "ml");
   EXPECT_EQ(keys[2], "ho");
@@ -20,10 +20,10 @@ TEST(StreetKeys, AreInitialsAndAllDifferent) {
   EXPECT_EQ(std::set(keys.begin(), keys.end()).size(), keys.size());
 }
 
-TEST(StreetKeys, AreFoundForNamesInOtherScriptsToo) {
+TEST(NameKeys, AreFoundForNamesInOtherScriptsToo) {
   std::vector<std::string> names;
   for (int i = 0; i < 600; ++i) names.push_back("улица " + std::to_string(i));
-  const auto keys = street_keys(names);
+  const auto keys = name_keys(names);
   EXPECT_EQ(std::set(keys.begin(), keys.end()).size(), 600U);
   for (const std::string& key : keys) EXPECT_EQ(key.size(), 2U);
 }

@@ -7,8 +7,8 @@
 
 namespace palpable::describe {
 
-/// Keys of streets on a tactile map: two small letters for each name, all different, the initials of its
+/// Keys of names on a tactile drawing: two small letters for each name, all different, the initials of its
 /// words where these are free. One for one with `names`; with more than 676 names the later ones get none.
-std::vector<std::string> street_keys(const std::vector<std::string>& names);
+std::vector<std::string> name_keys(const std::vector<std::string>& names);
 
 }  // namespace palpable::describe
