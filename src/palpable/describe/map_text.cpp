@@ -5,9 +5,9 @@
 #include "palpable/describe/language.hpp"
 #include "palpable/describe/map_places.hpp"
 #include "palpable/describe/map_words.hpp"
+#include "palpable/describe/name_keys.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/describe/scene_words.hpp"
-#include "palpable/describe/name_keys.hpp"
 
 #include <algorithm>
 #include <cmath>
