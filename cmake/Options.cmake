@@ -17,6 +17,14 @@ if(PALPABLE_WERROR)
                            -Wno-error=stringop-overflow -Wno-error=stringop-overread -Wno-error=free-nonheap-object)
   endif()
 endif()
+# g++ looks through all of its memory, precompiled headers included, whenever it has grown by some share; for groups of sources
+# this takes a tenth of the time. Where there is memory for three of them at once, it does so from 1.5 GB on only.
+if(PALPABLE_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  cmake_host_system_information(RESULT memory_MiB QUERY TOTAL_PHYSICAL_MEMORY)
+  if(memory_MiB GREATER 12000)
+    add_compile_options(--param=ggc-min-heapsize=1500000)
+  endif()
+endif()
 # Recordings contain the identifier of the build that wrote them.
 add_link_options(-Wl,--build-id)
 find_package(Threads REQUIRED)

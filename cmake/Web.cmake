@@ -49,7 +49,7 @@ function(palpable_web)
     OUTPUT ${assets}
     COMMAND ${PALPABLE_NPM} run --silent build -- --outDir ${out}/dist --emptyOutDir --logLevel warn
     COMMAND ${PALPABLE_NODE} ${web}/scripts/embed.mjs ${out}/dist ${assets}
-    DEPENDS ${packages} ${sources} ${web}/languages/de.json ${web}/languages/es.json ${web}/index.html ${web}/protocol.json ${web}/scripts/protocol.mjs
+    DEPENDS ${packages} ${sources} ${web}/languages/de.json ${web}/languages/es.json ${web}/index.html ${web}/shelf.html ${web}/protocol.json ${web}/scripts/protocol.mjs
             ${web}/scripts/embed.mjs ${web}/vite.config.ts ${web}/tsconfig.json
     WORKING_DIRECTORY ${web}
     COMMENT "Building the page"

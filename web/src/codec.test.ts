@@ -5,7 +5,7 @@ import { readMessage, readRaster, writeMessage } from './codec';
 import { fromPageSpecs, raster, toPageSpecs } from './generated/protocol';
 
 const probe = { probe: 2, page: null, x_m: 0.01, y_m: 0, z_m: 0, surface_m: 0.01, fx_N: 0, fy_N: 0, fz_N: 0.5, contact: true, label: 0 };
-const state = { type: 'state', t_s: 1, rate_hz: 1000, probes: [{ ...probe, probe: 0, page: 3 }, probe] };
+const state = { type: 'state', t_s: 1, rate_hz: 1000, probes: [{ ...probe, probe: 0, page: 3 }, probe], device: { x_m: 0, y_m: 0.01, z_m: -0.02, turned_deg: 90 } };
 const withProbe = (change: object) => JSON.stringify({ ...state, probes: [{ ...probe, ...change }] });
 
 function frame(words: number[], payload: Uint8Array): ArrayBuffer {

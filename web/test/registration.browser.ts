@@ -17,9 +17,17 @@ interface Hand {
   y_m: number;
   z_m: number;
 }
+/** Where its device is said to be in the scene. */
+interface DeviceAt {
+  x_m: number;
+  y_m: number;
+  z_m: number;
+  turned_deg: number;
+}
 declare global {
   interface Window {
     hand: Hand;
+    device: DeviceAt;
   }
 }
 
@@ -31,10 +39,14 @@ beforeAll(async () => {
   page.setDefaultTimeout(60_000);
   await page.addInitScript(() => {
     window.hand = { x_m: 0, y_m: 0, z_m: 0.05 };
+    window.device = { x_m: 0, y_m: 0, z_m: 0, turned_deg: 0 };
     const parse = JSON.parse;
     JSON.parse = (text: string) => {
-      const message = parse(text) as { type?: string; probes?: object[] };
-      if (message.type === 'state' && message.probes?.[0]) Object.assign(message.probes[0], window.hand);
+      const message = parse(text) as { type?: string; probes?: object[]; device?: object };
+      if (message.type === 'state' && message.probes?.[0]) {
+        Object.assign(message.probes[0], window.hand);
+        message.device = window.device;
+      }
       return message;
     };
   });
@@ -86,8 +98,24 @@ it('places the scene at the touched marks, and says how exactly', async () => {
   await keepPicture(page, 'registered');
 });
 
-it('ends when the device’s middle is another one', async () => {
-  await page.locator('#recentre').click();
+it('follows where a clutch moves the scene beneath the hand, which stays where it is', async () => {
+  // What a clutch adds to the device's positions moves the hand in the scene.
+  const marble = () => page.locator('#stage').screenshot();
+  const before = await marble();
+  await page.evaluate(() => {
+    window.device = { x_m: 0.02, y_m: 0, z_m: 0, turned_deg: 0 };
+    window.hand = { ...window.hand, x_m: window.hand.x_m + 0.02 };
+  });
+  // States come once a second while nothing changes.
+  await page.waitForTimeout(3000);
+  const after = await marble();
+  expect(await page.locator('#register-hand').textContent()).toBe('Put the scene back into the middle');
+  expect(after.equals(before)).toBe(false);
+  await keepPicture(page, 'registered-clutched');
+});
+
+it('ends when the device is turned in the scene', async () => {
+  await page.evaluate(() => (window.device = { ...window.device, turned_deg: 15 }));
   await page.waitForFunction(() => document.getElementById('register-hand')!.textContent === 'Put the scene where the hand is');
   await says(page, 'place under the hand has changed');
 });

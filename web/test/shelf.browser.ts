@@ -123,6 +123,57 @@ it('a sample is touched after one action, and another page is told', async () =>
   await page.getByRole('button', { name: 'Touch A church' }).waitFor();
 });
 
+it('a scene is saved by keyboard as a file that touches it by itself, with the names that it was given', async () => {
+  await page.getByRole('button', { name: 'Touch A sailing boat' }).click();
+  await isTouched(page);
+  await page.getByRole('application').first().press('t');
+  await page.getByLabel('Name', { exact: true }).fill('The mast');
+  await page.keyboard.press('Enter');
+  await page.getByText('The mast').first().waitFor({ state: 'attached' });
+  await page.getByRole('link', { name: 'All scenes' }).click();
+  const save = page.getByRole('button', { name: 'Save A sailing boat as a file' }).first();
+  await save.waitFor();
+  expect(await page.locator('#recent').getByRole('button', { name: 'Save A sailing boat as a file' }).count()).toBe(1);
+  await save.press('Enter');
+  expect(await page.evaluate(() => (document.activeElement as HTMLInputElement).value)).toBe('phone');
+  expect(await page.getByLabel('Paper').isVisible()).toBe(false);
+  await keepPicture(page, 'shelf-save-as', true);
+  expect(await violations(page)).toEqual([]);
+  const download = page.waitForEvent('download');
+  await page.keyboard.press('Enter');
+  const file = await download;
+  expect(file.suggestedFilename()).toBe('A sailing boat.html');
+  const saved = join(folder, 'saved.html');
+  await file.saveAs(saved);
+  await page.getByRole('heading', { name: 'Saved: A sailing boat.html' }).waitFor();
+  expect(await page.getByRole('status').textContent()).toBe('Saved: A sailing boat.html');
+  expect(await page.evaluate(() => document.activeElement?.id)).toBe('saved-title');
+  await keepPicture(page, 'shelf-saved', true);
+  expect(await violations(page)).toEqual([]);
+  const pupil = await context.newPage();
+  await pupil.goto(`file://${saved}`);
+  await pupil.waitForFunction(() => document.getElementById('status')?.dataset.state === 'running');
+  await pupil.getByText('The mast').first().waitFor({ state: 'attached' });
+  await pupil.close();
+  await page.getByRole('button', { name: 'Back to the scenes' }).click();
+  await page.setViewportSize({ width: 320, height: 640 });
+  await save.click();
+  await page.getByRole('radio', { name: /swell paper/ }).check();
+  await page.getByLabel('Paper').selectOption('A3');
+  await keepPicture(page, 'shelf-save-as-320', true);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
+  expect(await violations(page)).toEqual([]);
+  await page.setViewportSize({ width: 1280, height: 800 });
+  await page.getByRole('button', { name: 'Save', exact: true }).click();
+  await page.getByRole('heading', { name: /^Saved: / }).waitFor();
+  const files = await page.locator('#saved-files a').allTextContents();
+  expect(files).toEqual(['A sailing boat-key.svg', 'A sailing boat.svg']);
+  const drawing = await page.request.get(new URL((await page.getByRole('link', { name: 'A sailing boat.svg' }).getAttribute('href'))!, home()).href);
+  expect(await drawing.text()).toMatch(/^<\?xml[\s\S]*width="4\d\d|width="2\d\d/);
+  await page.getByRole('button', { name: 'Back to the scenes' }).click();
+  expect(await page.evaluate(() => document.activeElement?.id)).toBe('choose');
+});
+
 it('a file of 500 MB, an empty one and a broken one are refused with a sentence, and the page goes on', async () => {
   await page.evaluate(() => {
     const file = new File(['x'], 'large.mp4');

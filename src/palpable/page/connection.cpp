@@ -5,6 +5,7 @@
 #include "palpable/page/protocol.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -22,6 +23,7 @@ constexpr std::size_t kLongestHeaderBytes = 8192;
 constexpr std::size_t kBufferBytes = kLongestHeaderBytes + 65536;
 
 constexpr std::size_t kPartBytes = 65536;
+constexpr auto kLongestDownload = std::chrono::hours(1);
 // An absent limit counts as one of zero bytes in Boost 1.74.
 constexpr auto kUnlimited = std::numeric_limits<std::uint64_t>::max();
 
@@ -33,6 +35,14 @@ Request request_of(const Message& message, std::string_view body) {
           view(message[http::field::host]),      view(message[http::field::origin]),
           view(message[http::field::cookie]),    body,
           view(message[http::field::user_agent])};
+}
+
+template <class Response>
+void set_head(Response& response, const Reply& reply) {
+  response.result(reply.status);
+  response.version(11);
+  for (const auto& header : kSafetyHeaders) response.set(header.name, header.value);
+  response.set("Content-Security-Policy", std::string(kContentPolicy) + std::string(reply.permissions));
 }
 
 /// Why no page can be added now; empty if one can. A touch that has begun since the last frame counts. A
@@ -181,20 +191,49 @@ void Connection::upgrade(const Client::Upgrade& message, const Request& request)
 }
 
 void Connection::write(const Reply& reply, bool keep_alive) {
+  if (!reply.file.empty()) return write_file(reply, keep_alive);
   response_ = {};
-  response_.result(reply.status);
-  response_.version(11);
-  for (const auto& header : kSafetyHeaders) response_.set(header.name, header.value);
-  response_.set("Content-Security-Policy", std::string(kContentPolicy) + std::string(reply.permissions));
+  set_head(response_, reply);
   if (!reply.body.empty()) response_.set(http::field::content_type, reply.media_type);
   if (!reply.location.empty()) response_.set(http::field::location, reply.location);
   if (!reply.set_cookie.empty()) response_.set(http::field::set_cookie, reply.set_cookie);
-  response_.keep_alive(keep_alive);
   response_.body() = reply.body;
   response_.prepare_payload();
   if (is_head_) response_.body().clear();
-  http::async_write(stream_, response_,
+  send(response_, keep_alive);
+}
+
+void Connection::write_file(const Reply& reply, bool keep_alive) {
+  http::file_body::value_type file;
+  beast::error_code error;
+  file.open(reply.file.c_str(), beast::file_mode::scan, error);
+  if (error) return write({404, "text/plain", "This file is no longer there.", {}, {}}, keep_alive);
+  const auto set_file_head = [&](auto& response) {
+    set_head(response, reply);
+    // Its bytes come from a scene: never shown as a page of this server.
+    response.set(http::field::content_type, "application/octet-stream");
+    response.set(http::field::content_disposition, "attachment");
+    response.content_length(file.size());
+  };
+  if (is_head_) {
+    response_ = {};
+    set_file_head(response_);
+    return send(response_, keep_alive);
+  }
+  file_response_.emplace();
+  set_file_head(*file_response_);
+  file_response_->body() = std::move(file);
+  // A browser may ask the person first where the file goes.
+  stream_.expires_after(kLongestDownload);
+  send(*file_response_, keep_alive);
+}
+
+template <class Response>
+void Connection::send(Response& response, bool keep_alive) {
+  response.keep_alive(keep_alive);
+  http::async_write(stream_, response,
                     [self = shared_from_this(), keep_alive](beast::error_code error, std::size_t) {
+                      self->file_response_.reset();
                       if (error || !keep_alive) return self->close();
                       self->read();
                     });

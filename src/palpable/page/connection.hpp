@@ -63,6 +63,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void respond(const Client::Upgrade& message);
   void upgrade(const Client::Upgrade& message, const Request& request);
   void write(const Reply& reply, bool keep_alive);
+  void write_file(const Reply& reply, bool keep_alive);
+  template <class Response>
+  void send(Response& response, bool keep_alive);
   void close();
 
   Channel stream_;
@@ -76,6 +79,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   std::unique_ptr<Upload> upload_;
   std::vector<char> part_;
   boost::beast::http::response<boost::beast::http::string_body> response_;
+  std::optional<boost::beast::http::response<boost::beast::http::file_body>> file_response_;
   bool is_head_ = false;
   bool is_admitted_ = false;
 };

@@ -114,12 +114,10 @@ Reply RequestHandler::answer(const Request& request) {
 std::optional<Reply> RequestHandler::shelf_answer(const Request& request) {
   if (request.target == kShelfPath) return shelf_message(request);
   if (request.method != "GET" && request.method != "HEAD") return std::nullopt;
-  if (request.target.starts_with(kPicturePath)) {
-    if (!admits(request)) return no_access();
-    auto picture = shelf_->picture(request.target.substr(kPicturePath.size()));
-    if (!picture) return reply_with(404, "There is no such picture.");
-    return Reply{200, "image/png", *std::move(picture), {}, {}};
-  }
+  for (const auto& [path, answer] : {std::pair(kPicturePath, &RequestHandler::shelf_picture),
+                                     std::pair(kSavedPath, &RequestHandler::saved_file)})
+    if (request.target.starts_with(path))
+      return admits(request) ? (this->*answer)(request.target.substr(path.size())) : no_access();
   std::string_view page;
   if (request.target == "/") page = "/shelf.html";
   if (request.target == kTouchPath) {
@@ -133,6 +131,20 @@ std::optional<Reply> RequestHandler::shelf_answer(const Request& request) {
   const Asset* asset = page.empty() ? nullptr : find_asset(page);
   if (asset == nullptr) return std::nullopt;
   return Reply{200, std::string(asset->media_type), std::string(asset->bytes), {}, {}};
+}
+
+Reply RequestHandler::shelf_picture(std::string_view name) {
+  auto picture = shelf_->picture(name);
+  if (!picture) return reply_with(404, "There is no such picture.");
+  return Reply{200, "image/png", *std::move(picture), {}, {}};
+}
+
+Reply RequestHandler::saved_file(std::string_view name) {
+  auto file = shelf_->saved_file(name);
+  if (!file) return reply_with(404, "This file is no longer there: save the scene again.");
+  Reply reply;
+  reply.file = *std::move(file);
+  return reply;
 }
 
 Reply RequestHandler::check_own(const Request& request) {

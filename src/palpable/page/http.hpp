@@ -9,6 +9,7 @@
 #include "palpable/page/shelf_host.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,16 +40,19 @@ struct Reply {
   std::string location;
   /// Further permissions in its Content-Security-Policy; empty for none.
   std::string_view permissions = {};
+  /// A file that is sent instead of the body, for the browser to keep, not to show; empty for none.
+  std::filesystem::path file = {};
 };
 
 /// The path of the WebSocket, and of the exchange of the token for the cookie.
 constexpr std::string_view kSocketPath = "/socket";
 constexpr std::string_view kSessionPath = "/session";
 /// Of a server with a home page: messages of it, files that it sends (the name follows), pictures of scenes
-/// (likewise), and the page of the touch.
+/// and files that scenes were saved as (likewise), and the page of the touch.
 constexpr std::string_view kShelfPath = "/shelf";
 constexpr std::string_view kUploadPath = "/upload/";
 constexpr std::string_view kPicturePath = "/picture/";
+constexpr std::string_view kSavedPath = "/saved/";
 constexpr std::string_view kTouchPath = "/touch";
 
 /// Who is let in, by the exchange of a token for the secret of a cookie.
@@ -96,6 +100,8 @@ class RequestHandler {
   Reply not_from_here() const;
   bool is_own(const Request& request) const;
   std::optional<Reply> shelf_answer(const Request& request);
+  Reply shelf_picture(std::string_view name);
+  Reply saved_file(std::string_view name);
   Reply shelf_message(const Request& request);
   /// Status 200 for a request of the server's own page that changes something, else the refusal.
   Reply check_own(const Request& request);

@@ -5,8 +5,14 @@
 #include "palpable/haptics/tick/servo_types.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace palpable::page {
+namespace {
+
+bool near(double a, double b, double limit) { return std::abs(a - b) < limit; }
+
+}  // namespace
 
 double surface_height_m(const models::Scene& scene, double x_m, double y_m) {
   return models::relief_of(scene)->sample(x_m, y_m).z_m;
@@ -29,8 +35,19 @@ protocol::ProbeState probe_state(const device::TouchSample& sample, const models
   return state;
 }
 
+protocol::DevicePlace device_place(const Transform<SceneFrame, DeviceFrame>& scene_from_device) {
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  const Vec3 origin = scene_from_device.translation_m;
+  const Vec3 first = scene_from_device.rotate({1.0, 0.0, 0.0});
+  return {origin.x, origin.y, origin.z, kDegrees * std::atan2(first.y, first.x)};
+}
+
+bool nearly_equal(const protocol::DevicePlace& a, const protocol::DevicePlace& b) {
+  return near(a.x_m, b.x_m, 1e-6) && near(a.y_m, b.y_m, 1e-6) && near(a.z_m, b.z_m, 1e-6) &&
+         near(a.turned_deg, b.turned_deg, 1e-2);
+}
+
 bool nearly_equal(const protocol::ProbeState& a, const protocol::ProbeState& b) {
-  const auto near = [](double p, double q, double limit) { return std::abs(p - q) < limit; };
   return a.probe == b.probe && a.page == b.page && a.contact == b.contact && a.label == b.label &&
          near(a.x_m, b.x_m, 1e-6) && near(a.y_m, b.y_m, 1e-6) && near(a.z_m, b.z_m, 1e-6) &&
          near(a.surface_m, b.surface_m, 1e-6) && near(a.fx_N, b.fx_N, 2e-3) && near(a.fy_N, b.fy_N, 2e-3) &&

@@ -16,6 +16,12 @@ double surface_height_m(const models::Scene& scene, double x_m, double y_m);
 protocol::ProbeState probe_state(const device::TouchSample& sample, const models::Scene& scene,
                                  double height_factor);
 
+/// A device's own positions in the scene, as the page shows them.
+protocol::DevicePlace device_place(const Transform<SceneFrame, DeviceFrame>& scene_from_device);
+
+/// Whether two places are equal for a user: within a micrometre and a hundredth of a degree.
+bool nearly_equal(const protocol::DevicePlace& a, const protocol::DevicePlace& b);
+
 /// Whether two states are equal for a user: within a micrometre and two millinewtons.
 bool nearly_equal(const protocol::ProbeState& a, const protocol::ProbeState& b);
 

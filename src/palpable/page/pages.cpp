@@ -180,8 +180,10 @@ void Pages::send_state() {
   protocol::State state = host_->state();
   for (auto& probe : state.probes) probe.page = movers_.at(static_cast<std::size_t>(probe.probe));
   const auto now = steady_clock::now();
+  constexpr auto is_same = [](const auto& a, const auto& b) { return nearly_equal(a, b); };
   const bool moved = !std::equal(state.probes.begin(), state.probes.end(), sent_probes_.begin(),
-                                 sent_probes_.end(), nearly_equal);
+                                 sent_probes_.end(), is_same) ||
+                     !is_same(state.device, sent_device_);
   if (moved) active_at_ = now;
   const bool is_due = moved || now - sent_state_at_ >= kRestPeriod;
   SharedFrame frame;
@@ -192,6 +194,7 @@ void Pages::send_state() {
   });
   if (!is_due) return;
   sent_probes_ = std::move(state.probes);
+  sent_device_ = state.device;
   sent_state_at_ = now;
 }
 

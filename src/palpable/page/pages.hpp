@@ -94,6 +94,7 @@ class Pages {
   /// Set if there is a host.
   std::optional<HostChanges> changes_;
   std::vector<protocol::ProbeState> sent_probes_;
+  protocol::DevicePlace sent_device_;
   std::chrono::steady_clock::time_point sent_state_at_;
   std::optional<protocol::RobotFloor> sent_floor_;
   std::chrono::steady_clock::time_point floor_at_;

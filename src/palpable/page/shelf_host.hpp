@@ -7,6 +7,7 @@
 #include "palpable/page/protocol.gen.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -50,6 +51,8 @@ class ShelfHost {
   virtual Result<std::unique_ptr<Upload>> begin_upload(std::string_view name, std::uint64_t bytes) = 0;
   /// The picture of a scene on the shelf as PNG; nullopt if there is none. `name` is untrusted.
   virtual std::optional<std::string> picture(std::string_view name) = 0;
+  /// A file that a scene was saved as; nullopt if there is none. `name`: the end of its address, untrusted.
+  virtual std::optional<std::filesystem::path> saved_file(std::string_view name) = 0;
 };
 
 }  // namespace palpable::page

@@ -78,6 +78,11 @@ models::Scene TouchHost::with_edited_names(models::Scene scene) {
   return scene;
 }
 
+bool TouchHost::has_edited_names() {
+  const std::lock_guard lock(mutex_);
+  return edited_names_.has_value();
+}
+
 template <class Edit>
 void TouchHost::edit_names(const Edit& edit) {
   auto edited = words_.names().edited(*named_scene(), edit);
@@ -211,6 +216,7 @@ protocol::State TouchHost::state() {
     rate_hz_ = session_.statistics().servo.rate_hz;
   }
   state.rate_hz = rate_hz_;
+  state.device = device_place(session_.scene_from_device());
   for (auto& remark : words_.remarks(state, *scene, height_factor))
     say(std::move(remark.level), std::move(remark.text), remark.probe);
   return state;
@@ -321,7 +327,7 @@ void TouchHost::carry_out(const Tasks& tasks) {
   if (tasks.pose) report([&] { return set_explorer_pose(*tasks.pose); });
   if (tasks.change) report([&] { return attempt(*tasks.change); });
   if (!tasks.edits.empty()) report([&] { return attempt(tasks.edits); });
-  if (tasks.keep && !tasks.save) report([&] { return keep_unsaved(); });
+  if (tasks.keep && !tasks.save) report([&] { return keep_names(); });
   if (tasks.save) report([&] { return write_scene(); });
   if (!tasks.change && tasks.edits.empty()) return;
   const std::lock_guard lock(mutex_);
@@ -340,7 +346,9 @@ Result<void> TouchHost::swap_in(const models::Scene& better) {
   models::Scene scene = better;
   const auto held = session_.scene();
   if (edited_ && held->materials.size() == scene.materials.size()) scene.materials = held->materials;
-  return session_.change_scene(std::make_shared<const models::Scene>(std::move(scene)));
+  auto changed = session_.change_scene(std::make_shared<const models::Scene>(std::move(scene)));
+  // What was kept of the scene before has been replaced.
+  return changed && has_edited_names() ? keep_names() : changed;
 }
 
 /// The page's own pointer follows by itself, since it sends places in the scene frame.
@@ -352,15 +360,20 @@ Result<void> TouchHost::set_explorer_pose(const session::ExplorerPose& pose) {
 }
 
 Result<void> TouchHost::write_scene() {
-  if (auto saved = unsaved_.save(with_edited_names(*session_.scene())); !saved) return saved;
+  const models::Scene scene = with_edited_names(*session_.scene());
+  // What is saved is kept, too; if it cannot be, it is saved all the same.
+  if (options_.keep) static_cast<void>(options_.keep(scene));
+  if (auto saved = unsaved_.save(scene); !saved) return saved;
   say("answer", describe::phrase("The scene is saved as {}", options_.save_as.string()));
   return {};
 }
 
-/// Where the copy is, is said once.
-Result<void> TouchHost::keep_unsaved() {
+/// Where an unsaved copy is, is said once.
+Result<void> TouchHost::keep_names() {
+  const models::Scene scene = with_edited_names(*session_.scene());
+  if (options_.keep && options_.keep(scene)) return {};
   const bool had_none = unsaved_.file().empty();
-  if (auto kept = unsaved_.keep(with_edited_names(*session_.scene())); !kept) return kept;
+  if (auto kept = unsaved_.keep(scene); !kept) return kept;
   if (had_none && !unsaved_.file().empty())
     say("info", describe::phrase("Until you save, names are kept in {}", unsaved_.file().string()));
   return {};

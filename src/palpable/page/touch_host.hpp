@@ -52,6 +52,9 @@ class TouchHost final : public PageHost {
     bool home = false;
     /// The robot whose camera is touched; null: none.
     session::RobotControl* robot = nullptr;
+    /// Keeps the scene whenever its names have changed, on a thread of the host; may be empty, or fail: they
+    /// are kept beside `save_as` then, until save().
+    std::function<Result<void>(const models::Scene&)> keep;
   };
   /// `session`, and what the options refer to, must outlive the host.
   TouchHost(session::TouchSession& session, Options options);
@@ -113,11 +116,12 @@ class TouchHost final : public PageHost {
   Result<void> attempt(const MaterialEdits& edits);
   Result<void> swap_in(const models::Scene& better);
   Result<void> write_scene();
-  Result<void> keep_unsaved();
+  Result<void> keep_names();
   /// The touched scene with the names that pages have edited.
   std::shared_ptr<const models::Scene> named_scene();
   /// Puts the edited names into a scene that has been touched without them.
   models::Scene with_edited_names(models::Scene scene);
+  bool has_edited_names();
   template <class Edit>
   void edit_names(const Edit& edit);
   /// Ends the pull where its place has been reached, or where the person pushed the hand away.

@@ -5,12 +5,14 @@
 #include "palpable/core/test_comes_true.hpp"
 #include "palpable/device/recording/recording.hpp"
 #include "palpable/formats/scene/scene_file.hpp"
+#include "palpable/page/page_state.hpp"
 
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <set>
 #include <string>
 #include <utility>
@@ -313,6 +315,60 @@ TEST_F(HostOnATouch, KeepsNamesBesideTheSceneUntilTheyAreSaved) {
   EXPECT_TRUE(comes_true([&] { return !std::filesystem::exists(copy); }));
   EXPECT_EQ(formats::read_scene(file)->scene.names.front().name, "summit");
   std::filesystem::remove(file);
+}
+
+TEST(DevicePlace, IsTheOriginAndTurnOfTheDevicesOwnPositions) {
+  Transform<SceneFrame, DeviceFrame> place;
+  place.rotation = {0, -1, 0, 1, 0, 0, 0, 0, 1};
+  place.translation_m = {0.01, -0.02, 0.003};
+  place.scale = 0.5;
+  const auto shown = device_place(place);
+  EXPECT_EQ(shown.x_m, 0.01);
+  EXPECT_EQ(shown.y_m, -0.02);
+  EXPECT_EQ(shown.z_m, 0.003);
+  EXPECT_NEAR(shown.turned_deg, 90.0, 1e-12);
+  auto other = shown;
+  EXPECT_TRUE(nearly_equal(shown, other));
+  other.z_m += 1e-4;
+  EXPECT_FALSE(nearly_equal(shown, other));
+}
+
+TEST_F(HostOnATouch, KeepsNamesWhereItIsTold) {
+  const auto copy = file.parent_path() / (file.stem().string() + "-unsaved.palp");
+  std::filesystem::remove(copy);
+  std::mutex mutex;
+  std::string kept;
+  bool can_keep = true;
+  host.reset();
+  auto options = options_for_host();
+  options.keep = [&](const models::Scene& scene) -> Result<void> {
+    const std::lock_guard lock(mutex);
+    if (!can_keep) return Error{ErrorCode::failed, "no", {}};
+    kept = scene.names.empty() ? "" : scene.names.back().name;
+    return {};
+  };
+  const auto kept_now = [&] {
+    const std::lock_guard lock(mutex);
+    return std::exchange(kept, {});
+  };
+  host = std::make_unique<TouchHost>(*session, options);
+  protocol::Name name;
+  name.name = "summit";
+  host->name(name);
+  EXPECT_TRUE(comes_true([&] { return kept_now() == "summit"; }));
+  EXPECT_FALSE(std::filesystem::exists(copy));
+  better = cone_scene();
+  EXPECT_TRUE(comes_true([&] { return kept_now() == "summit"; })) << "with the finer scene again";
+  {
+    const std::lock_guard lock(mutex);
+    can_keep = false;
+  }
+  name.name = "slope";
+  name.x_m = 0.005;
+  host->name(name);
+  EXPECT_TRUE(comes_true([&] { return formats::read_scene(copy).has_value(); })) << "nothing is lost";
+  host.reset();
+  std::filesystem::remove(copy);
 }
 
 TEST_F(HostOnATouch, KeepsValuesThatAnEditDoesNotName) {

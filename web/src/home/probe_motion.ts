@@ -23,7 +23,6 @@ export interface MotionPage {
   say(words: Words | string, importance: Importance): void;
   send(message: FromPage): void;
   /** The device's middle is another one from now on. */
-  recentred(): void;
   /** Requests frames while something moves. */
   moves(): void;
   draw(): void;
@@ -87,8 +86,6 @@ export class ProbeMotion {
     this.page.moves();
     const mayBeEmpty = scene?.kind.endsWith('field') ?? false;
     this.page.say(mayBeEmpty ? this.narrator.middle() : this.probes.named(t('In the middle.')), Importance.answer);
-    // What it says follows the answer.
-    if (own.chosen === 0) this.page.recentred();
   }
 
   /** Brings one of this page's probes to the middle, without a word. */

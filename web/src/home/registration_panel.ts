@@ -3,11 +3,11 @@
 // Registers a device with the screen: three marks are touched with the handle, then the scene is drawn where the hand feels it.
 import { fixed, t } from '../language';
 import { element } from '../dom';
-import type { ProbeState, Scene } from '../generated/protocol';
+import type { DevicePlace, Scene, State } from '../generated/protocol';
 import type { Preferences } from '../settings/preferences';
 import { cornerOnScreen, cssPixel } from '../settings/screen_size';
 import type { ScreenPoint } from '../view/depth/frustum';
-import { mostResidual, registrationOf, type RegistrationFault, type Triple } from '../view/depth/registration';
+import { beneath, mostResidual, registrationOf, type Registration, type RegistrationFault, type Triple } from '../view/depth/registration';
 import { fillsCanvas, layouts } from '../view/depth/layout';
 import type { Stage } from '../view/stage';
 import type { DepthTarget } from './depth_panel';
@@ -15,6 +15,12 @@ import { RestingHand } from './resting_hand';
 
 /** The marks on the stage, in shares of it; no two sides of their triangle are alike, so exchanged marks are noticed. */
 const shares: Triple<{ across: number; down: number }> = [{ across: 0.12, down: 0.85 }, { across: 0.88, down: 0.85 }, { across: 0.3, down: 0.15 }];
+
+/** Degrees by which a turn of the device in the scene is more than noise, and metres by which a shift is. */
+const mostTurned = 0.1;
+const leastShift = 1e-4;
+const noShift = { x_m: 0, y_m: 0, z_m: 0 };
+const shiftOf = (a: DevicePlace, b: DevicePlace): number => Math.hypot(a.x_m - b.x_m, a.y_m - b.y_m, a.z_m - b.z_m);
 
 const faults: Record<RegistrationFault, string> = {
   line: t('The three places are nearly on a line. Nothing was changed; begin again.'),
@@ -37,9 +43,13 @@ export class RegistrationPanel {
   private readonly hand = new RestingHand();
   /** What was touched so far; null: no registration is going on. */
   private touched: { place: ScreenPoint; mark: ScreenPoint }[] | null = null;
-  private isRegistered = false;
+  /** Of the device's own workspace; null: none. */
+  private registered: Registration | null = null;
   /** For what the registration holds. */
   private holdsFor = '';
+  /** Where the device is in the scene, and where it was when the scene was drawn last. */
+  private device: DevicePlace | null = null;
+  private drawnFor: DevicePlace | null = null;
   private corner = { left: 0, top: 0 };
 
   constructor(
@@ -48,7 +58,7 @@ export class RegistrationPanel {
   ) {
     this.mark.className = 'registration-mark';
     this.mark.setAttribute('aria-hidden', 'true');
-    this.button.addEventListener('click', () => (this.isRegistered ? this.forget(t('The scene is in the middle of the picture again.')) : this.begin()));
+    this.button.addEventListener('click', () => (this.registered !== null ? this.forget(t('The scene is in the middle of the picture again.')) : this.begin()));
     element('registration-next').addEventListener('click', () => this.next());
     element('registration-leave').addEventListener('click', () => this.leave());
     document.addEventListener('keydown', (event) => this.pressed(event), { capture: true });
@@ -69,23 +79,28 @@ export class RegistrationPanel {
     if (this.holdsFor !== '' && this.holdsFor !== this.conditions()) this.moved();
   }
 
-  /** The device's middle, the scene's size or the screen's measure has changed. */
-  moved(): void {
+  /** The scene's size, the screen's measure or the turn of the device in the scene has changed. */
+  private moved(): void {
     if (this.touched !== null) this.leave();
-    if (!this.isRegistered) return;
+    if (this.registered === null) return;
     // After the answer to what changed it, which would replace it.
     const sentence = t('The scene’s place under the hand has changed: it is in the middle of the picture again, and can be put where the hand is once more.');
     this.forget(sentence, (words) => this.target.tell(words));
   }
 
-  /** Where the device's hand is, in the scene. */
-  felt({ x_m: x, y_m: y, z_m: z }: ProbeState, now: number): void {
-    if (this.touched !== null) this.hand.add({ x, y, z }, now);
+  /** Where the device's hand is, and the device, in the scene. */
+  felt({ probes, device }: State, now: number): void {
+    const isTurned = this.device !== null && Math.abs(device.turned_deg - this.device.turned_deg) > mostTurned;
+    this.device = device;
+    if (isTurned) this.moved();
+    const hand = probes[0];
+    if (this.touched !== null && hand?.probe === 0) this.hand.add({ x: hand.x_m - device.x_m, y: hand.y_m - device.y_m, z: hand.z_m - device.z_m }, now);
+    if (this.registered !== null && this.drawnFor !== null && shiftOf(device, this.drawnFor) > leastShift) this.place(this.registered);
   }
 
   /** Call it for each frame: the page may have been scrolled, or its window moved. */
   frame(): void {
-    if (!this.isRegistered) return;
+    if (this.registered === null) return;
     const { left, top } = cornerOnScreen(this.stage.element);
     if (left === this.corner.left && top === this.corner.top) return;
     this.corner = { left, top };
@@ -123,11 +138,18 @@ export class RegistrationPanel {
     const found = registrationOf(triple(({ place }) => place), triple(({ mark }) => mark));
     this.close();
     if (typeof found === 'string') return this.tell(faults[found]);
-    this.stage.register(found.registration);
-    this.isRegistered = true;
+    this.registered = found.registration;
+    this.place(this.registered);
     this.holdsFor = this.conditions();
     this.showButton();
     this.tell(t('The scene is where the hand feels it, within {value} millimetres at the marks. Space goes on with the touch.', { value: fixed(1000 * found.residual, 1) }));
+  }
+
+  /** Draws the scene where the hand feels it now: a clutch, the border of the workspace or recentring may have moved it. */
+  private place(registration: Registration): void {
+    this.drawnFor = this.device;
+    const { x_m: x, y_m: y, z_m: z } = this.device ?? noShift;
+    this.stage.register(beneath(registration, { x, y, z }));
   }
 
   private leave(): void {
@@ -144,7 +166,7 @@ export class RegistrationPanel {
   }
 
   private forget(sentence: string, say = (words: string) => this.target.say(words)): void {
-    this.isRegistered = false;
+    this.registered = null;
     this.holdsFor = '';
     this.stage.register(null);
     this.showButton();
@@ -185,7 +207,7 @@ export class RegistrationPanel {
   }
 
   private showButton(): void {
-    this.button.textContent = this.isRegistered ? t('Put the scene back into the middle') : t('Put the scene where the hand is');
+    this.button.textContent = this.registered !== null ? t('Put the scene back into the middle') : t('Put the scene where the hand is');
   }
   private tell(sentence: string, say = (words: string) => this.target.say(words)): void {
     element('registration-words').textContent = sentence;

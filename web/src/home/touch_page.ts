@@ -101,7 +101,6 @@ export class TouchPage {
     device: () => this.hello?.device ?? 'a device',
     say: (words, importance) => this.voice.say(words, importance),
     send: (message) => this.connection.send(message),
-    recentred: () => this.registration.moved(),
     moves: () => this.frames.request(),
     draw: () => this.showProbes(),
   });
@@ -449,8 +448,7 @@ export class TouchPage {
 
   /** While a recording is replayed, the touch goes on unseen. */
   private receiveState(state: State): void {
-    const hand = state.probes[0];
-    if (hand?.probe === 0) this.registration.felt(hand, performance.now());
+    this.registration.felt(state, performance.now());
     if (!this.replay.isOpen) this.showState(state);
   }
 

@@ -94,10 +94,12 @@ describe('keys and probes', () => {
   });
 });
 
+const noDevice = { x_m: 0, y_m: 0, z_m: 0, turned_deg: 0 };
+
 describe('what probes feel', () => {
   const first: ProbeState = { probe: 0, page: null, x_m: 0, y_m: 0, z_m: 0.004, surface_m: 0.005, fx_N: 0, fy_N: 0, fz_N: 0.5, contact: true, label: 1 };
   const third: ProbeState = { probe: 2, page: 7, x_m: 0.03, y_m: 0.01, z_m: 0.007, surface_m: 0.008, fx_N: 0.3, fy_N: 0, fz_N: 0.4, contact: true, label: 0 };
-  const state: State = { type: 'state', t_s: 1, rate_hz: 1000, probes: [first, third] };
+  const state: State = { type: 'state', t_s: 1, rate_hz: 1000, probes: [first, third], device: noDevice };
   it('is stored by number', () => {
     probes.receive(state, 0);
     expect(probes.stateOf(2)).toMatchObject({ x_m: 0.03, fx_N: 0.3, contact: true });
@@ -121,6 +123,7 @@ describe('a probe that two pages move', () => {
   const at = (page: number | null, x_m: number): State => ({
     type: 'state', t_s: 1, rate_hz: 1000,
     probes: [{ probe: 0, page, x_m, y_m: 0, z_m: 0, surface_m: 0, fx_N: 0, fy_N: 0, fz_N: 0, contact: false, label: 0 }],
+    device: noDevice,
   });
   beforeEach(() => {
     probes.page = 2;

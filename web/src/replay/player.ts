@@ -62,7 +62,7 @@ export class Player {
       const surface_m = surface.heightAt({ x, y }) * heightFactor;
       probes.push({ probe, page: null, x_m: x, y_m: y, z_m: z, surface_m, fx_N: fx, fy_N: fy, fz_N: fz, contact, label });
     }
-    return { type: 'state', t_s: t, rate_hz: 0, probes };
+    return { type: 'state', t_s: t, rate_hz: 0, probes, device: { x_m: 0, y_m: 0, z_m: 0, turned_deg: 0 } };
   }
 
   /** "12.3 seconds of 65 seconds, in contact, 1.20 newtons". */

@@ -32,7 +32,7 @@ export class Making {
     const { job } = await begin();
     for (;;) {
       const state = await tell(isCancelled ? { type: 'cancel', job } : { type: 'follow', job }, 'job');
-      if (state.state !== 'making' && state.state !== 'opening') return state;
+      if (!['making', 'opening', 'saving'].includes(state.state)) return state;
       this.show(state);
       const now = Date.now();
       const words = element('step').textContent ?? '';

@@ -11,6 +11,7 @@ import { obstacleTo } from './kinds';
 import { Making } from './making';
 import { Refusal, tell } from './program';
 import { Question } from './question';
+import { SaveAsQuestion, showSaved } from './save_as';
 import { sentWords } from './sent';
 import { setSent } from '../sent_language';
 
@@ -22,9 +23,13 @@ export class ShelfPage {
     refused: (sentence) => this.alert(sentence),
     say: (words) => this.say(words),
   });
+  private readonly saving = new SaveAsQuestion({
+    save: (wanted) => void this.follow(() => tell({ type: 'save_as', ...wanted }, 'job'), t('Saving the scene')),
+    closed: () => this.show('open'),
+  });
   private readonly making = new Making();
   /** What is open besides the shelf. */
-  private now: 'open' | 'question' | 'making' = 'open';
+  private now: 'open' | 'question' | 'making' | 'save-as' | 'saved' = 'open';
 
   async start(): Promise<void> {
     bindArrivals({ files: (files) => this.open(files), refused: (sentence) => this.alert(sentence) });
@@ -64,8 +69,9 @@ export class ShelfPage {
     this.shelf = shelf;
     if (shelf.version !== protocolVersion) this.alert(t('This page and the program are of different versions: reload the page.'));
     const touch = (scene: ShelfScene) => void this.follow(() => tell({ type: 'open', scene: scene.scene }, 'job'));
-    showCards(element('samples'), shelf.samples, { touch });
-    showCards(element('recent'), shelf.recent, { touch, forget: (scene) => void this.forget(scene) });
+    const saveAs = (scene: ShelfScene) => this.askHowToSave(scene);
+    showCards(element('samples'), shelf.samples, { touch, saveAs });
+    showCards(element('recent'), shelf.recent, { touch, saveAs, forget: (scene) => void this.forget(scene) });
     element('lately').hidden = shelf.recent.length === 0;
     element('touching').hidden = shelf.touching === null;
     element('touching-name').textContent = shelf.touching;
@@ -89,14 +95,27 @@ export class ShelfPage {
     this.show('question');
   }
 
-  private async follow(begin: () => Promise<{ job: number }>): Promise<void> {
+  private askHowToSave(scene: ShelfScene): void {
+    if (this.now === 'making') return this.alert(t('A scene is being made: cancel it first.'));
+    this.alert('');
+    this.saving.ask(scene);
+    this.show('save-as');
+  }
+
+  private async follow(begin: () => Promise<{ job: number }>, title = t('Making the scene')): Promise<void> {
     if (this.now === 'making') return;
     const before = this.now;
     this.alert('');
+    element('making-title').textContent = title;
     this.show('making');
     try {
       const end = await this.making.follow(begin, (words) => this.say(words));
       if (end.state === 'touching') return location.assign('/touch');
+      if (end.state === 'saved') {
+        const words = showSaved(end);
+        this.show('saved');
+        return this.say(words);
+      }
       // What was chosen can be tried as something else.
       this.show(before);
       this.say(end.state === 'failed' ? '' : t('Cancelled.'));
@@ -111,11 +130,10 @@ export class ShelfPage {
 
   private show(what: ShelfPage['now']): void {
     this.now = what;
-    element('open').hidden = what !== 'open';
-    element('question').hidden = what !== 'question';
-    element('making').hidden = what !== 'making';
+    for (const part of ['open', 'question', 'making', 'save-as', 'saved']) element(part).hidden = part !== what;
     if (what === 'question') this.question.focus();
-    else element(what === 'making' ? 'making-title' : 'choose').focus();
+    else if (what === 'save-as') this.saving.focus();
+    else element({ open: 'choose', making: 'making-title', saved: 'saved-title' }[what]).focus();
   }
 
   private alert(sentence: string): void {

@@ -93,6 +93,12 @@ MovedWorkspace::MovedWorkspace(std::unique_ptr<device::Device> device, const Wor
   damping_Ns_per_m_ = 1.5 * (2.0 * traits.delay_samples + 1.0) * stiffness_N_per_m_ * period_s_;
   if (!options.cushion) stiffness_N_per_m_ = damping_Ns_per_m_ = 0.0;
   delay_ = static_cast<std::size_t>(std::clamp<int>(traits.delay_samples, 0, kMostDelay));
+  tell_offset();
+}
+
+void MovedWorkspace::tell_offset() noexcept {
+  for (std::size_t axis = 0; axis < state_->offset_m.size(); ++axis)
+    state_->offset_m[axis].store(axis_of(offset_m_, axis), std::memory_order_relaxed);
 }
 
 std::optional<device::ZeroWrite> MovedWorkspace::zero_write() const {
@@ -138,6 +144,7 @@ device::Reading MovedWorkspace::read() noexcept {
     move_with_hand(moved_m);
   else
     drive(position_m);
+  tell_offset();
   cushion(position_m, moved_m);
   position_m_ = position_m;
   reading.position.v = position_m + offset_m_;

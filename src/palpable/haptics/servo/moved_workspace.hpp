@@ -40,6 +40,8 @@ struct WorkspaceState {
   /// How far the scene reaches from the middle of the device's workspace on each axis, m, at the device. The
   /// border moves it no farther than so that its end, and some air beyond, can be reached.
   std::array<std::atomic<double>, 3> scene_m{kUnknown_m, kUnknown_m, kUnknown_m};
+  /// What is added to the positions of the device that is open, m.
+  std::array<std::atomic<double>, 3> offset_m{0.0, 0.0, 0.0};
 
  private:
   static constexpr double kUnknown_m = std::numeric_limits<double>::infinity();
@@ -113,6 +115,7 @@ class MovedWorkspace final : public device::Device, public device::Guardable {
   void move_with_hand(Vec3 moved_m) noexcept;
   /// Follows the stop button; whether the force is off by it.
   bool is_stopped(std::uint32_t buttons) noexcept;
+  void tell_offset() noexcept;
   Cushion cushion_at(Vec3 position_m, Vec3 velocity_m_per_s) noexcept;
   void cushion(Vec3 position_m, Vec3 moved_m) noexcept;
 

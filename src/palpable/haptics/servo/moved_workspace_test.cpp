@@ -64,8 +64,10 @@ TEST(MovedWorkspace, ChangesNothingInsideOfAWorkspaceThatIsNotMoved) {
 }
 
 TEST(MovedWorkspace, HoldsThePlaceWhileItIsClutchedAndGoesOnFromThere) {
-  Scripted test(magnified(2.0));
+  const auto state = std::make_shared<WorkspaceState>();
+  Scripted test(magnified(2.0), state);
   Vec3 before = test.at({0.01, 0.0, 0.0});
+  EXPECT_EQ(state->offset_m[0], 0.0);
   for (int tick = 1; tick <= 300; ++tick) {
     const bool pressed = tick > 100 && tick <= 200;
     const Vec3 now = test.at({0.01 + 1e-4 * tick, 2e-5 * tick, 0.0}, pressed ? 1 : 0);
@@ -74,6 +76,10 @@ TEST(MovedWorkspace, HoldsThePlaceWhileItIsClutchedAndGoesOnFromThere) {
     before = now;
   }
   EXPECT_NEAR(test.moved->offset_m().x, -0.01, 1e-12);
+  EXPECT_EQ(state->offset_m[0], test.moved->offset_m().x);
+  EXPECT_EQ(state->offset_m[1], test.moved->offset_m().y);
+  Scripted opened_again(magnified(2.0), state);
+  EXPECT_EQ(state->offset_m[0], 0.0) << "the device's positions are its own again";
 }
 
 TEST(MovedWorkspace, WantsNoForceFromAPressOfTheStopButtonToTheNext) {

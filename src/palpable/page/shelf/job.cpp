@@ -11,13 +11,15 @@
 #include <system_error>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace palpable::page::shelf {
 namespace {
 
 using std::chrono::steady_clock;
 
-constexpr int kPictureSide = 480;
-constexpr std::size_t kMostNotes = 16;
+// protocol.json
+constexpr std::size_t kMostNotes = 16, kMostSaved = 16;
 /// Of a finer scene that is made while another one is touched.
 constexpr int kRefiningNiceness = 10;
 
@@ -26,7 +28,7 @@ constexpr int kRefiningNiceness = 10;
 Job::Job(JobPlan plan, const JobTools& tools)
     : plan_(std::move(plan)), tools_(tools), followed_(steady_clock::now()) {
   state_.job = plan_.number;
-  state_.state = "making";
+  state_.state = plan_.save ? "saving" : "making";
   state_.step = "Reading";
   thread_ = std::thread([this] { run(); });
 }
@@ -37,6 +39,7 @@ Job::~Job() {
   // A scene that the shelf keeps was moved there; one that it could not keep goes with its job.
   std::error_code ignored;
   if (plan_.is_kept) std::filesystem::remove(plan_.scene, ignored);
+  if (plan_.save) std::filesystem::remove_all(plan_.save->folder, ignored);
 }
 
 protocol::Job Job::state() const {
@@ -53,7 +56,13 @@ steady_clock::duration Job::unfollowed() const { return steady_clock::now() - fo
 
 bool Job::is_under_way() const {
   const std::string now = state().state;
-  return now == "making" || now == "opening";
+  return now == "making" || now == "opening" || now == "saving";
+}
+
+std::optional<std::filesystem::path> Job::saved_file(std::size_t place) const {
+  const std::lock_guard lock(mutex_);
+  if (place >= state_.saved.size()) return std::nullopt;
+  return plan_.save->folder / state_.saved[place].name;
 }
 
 void Job::set_state(const char* state, const std::string& step) {
@@ -66,8 +75,7 @@ void Job::set_state(const char* state, const std::string& step) {
 void Job::run() {
   Result<void> done;
   try {
-    done = open();
-    if (done) refine();
+    done = carry_out();
   } catch (const std::exception& e) {
     done = Error{ErrorCode::failed, std::string("the scene could not be opened: ") + e.what(), {}};
   }
@@ -115,13 +123,21 @@ Result<void> Job::keep_names_only(const std::filesystem::path& path, formats::Sc
   return changed ? formats::write_scene(path, file.scene, file.others) : Result<void>();
 }
 
-Result<void> Job::open() {
+Result<void> Job::carry_out() {
   std::error_code error;
   if (!std::filesystem::exists(plan_.scene, error)) {
     if (plan_.make.words.empty()) return Error{ErrorCode::failed, "this scene is no longer on the shelf", {}};
-    const auto& words = plan_.make.quick_words.empty() ? plan_.make.words : plan_.make.quick_words;
-    if (auto made = make(words, plan_.scene, 0); !made) return made;
+    const bool in_full = plan_.save || plan_.make.quick_words.empty();
+    if (auto made = make(in_full ? plan_.make.words : plan_.make.quick_words, plan_.scene, 0); !made)
+      return made;
   }
+  if (plan_.save) return save();
+  if (auto begun = begin_touch(); !begun) return begun;
+  refine();
+  return {};
+}
+
+Result<void> Job::begin_touch() {
   set_state("opening", "Opening the touch");
   auto read = formats::read_scene(plan_.scene);
   if (!read) return Error{read.error().code, read.error().message, {}};
@@ -136,11 +152,16 @@ Result<void> Job::open() {
     return std::exchange(better->scene, nullptr);
   };
   request.better_follows = !plan_.make.quick_words.empty();
+  std::string id = plan_.recent_id;
   if (plan_.is_kept) {
-    auto id = tools_.recent->add(plan_.scene, card, scene_picture(*request.scene, kPictureSide));
     // It can be touched all the same.
-    if (id) recent_id_ = *id;
+    if (auto added = tools_.recent->add(plan_.scene, card, scene_picture(*request.scene, kCardPictureSide)))
+      id = *std::move(added);
   }
+  auto temporary = plan_.scene;
+  temporary.replace_filename(fmt::format("named-{}.palp", plan_.number));
+  kept_ = std::make_shared<KeptScene>(*tools_.recent, std::move(id), temporary, std::move(read->others));
+  request.keep = [kept = kept_](const models::Scene& scene) { return kept->keep(scene); };
   if (cancelled_) return Work::interrupted();
   if (auto begun = tools_.touch->replace(request); !begun) return begun;
   set_state("touching", {});
@@ -155,17 +176,39 @@ void Job::refine() {
   if (!make(plan_.make.words, out, kRefiningNiceness)) return;
   auto read = formats::read_scene(out);
   if (!read || !keep_names_only(out, *read)) return;
-  {
-    const std::lock_guard lock(better_->mutex);
-    better_->scene = std::make_shared<const models::Scene>(std::move(read->scene));
-  }
   std::error_code ignored;
-  if (plan_.is_kept) {
-    static_cast<void>(tools_.recent->replace(recent_id_, out));
-  } else {
-    std::filesystem::rename(out, plan_.scene, ignored);
-  }
+  if (!kept_->replace(out) && !plan_.is_kept) std::filesystem::rename(out, plan_.scene, ignored);
   std::filesystem::remove(out, ignored);
+  // Names that were given meanwhile are kept again with it, once the touch has it.
+  const std::lock_guard lock(better_->mutex);
+  better_->scene = std::make_shared<const models::Scene>(std::move(read->scene));
+}
+
+Result<void> Job::save() {
+  namespace fs = std::filesystem;
+  const SavePlan& plan = *plan_.save;
+  set_state("saving", "Saving");
+  std::error_code error;
+  fs::create_directory(plan.folder, error);
+  const fs::path out = plan.folder / plan.file_name;
+  if (plan.words.is_copy) {
+    if (!error) fs::copy_file(plan_.scene, out, error);
+  } else if (!error) {
+    std::vector<std::string> words{"export", plan_.scene.string()};
+    words.insert(words.end(), plan.words.options.begin(), plan.words.options.end());
+    if (auto made = make(words, out, 0); !made) return made;
+  }
+  if (error) return Error{ErrorCode::failed, error.message(), plan.file_name};
+  std::vector<std::string> names;
+  for (fs::directory_iterator entry(plan.folder, error), end; !error && entry != end; entry.increment(error))
+    names.push_back(entry->path().filename().string());
+  std::sort(names.begin(), names.end());
+  set_state("saved", {});
+  const std::lock_guard lock(mutex_);
+  for (const std::string& name : names)
+    if (state_.saved.size() < kMostSaved)
+      state_.saved.push_back({name, fmt::format("/saved/{}/{}", plan_.number, state_.saved.size())});
+  return {};
 }
 
 }  // namespace palpable::page::shelf

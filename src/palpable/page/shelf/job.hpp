@@ -5,9 +5,11 @@
 #include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/models/scene/scene.hpp"
 #include "palpable/page/protocol.gen.hpp"
+#include "palpable/page/shelf/kept_scene.hpp"
 #include "palpable/page/shelf/make_words.hpp"
 #include "palpable/page/shelf/making.hpp"
 #include "palpable/page/shelf/recent_scenes.hpp"
+#include "palpable/page/shelf/scene_forms.hpp"
 #include "palpable/page/shelf/touch_slot.hpp"
 
 #include <atomic>
@@ -16,13 +18,22 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 namespace palpable::page::shelf {
 
-/// What a job does: makes a scene unless its file is there already, then begins its touch.
+/// A scene that is saved as another file.
+struct SavePlan {
+  /// Of this job alone; it is made, and removed with the job.
+  std::filesystem::path folder;
+  std::string file_name;
+  SaveWords words;
+};
+
+/// What a job does: makes a scene unless its file is there already, then begins its touch or saves it.
 struct JobPlan {
   std::int64_t number = 0;
   /// The scene's file: taken if it exists, else it is made there.
@@ -30,6 +41,10 @@ struct JobPlan {
   MakeWords make;
   /// Whether the scene is put among those opened lately.
   bool is_kept = false;
+  /// The scene's id among those opened lately; empty: it is not one of them yet.
+  std::string recent_id;
+  /// Set: the scene is saved, and not touched.
+  std::optional<SavePlan> save;
   /// The files that it is made of (Uploads).
   std::vector<std::string> uploads;
   /// Their folders, as in Making.
@@ -61,8 +76,10 @@ class Job {
   void cancel() { cancelled_ = true; }
   /// How long nobody has followed it.
   std::chrono::steady_clock::duration unfollowed() const;
-  /// Whether it is being made or opened.
+  /// Whether the scene is being made, opened or saved.
   bool is_under_way() const;
+  /// A file that it saved, by its place in protocol::Job::saved; nullopt if there is none.
+  std::optional<std::filesystem::path> saved_file(std::size_t place) const;
   /// Whether its thread has ended.
   bool has_ended() const { return ended_; }
 
@@ -74,9 +91,12 @@ class Job {
   };
 
   void run();
-  Result<void> open();
+  Result<void> carry_out();
+  Result<void> begin_touch();
+  Result<void> save();
   /// Makes the finer scene, while the first one is touched.
   void refine();
+  /// Runs a command that writes `out`.
   Result<void> make(const std::vector<std::string>& words, const std::filesystem::path& out, int niceness);
   /// Files are called in the scene as the person chose them, without the folders of what was received: the
   /// scene outlives those. Rewrites the scene's file if that changes it.
@@ -87,7 +107,8 @@ class Job {
   const JobTools& tools_;
   std::atomic<bool> cancelled_{false};
   std::atomic<bool> ended_{false};
-  std::string recent_id_;
+  /// Outlives the job if the touch does.
+  std::shared_ptr<KeptScene> kept_;
   std::shared_ptr<Better> better_ = std::make_shared<Better>();
   mutable std::mutex mutex_;
   protocol::Job state_;

@@ -107,11 +107,11 @@ bool read_reports(const Descriptor& pipe, Reports& reports) {
 }
 
 std::string end_by_signal(int number, bool out_of_time) {
-  if (out_of_time || number == SIGXCPU) return "making the scene took too long, and was ended";
+  if (out_of_time || number == SIGXCPU) return "working on the scene took too long, and was ended";
   if (number == SIGKILL)
-    return "making the scene was ended by the system: probably there was not enough memory for it";
+    return "working on the scene was ended by the system: probably there was not enough memory for it";
   return fmt::format(
-      "making the scene ended with a fault (signal {}): the file is damaged, or made to do harm; nothing "
+      "working on the scene ended with a fault (signal {}): the file is damaged, or made to do harm; nothing "
       "else "
       "was affected",
       number);
@@ -121,9 +121,10 @@ Result<void> outcome(int status, const std::optional<Error>& reported, bool out_
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
   if (WIFSIGNALED(status)) return Error{ErrorCode::failed, end_by_signal(WTERMSIG(status), out_of_time), {}};
   if (reported) return *reported;
-  return Error{ErrorCode::failed,
-               fmt::format("making the scene failed without a reason (exit code {})", WEXITSTATUS(status)),
-               {}};
+  return Error{
+      ErrorCode::failed,
+      fmt::format("working on the scene failed without a reason (exit code {})", WEXITSTATUS(status)),
+      {}};
 }
 
 }  // namespace
@@ -159,7 +160,7 @@ Result<void> run_making(const Making& making, const std::atomic<bool>& cancel, c
       break;
     }
   }
-  if (ended < 0) return Error{ErrorCode::failed, "the process that makes the scene was lost", {}};
+  if (ended < 0) return Error{ErrorCode::failed, "the process that works on the scene was lost", {}};
   // Its own children end with it; what is left in its group is ended, too.
   ::kill(-process, SIGKILL);
   while (open && read_reports(reading, reports)) {

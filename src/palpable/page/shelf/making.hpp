@@ -15,7 +15,7 @@
 
 namespace palpable::page::shelf {
 
-/// What a child process that makes a scene may use. Beyond it the process is ended.
+/// What a child process that makes or saves a scene may use. Beyond it the process is ended.
 struct MakingLimits {
   /// Address space.
   std::uint64_t memory_bytes = std::uint64_t{4} << 30U;
@@ -29,7 +29,7 @@ struct MakingLimits {
   int niceness = 0;
 };
 
-/// A command line of this program: "make", its arguments, ….
+/// A command line of this program: "make" or "export", its arguments, ….
 struct Making {
   std::filesystem::path program;
   std::vector<std::string> arguments;

@@ -51,7 +51,7 @@ TEST(Making, SaysThatTheProcessCrashed) {
   ASSERT_FALSE(ran.result);
   EXPECT_EQ(
       ran.result.error().sentence(),
-      "making the scene ended with a fault (signal 11): the file is damaged, or made to do harm; nothing "
+      "working on the scene ended with a fault (signal 11): the file is damaged, or made to do harm; nothing "
       "else was affected");
 }
 
@@ -60,16 +60,16 @@ TEST(Making, SurvivesWhateverTheProcessReports) {
       R"(head -c 3000000 /dev/zero | tr '\0' 'x' >&3; echo >&3; echo '[1]' >&3; echo '{"progress":"x","note":7}' >&3)"
       R"(; echo '{"progress":1e300}' >&3; head -c 100000 /dev/urandom >&3; exit 1)");
   ASSERT_FALSE(ran.result);
-  EXPECT_EQ(ran.result.error().sentence(), "making the scene failed without a reason (exit code 1)");
+  EXPECT_EQ(ran.result.error().sentence(), "working on the scene failed without a reason (exit code 1)");
 }
 
 TEST(Making, EndsAProcessThatTakesTooLong) {
   const Ran asleep = run("sleep 100", {.time = std::chrono::seconds(1)});
   ASSERT_FALSE(asleep.result);
-  EXPECT_EQ(asleep.result.error().sentence(), "making the scene took too long, and was ended");
+  EXPECT_EQ(asleep.result.error().sentence(), "working on the scene took too long, and was ended");
   const Ran busy = run("while true; do :; done", {.processor_time = std::chrono::seconds(1)});
   ASSERT_FALSE(busy.result);
-  EXPECT_EQ(busy.result.error().sentence(), "making the scene took too long, and was ended");
+  EXPECT_EQ(busy.result.error().sentence(), "working on the scene took too long, and was ended");
 }
 
 TEST(Making, LimitsMemoryAndFiles) {

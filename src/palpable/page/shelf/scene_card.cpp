@@ -15,11 +15,11 @@ namespace {
 constexpr std::size_t kLongestCardText = 240;
 
 std::string kind_words(const models::Scene& scene) {
-  if (scene.map != nullptr) return "a street map";
+  if (scene.map != nullptr) return std::string(kMapKind);
   const std::string kind = models::kind_of(scene.model);
   if (kind == "contours") return "a drawing's lines";
   if (kind == "relief") return "a relief";
-  if (kind == "grid") return "a solid of cells";
+  if (kind == "grid") return std::string(kGridKind);
   return "a solid";
 }
 

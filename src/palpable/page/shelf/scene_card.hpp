@@ -5,7 +5,12 @@
 #include "palpable/models/scene/scene.hpp"
 #include "palpable/page/shelf/recent_scenes.hpp"
 
+#include <string_view>
+
 namespace palpable::page::shelf {
+
+/// SceneCard::kind of those that can be saved as more, or fewer, files than others.
+constexpr std::string_view kMapKind = "a street map", kGridKind = "a solid of cells";
 
 /// What a shelf says of a scene: its name, what it is, and the first sentences of its description, or else
 /// of what the program says about it. Takes some milliseconds.

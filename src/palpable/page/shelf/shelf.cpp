@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstdlib>
 #include <system_error>
 #include <utility>
@@ -26,6 +27,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostRemembered = 16;
+// Their files take room on the disk.
+constexpr std::size_t kMostSaved = 4;
 constexpr std::string_view kSamplePrefix = "sample:";
 constexpr std::uintmax_t kLargestPicture = 8'000'000;
 
@@ -60,6 +63,18 @@ void remove_abandoned() {
     std::error_code ignored;
     fs::remove_all(folder, ignored);
   }
+}
+
+/// Of a file that is called as a scene: "boat" of one that is called after its picture, boat.png.
+std::string file_stem(const std::string& title) {
+  constexpr std::size_t kLongestEnding = 5;
+  const std::string name = safe_file_name(title);
+  const fs::path ending = fs::path(name).extension();
+  const std::string letters = ending.string();
+  const bool is_ending = letters.size() > 1 && letters.size() <= kLongestEnding &&
+                         std::all_of(letters.begin() + 1, letters.end(),
+                                     [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); });
+  return is_ending ? name.substr(0, name.size() - letters.size()) : name;
 }
 
 Error unknown_scene() { return {ErrorCode::failed, "this scene is no longer on the shelf", {}}; }
@@ -97,9 +112,17 @@ void Shelf::update() {
     if (job->has_ended() && !job->plan().uploads.empty())
       uploads_.release(job->plan().uploads, job->state().state == "touching");
   }
-  const auto oldest =
-      std::find_if(jobs_.begin(), jobs_.end(), [](const auto& job) { return job->has_ended(); });
-  if (jobs_.size() > kMostRemembered && oldest != jobs_.end()) jobs_.erase(oldest);
+  forget_old_jobs();
+}
+
+void Shelf::forget_old_jobs() {
+  const auto forget = [this](std::size_t most, auto&& is_one) {
+    const auto is_ended = [&](const auto& job) { return is_one(*job) && job->has_ended(); };
+    if (static_cast<std::size_t>(std::count_if(jobs_.begin(), jobs_.end(), is_ended)) <= most) return;
+    jobs_.erase(std::find_if(jobs_.begin(), jobs_.end(), is_ended));
+  };
+  forget(kMostSaved, [](const Job& job) { return job.plan().save.has_value(); });
+  forget(kMostRemembered, [](const Job&) { return true; });
 }
 
 Result<std::string> Shelf::answer(const protocol::FromShelf& message) {
@@ -118,17 +141,30 @@ std::optional<std::string> Shelf::picture(std::string_view name) {
   return std::string(as_text(*file));
 }
 
+std::optional<fs::path> Shelf::saved_file(std::string_view name) {
+  std::int64_t number = 0;
+  std::size_t place = 0;
+  const char* const end = name.data() + name.size();
+  const auto first = std::from_chars(name.data(), end, number);
+  if (first.ec != std::errc() || first.ptr == end || *first.ptr != '/') return std::nullopt;
+  const auto second = std::from_chars(first.ptr + 1, end, place);
+  if (second.ec != std::errc() || second.ptr != end) return std::nullopt;
+  const Job* const job = find(number);
+  return job == nullptr ? std::nullopt : job->saved_file(place);
+}
+
 Result<std::string> Shelf::handle(const protocol::Look&) {
   protocol::Shelf shelf;
   shelf.version = protocol::kVersion;
   for (const Sample& sample : options_.samples)
     shelf.samples.push_back({std::string(kSamplePrefix) + sample.name, sample.card.title, sample.card.kind,
-                             sample.card.sentence, sample.picture});
+                             sample.card.sentence, sample.picture, forms_of(sample.card.kind)});
   for (RecentScene& scene : recent_.list()) {
     std::optional<std::string> picture;
     if (scene.has_picture) picture = "/picture/" + scene.id;
+    auto forms = forms_of(scene.card.kind);
     shelf.recent.push_back({std::move(scene.id), std::move(scene.card.title), std::move(scene.card.kind),
-                            std::move(scene.card.sentence), std::move(picture)});
+                            std::move(scene.card.sentence), std::move(picture), std::move(forms)});
   }
   if (std::string name = touch_.name(); !name.empty()) shelf.touching = std::move(name);
   shelf.most_files = 8;
@@ -155,20 +191,42 @@ Result<std::string> Shelf::handle(const protocol::Make& wanted) {
   return started;
 }
 
-Result<std::string> Shelf::handle(const protocol::Open& wanted) {
-  JobPlan plan;
-  if (const auto scene = recent_.scene(wanted.scene)) {
-    recent_.note_opened(wanted.scene);
-    plan.scene = *scene;
-    return start(std::move(plan));
+std::optional<Shelf::OnShelf> Shelf::on_shelf(const std::string& scene) {
+  OnShelf found;
+  if (const auto file = recent_.scene(scene)) {
+    for (RecentScene& one : recent_.list())
+      if (one.id == scene) found.card = std::move(one.card);
+    found.plan.scene = *file;
+    found.plan.recent_id = scene;
+    return found;
   }
   for (const Sample& sample : options_.samples) {
-    if (wanted.scene != std::string(kSamplePrefix) + sample.name) continue;
-    plan.scene = folder_ / fmt::format("sample-{}.palp", sample.name);
-    plan.make = sample.make;
-    return start(std::move(plan));
+    if (scene != std::string(kSamplePrefix) + sample.name) continue;
+    found.card = sample.card;
+    found.plan.scene = folder_ / fmt::format("sample-{}.palp", sample.name);
+    found.plan.make = sample.make;
+    return found;
   }
-  return unknown_scene();
+  return std::nullopt;
+}
+
+Result<std::string> Shelf::handle(const protocol::Open& wanted) {
+  auto found = on_shelf(wanted.scene);
+  if (!found) return unknown_scene();
+  if (!found->plan.recent_id.empty()) recent_.note_opened(wanted.scene);
+  return start(std::move(found->plan));
+}
+
+Result<std::string> Shelf::handle(const protocol::SaveAs& wanted) {
+  auto found = on_shelf(wanted.scene);
+  if (!found) return unknown_scene();
+  auto words = save_words(wanted, found->card.kind);
+  if (!words) return words.error();
+  JobPlan& plan = found->plan;
+  const fs::path folder = folder_ / fmt::format("saved-{}", next_job_);
+  plan.hidden_folders = {folder.string() + "/", plan.scene.parent_path().string() + "/"};
+  plan.save = SavePlan{folder, file_stem(found->card.title) + words->suffix, *std::move(words)};
+  return start(std::move(plan));
 }
 
 Result<std::string> Shelf::start(JobPlan plan) {
@@ -183,7 +241,7 @@ Result<std::string> Shelf::start(JobPlan plan) {
   // The person names a file as it was chosen, not as it is stored.
   for (const std::string& id : plan.uploads) plan.hidden_folders.push_back((folder_ / id).string() + "/");
   jobs_.push_back(std::make_unique<Job>(std::move(plan), tools_));
-  cancel_refinements(*jobs_.back());
+  if (!jobs_.back()->plan().save) cancel_refinements(*jobs_.back());
   return protocol::write_message(jobs_.back()->follow());
 }
 

@@ -67,6 +67,7 @@ class Shelf final : public ShelfHost {
   Result<std::string> answer(const protocol::FromShelf& message) override;
   Result<std::unique_ptr<Upload>> begin_upload(std::string_view name, std::uint64_t bytes) override;
   std::optional<std::string> picture(std::string_view name) override;
+  std::optional<std::filesystem::path> saved_file(std::string_view name) override;
 
  private:
   Shelf(ShelfOptions options, std::filesystem::path folder, Descriptor owner);
@@ -74,11 +75,19 @@ class Shelf final : public ShelfHost {
   Result<std::string> handle(const protocol::Look& look);
   Result<std::string> handle(const protocol::Make& wanted);
   Result<std::string> handle(const protocol::Open& wanted);
+  Result<std::string> handle(const protocol::SaveAs& wanted);
   Result<std::string> handle(const protocol::Follow& wanted);
   Result<std::string> handle(const protocol::Cancel& wanted);
   Result<std::string> handle(const protocol::Discard& wanted);
   Result<std::string> handle(const protocol::Forget& wanted);
+  struct OnShelf {
+    JobPlan plan;
+    SceneCard card;
+  };
+  /// A scene of the shelf, as a plan to touch it. `scene` is untrusted.
+  std::optional<OnShelf> on_shelf(const std::string& scene);
   Result<std::string> start(JobPlan plan);
+  void forget_old_jobs();
   Job* find(std::int64_t number);
   void cancel_refinements(const Job& newest);
 

@@ -3,8 +3,7 @@
 // The home page's server from a browser's side, with programs that stand for `palpable make`.
 #include "palpable/page/shelf/shelf.hpp"
 
-#include "palpable/page/shelf/test_programs.hpp"
-#include "palpable/page/test_page.hpp"
+#include "palpable/page/shelf/test_shelf.hpp"
 
 #include <boost/asio/read.hpp>
 #include <boost/asio/write.hpp>
@@ -14,77 +13,6 @@ namespace palpable::page::shelf {
 namespace {
 
 namespace fs = std::filesystem;
-
-class ServedShelf : public Served {
- public:
-  explicit ServedShelf(const std::string& commands, ShelfOptions options = {}) : folder(new_folder("shelf")) {
-    EXPECT_TRUE(formats::write_scene(folder / "scene.palp", test_scene()));
-    options.program = program_of(folder, "scene='" + (folder / "scene.palp").string() + "'\n" + commands);
-    options.state_folder = folder / "state";
-    options.samples = {
-        {"one", {"One", "a relief", "A sample."}, "/samples/one.png", {{"make", "sample:one"}, {}}}};
-    options.begin_touch = [this](const TouchRequest& request) -> Result<std::shared_ptr<PageHost>> {
-      EXPECT_EQ(touches, 0) << "the device is still in use";
-      ++touches;
-      ++begun;
-      name = request.name;
-      return std::shared_ptr<PageHost>(new FakeHost, [this](PageHost* host) {
-        delete host;
-        --touches;
-      });
-    };
-    shelf = Shelf::open(std::move(options)).value();
-    start({}, [this](const ServeOptions& used, const std::atomic<bool>& end) {
-      return serve_shelf(*shelf, used, end);
-    });
-    cookie = cookie_of(*this);
-  }
-  ~ServedShelf() {
-    stop();
-    shelf.reset();
-  }
-
-  Response post(const std::string& target, const std::string& body) const {
-    return ask(*this, http::verb::post, target, body,
-               {{http::field::cookie, cookie}, {http::field::origin, own_origin()}});
-  }
-  Response get(const std::string& target) const {
-    return ask(*this, http::verb::get, target, {}, {{http::field::cookie, cookie}});
-  }
-  Json tell(const Json& message) const {
-    return Json::parse(post("/shelf", message.dump()).body(), nullptr, false);
-  }
-  std::string upload(const std::string& bytes = "bytes") const {
-    return Json::parse(post("/upload/photo.png", bytes).body())["file"];
-  }
-  Json make(const std::string& file, const std::string& what = "decide") const {
-    return tell({{"type", "make"},
-                 {"files", {file}},
-                 {"what", what},
-                 {"title", nullptr},
-                 {"size_mm", nullptr},
-                 {"exaggerate", nullptr},
-                 {"ground", nullptr},
-                 {"background", nullptr},
-                 {"moved_mm", nullptr}});
-  }
-  Json end_of(Json job) const {
-    while (job["state"] == "making" || job["state"] == "opening") {
-      std::this_thread::sleep_for(std::chrono::milliseconds(100));
-      job = tell({{"type", "follow"}, {"job", job["job"]}});
-    }
-    return job;
-  }
-
-  fs::path folder;
-  std::unique_ptr<Shelf> shelf;
-  std::string cookie;
-  std::string name;
-  std::atomic<int> touches = 0;
-  std::atomic<int> begun = 0;
-};
-
-constexpr const char* kCopies = "cp \"$scene\" \"$out\"";
 
 TEST(Shelf, MakesASceneOfAFileAndBeginsItsTouch) {
   ServedShelf served(kCopies);

@@ -23,6 +23,8 @@ struct TouchRequest {
   std::function<std::shared_ptr<const models::Scene>()> take_better_scene;
   /// Whether a finer scene is being made.
   bool better_follows = false;
+  /// Keeps the scene with its names as they are now. Any thread. Never empty.
+  std::function<Result<void>(const models::Scene&)> keep;
 };
 
 /// Opens the device and begins a touch, which ends when its host is destroyed. Blocks. Errors: as

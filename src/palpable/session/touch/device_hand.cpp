@@ -257,6 +257,16 @@ Transform<SceneFrame, DeviceFrame> DeviceHand::place() const {
   return scene_from_device_;
 }
 
+Transform<SceneFrame, DeviceFrame> DeviceHand::place_of_device() const {
+  const auto& offset_m = workspace_->offset_m;
+  auto own = place();
+  own.translation_m = (own * Point<DeviceFrame>{Vec3{offset_m[0].load(std::memory_order_relaxed),
+                                                     offset_m[1].load(std::memory_order_relaxed),
+                                                     offset_m[2].load(std::memory_order_relaxed)}})
+                          .v;
+  return own;
+}
+
 Transform<SceneFrame, DeviceFrame> DeviceHand::fitted(const models::Scene& scene) const {
   return placed(scene, loop_->device_traits(), options_);
 }

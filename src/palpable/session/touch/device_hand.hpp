@@ -73,6 +73,8 @@ class DeviceHand {
 
   /// The current placement, and that of a new scene.
   Transform<SceneFrame, DeviceFrame> place() const;
+  /// The current placement of the device's own positions: clutch and border have moved them in `place()`.
+  Transform<SceneFrame, DeviceFrame> place_of_device() const;
   Transform<SceneFrame, DeviceFrame> fitted(const models::Scene& scene) const;
   /// The current placement, moved so that the hand is in the middle of the scene at the height of its highest
   /// point; nullopt if the hand's place is not known.

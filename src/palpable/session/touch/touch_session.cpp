@@ -275,6 +275,10 @@ const device::Traits& TouchSession::device_traits(std::size_t hand) const {
 
 const std::string& TouchSession::device_url(std::size_t hand) const { return impl_->hands.at(hand)->url(); }
 
+Transform<SceneFrame, DeviceFrame> TouchSession::scene_from_device(std::size_t hand) const {
+  return impl_->hands.at(hand)->place_of_device();
+}
+
 std::string TouchSession::device_fault(std::size_t hand) const {
   return impl_->hands.at(hand)->loop().device_fault();
 }

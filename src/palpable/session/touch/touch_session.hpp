@@ -105,6 +105,8 @@ class TouchSession {
   /// Of a hand, which must be less than hands().
   const device::Traits& device_traits(std::size_t hand = 0) const;
   const std::string& device_url(std::size_t hand = 0) const;
+  /// Where a hand's device is in the scene: its own positions, before clutch and border move them.
+  Transform<SceneFrame, DeviceFrame> scene_from_device(std::size_t hand = 0) const;
   /// Empty while the hand's device works.
   std::string device_fault(std::size_t hand = 0) const;
   /// A sentence as it is said of one hand: with several hands it begins with "Hand 2 (Haply 2DIY): ".

@@ -128,6 +128,24 @@ TEST(TwoHands, NamesDevicesThatCannotBeTouchedTogether) {
   EXPECT_EQ(twice.code, ErrorCode::usage) << twice.sentence();
 }
 
+TEST(TwoHands, TellWhereTheirDevicesAreInTheScene) {
+  SessionOptions options = unprivileged(1.0).session;
+  options.workspace.magnification = 2.0;
+  options.workspace.clutch_button = 0;
+  options.further_devices = {"sim:"};
+  auto opened = TouchSession::open(hills(), {}, "sim:?button=1&button-at=0.5&button-for=0.5", options);
+  ASSERT_TRUE(opened) << opened.error().sentence();
+  TouchSession& session = **opened;
+  const auto moved_m = [&, first = session.scene_from_device(0)] {
+    return norm(session.scene_from_device(0).translation_m - first.translation_m);
+  };
+  EXPECT_TRUE(comes_true([&] { return moved_m() > 1e-4; })) << "the clutch moves the scene with the hand";
+  const auto before = session.scene_from_device(1);
+  session.recentre();
+  EXPECT_TRUE(comes_true(
+      [&] { return norm(session.scene_from_device(1).translation_m - before.translation_m) > 1e-6; }));
+}
+
 TEST(TwoHands, EachReachesAMagnifiedSceneWithItsOwnDevice) {
   SessionOptions options = unprivileged(1.0).session;
   options.workspace.magnification = 2.0;

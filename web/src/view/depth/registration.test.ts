@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { describe, expect, it } from 'vitest';
 import type { ScreenPoint } from './frustum';
-import { inScene, inScreen, mostResidual, registrationOf, type Registration, type Triple } from './registration';
+import { beneath, inScene, inScreen, mostResidual, registrationOf, type Registration, type Triple } from './registration';
 
 const marks: Triple<ScreenPoint> = [{ x: 0.04, y: -0.2, z: 0 }, { x: 0.3, y: -0.2, z: 0 }, { x: 0.1, y: -0.04, z: 0 }];
 const turnAbout = (axis: 'x' | 'y' | 'z', angle: number) => ({ x, y, z }: ScreenPoint): ScreenPoint => {
@@ -55,6 +55,15 @@ describe('three touched points', () => {
   it('are refused where the scene would be seen from behind', () => {
     const behind = marks.map(turnAbout('y', Math.PI)) as unknown as Triple<ScreenPoint>;
     expect(registrationOf(behind, marks)).toBe('behind');
+  });
+
+  it('keep a hand at its place on the screen while the scene is moved beneath it', () => {
+    const { registration } = found(touched);
+    const hand = felt({ x: 0.15, y: -0.12, z: 0.03 });
+    const device = { x: 0.03, y: -0.01, z: 0.004 };
+    const inMovedScene = { x: hand.x + device.x, y: hand.y + device.y, z: hand.z + device.z };
+    expect(far(inScreen(inMovedScene, beneath(registration, device)), { x: 0.15, y: -0.12, z: 0.03 })).toBeLessThan(1e-9);
+    expect(far(inScreen(hand, beneath(registration, device)), { x: 0.15, y: -0.12, z: 0.03 })).toBeGreaterThan(0.01);
   });
 
   it('may lie so that the scene stands like a table before the screen', () => {

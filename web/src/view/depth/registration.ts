@@ -89,6 +89,9 @@ export function registrationOf(touched: Triple<ScreenPoint>, marks: Triple<Scree
   return { registration, residual };
 }
 
+/** A registration of what the hand touched in its device's own workspace, for a scene in which that workspace's origin is at `device`. */
+export const beneath = (registration: Registration, device: ScreenPoint): Registration => ({ ...registration, origin: inScreen(times(device, -1), registration) });
+
 /** Where a point of the scene is in the frame of the screen. */
 export function inScreen(point: ScreenPoint, { scale, right, up, towards, origin }: Registration): ScreenPoint {
   return add(origin, { x: dot(point, right), y: dot(point, up), z: dot(point, towards) }, scale);

@@ -1,0 +1,89 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// A scene of the shelf as another file: what for it is saved, and the files that the browser gets.
+import { element } from '../dom';
+import type { Job, SaveAs, ShelfScene } from '../generated/protocol';
+import { known, t } from '../language';
+import { setSent } from '../sent_language';
+import { formsOf } from './forms';
+
+export interface SaveAsTarget {
+  save(wanted: Omit<SaveAs, 'type'>): void;
+  closed(): void;
+}
+
+export class SaveAsQuestion {
+  private scene: ShelfScene | null = null;
+
+  constructor(private readonly target: SaveAsTarget) {
+    element<HTMLFormElement>('save-as').onsubmit = (event) => {
+      event.preventDefault();
+      if (this.scene === null) return;
+      const paper = element('paper-field').hidden ? null : element<HTMLSelectElement>('paper').value;
+      this.target.save({ scene: this.scene.scene, form: this.form, paper });
+    };
+    element('save-not').onclick = () => this.target.closed();
+    element('saved-done').onclick = () => this.target.closed();
+  }
+
+  ask(scene: ShelfScene): void {
+    this.scene = scene;
+    element('save-as-title').textContent = t('Save {title}', { title: known(scene.title) });
+    const fieldset = element('forms');
+    fieldset.querySelectorAll('.check').forEach((old) => old.remove());
+    formsOf(scene.forms).forEach(({ form, words }, k) => {
+      const label = document.createElement('label');
+      label.className = 'check';
+      const input = document.createElement('input');
+      input.type = 'radio';
+      input.name = 'form';
+      input.value = form;
+      input.defaultChecked = k === 0;
+      input.onchange = () => this.offerPaper();
+      label.append(input, ` ${words}`);
+      fieldset.append(label);
+    });
+    element<HTMLFormElement>('save-as').reset();
+    this.offerPaper();
+  }
+
+  focus(): void {
+    element('forms').querySelector<HTMLInputElement>('input:checked')?.focus();
+  }
+
+  private get form(): string {
+    return element('forms').querySelector<HTMLInputElement>('input:checked')?.value ?? '';
+  }
+
+  private offerPaper(): void {
+    element('paper-field').hidden = !formsOf([this.form]).some(({ onPaper }) => onPaper);
+  }
+}
+
+/** Lists what was saved, and begins the download of a single file. Returns the words for it. */
+export function showSaved({ saved, notes }: Job): string {
+  const links = saved.map(({ name, address }) => {
+    const link = document.createElement('a');
+    link.href = address;
+    link.download = name;
+    link.textContent = name;
+    return link;
+  });
+  const listed = (child: Node) => {
+    const line = document.createElement('li');
+    line.append(child);
+    return line;
+  };
+  element('saved-files').replaceChildren(...links.map(listed));
+  element('saved-notes').replaceChildren(
+    ...notes.map((note) => {
+      const line = document.createElement('li');
+      setSent(line, known(note));
+      return line;
+    }),
+  );
+  const words = t('Saved: {names}', { names: saved.map(({ name }) => name).join(', ') });
+  element('saved-title').textContent = words;
+  if (links.length === 1) links[0]!.click();
+  return words;
+}
