@@ -18,7 +18,16 @@ find_package(ZLIB REQUIRED)
 # Of libosmium, which is headers: its readers of XML and PBF need it and zlib.
 find_package(EXPAT REQUIRED)
 find_path(OSMIUM_INCLUDE_DIR osmium/io/reader.hpp REQUIRED)
-palpable_find_openvdb()
+# For palpable-vdb-writer.so. Its own CMake file is outside CMake's path, and looks for Python too.
+find_package(TBB REQUIRED)
+find_package(Imath REQUIRED CONFIG)
+find_path(OPENVDB_INCLUDE_DIR openvdb/openvdb.h REQUIRED)
+find_library(OPENVDB_LIBRARY openvdb REQUIRED)
+add_library(OpenVDB::openvdb UNKNOWN IMPORTED)
+set_target_properties(
+  OpenVDB::openvdb
+  PROPERTIES IMPORTED_LOCATION ${OPENVDB_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${OPENVDB_INCLUDE_DIR}
+             INTERFACE_LINK_LIBRARIES "TBB::tbb;Imath::Imath;Boost::headers")
 pkg_check_modules(BLOSC REQUIRED IMPORTED_TARGET blosc)
 # A plain library, so that a program for the servo alone need not search for it by pkg-config.
 find_path(USB_INCLUDE_DIR libusb-1.0/libusb.h REQUIRED)

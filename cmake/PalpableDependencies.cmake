@@ -19,28 +19,11 @@ set(palpable_pc_usb-1.0 libusb-1.0)
 set(palpable_pc_PkgConfig_WEBP libwebp)
 set(palpable_pc_PkgConfig_ZIP libzip)
 set(palpable_pc_PkgConfig_ZSTD libzstd)
-set(palpable_libs_OpenVDB_openvdb "-lopenvdb -ltbb -lImath")
 set(palpable_libs_Ceres_ceres "-lceres -lglog")
-
-# OpenVDB's own CMake file is outside CMake's path, and looks for Python too.
-macro(palpable_find_openvdb)
-  find_package(TBB REQUIRED)
-  find_package(Imath REQUIRED CONFIG)
-  find_package(Boost REQUIRED)
-  find_path(OPENVDB_INCLUDE_DIR openvdb/openvdb.h REQUIRED)
-  find_library(OPENVDB_LIBRARY openvdb REQUIRED)
-  add_library(OpenVDB::openvdb UNKNOWN IMPORTED)
-  set_target_properties(
-    OpenVDB::openvdb
-    PROPERTIES IMPORTED_LOCATION ${OPENVDB_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${OPENVDB_INCLUDE_DIR}
-               INTERFACE_LINK_LIBRARIES "TBB::tbb;Imath::Imath;Boost::headers")
-endmacro()
 
 # Finds what stands behind one link target.
 macro(palpable_find_link link)
   if(TARGET ${link})
-  elseif("${link}" STREQUAL "OpenVDB::openvdb")
-    palpable_find_openvdb()
   elseif("${link}" MATCHES "^opencv_(.*)$")
     find_package(OpenCV REQUIRED COMPONENTS ${CMAKE_MATCH_1})
   elseif("${link}" MATCHES "^PkgConfig::(.*)$")

@@ -1,50 +1,34 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/system/child_process.hpp"
 #include "palpable/formats/vdb/vdb.hpp"
+#include "palpable/formats/vdb/vdb_blocks.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
-#include <sstream>
+#include <memory>
+#include <utility>
 
+#include <dlfcn.h>
 #include <fmt/format.h>
-// The only place where OpenVDB's headers, which take long to compile, are included.
-#include <openvdb/Grid.h>
-#include <openvdb/io/Archive.h>
-#include <openvdb/tools/SignedFloodFill.h>
-#include <openvdb/tree/Tree.h>
 
 namespace palpable::formats {
 namespace {
 
-using Tree = openvdb::tree::Tree4<float, 5, 4, 3>::Type;
-using FloatGrid = openvdb::Grid<Tree>;
-using Leaf = Tree::LeafNodeType;
-
-/// Serialises to memory, since OpenVDB writes files only in place; ours are written atomically.
-class MemoryArchive : public openvdb::io::Archive {
- public:
-  std::string bytes(const FloatGrid::ConstPtr& grid) const {
-    std::ostringstream stream(std::ios::binary);
-    constexpr bool kSeekable = true;
-    Archive::write(stream, openvdb::GridCPtrVec{grid}, kSeekable);
-    return std::move(stream).str();
-  }
-};
-
-/// Blocks of 8 x 8 x 8 voxels, counted from the field's least corner.
+/// Blocks of voxels, counted from the field's least corner.
 struct Blocks {
   std::array<int, 3> count{};
   double voxel_m = 0.0;
   Vec3 origin_m;
 
   int total() const { return count[0] * count[1] * count[2]; }
-  openvdb::Coord corner(int i) const {
+  std::array<int, 3> corner(int i) const {
     return {8 * (i % count[0]), 8 * (i / count[0] % count[1]), 8 * (i / count[0] / count[1])};
   }
-  Vec3 place(openvdb::Coord c) const {
-    return origin_m + voxel_m * Vec3{1.0 * c.x(), 1.0 * c.y(), 1.0 * c.z()};
+  /// Of a voxel from the corner of a block.
+  Vec3 place(const std::array<int, 3>& corner, Vec3 voxel) const {
+    return origin_m + voxel_m * (Vec3{1.0 * corner[0], 1.0 * corner[1], 1.0 * corner[2]} + voxel);
   }
 };
 
@@ -57,8 +41,7 @@ std::vector<int> blocks_in_band(const Distance& field, const Blocks& blocks, Vdb
   parallel_for(work, blocks.total(), 64, [&](int begin, int end) {
     for (int i = begin; i < end && !work.cancelled(); ++i) {
       const Vec3 middle{3.5, 3.5, 3.5};
-      const double distance_m =
-          field.sample({blocks.place(blocks.corner(i)) + blocks.voxel_m * middle}).distance_m;
+      const double distance_m = field.sample({blocks.place(blocks.corner(i), middle)}).distance_m;
       // Half of a block's diagonal, and a margin for the field's error.
       const double reach_m = (norm(middle) + kHalfWidth_voxels + 1.0) * blocks.voxel_m;
       const bool near = band == VdbBand::full ? distance_m < reach_m : std::abs(distance_m) < reach_m;
@@ -73,52 +56,56 @@ std::vector<int> blocks_in_band(const Distance& field, const Blocks& blocks, Vdb
 
 /// A block's values; null if none of them is in the band.
 template <models::DistanceSurface Distance>
-std::unique_ptr<Leaf> leaf_of(const Distance& field, const Blocks& blocks, int block, VdbBand band) {
+std::unique_ptr<VdbBlock> block_of(const Distance& field, const Blocks& blocks, int number, VdbBand band) {
   const auto width_m = static_cast<float>(kHalfWidth_voxels * blocks.voxel_m);
-  auto leaf = std::make_unique<Leaf>(blocks.corner(block), width_m, false);
-  for (openvdb::Index i = 0; i < Leaf::SIZE; ++i) {
-    const auto d = static_cast<float>(field.sample({blocks.place(leaf->offsetToGlobalCoord(i))}).distance_m);
-    const bool active = d < width_m && (band == VdbBand::full || d > -width_m);
-    if (active)
-      leaf->setValueOn(i, d);
-    else
-      leaf->setValueOff(i, d < 0.0F ? -width_m : width_m);
+  auto block = std::make_unique<VdbBlock>();
+  block->corner = blocks.corner(number);
+  for (std::size_t i = 0; i < VdbBlock::kVoxels; ++i) {
+    const Vec3 voxel{static_cast<double>(i / 64), static_cast<double>(i / 8 % 8), static_cast<double>(i % 8)};
+    const auto d = static_cast<float>(field.sample({blocks.place(block->corner, voxel)}).distance_m);
+    block->active[i] = d < width_m && (band == VdbBand::full || d > -width_m);
+    block->distance_m[i] = block->active[i] ? d : (d < 0.0F ? -width_m : width_m);
   }
-  if (leaf->isEmpty()) return nullptr;
-  return leaf;
+  if (block->active.none()) return nullptr;
+  return block;
 }
 
 template <models::DistanceSurface Distance>
-Result<FloatGrid::Ptr> grid_of(const Distance& field, const Blocks& blocks, VdbBand band, const Work& work) {
+Result<VdbBlocks> level_set_of(const Distance& field, const Blocks& blocks, VdbBand band, const Work& work) {
   work.report(0.0, "looking for the surface");
   const std::vector<int> wanted = blocks_in_band(field, blocks, band, work);
   constexpr std::size_t kMostBytes = std::size_t{2} << 30U;
-  const std::size_t bytes = wanted.size() * sizeof(float) * Leaf::SIZE;
+  const std::size_t bytes = wanted.size() * sizeof(float) * VdbBlock::kVoxels;
   if (bytes > kMostBytes)
     return Error{ErrorCode::failed,
                  fmt::format("would take {:.1f} GB of voxels; up to {:.1f} GB are written: take larger ones",
                              1e-9 * static_cast<double>(bytes), 1e-9 * static_cast<double>(kMostBytes)),
                  {}};
-  std::vector<std::unique_ptr<Leaf>> leaves(wanted.size());
+  VdbBlocks level_set{
+      blocks.voxel_m, blocks.origin_m, static_cast<float>(kHalfWidth_voxels * blocks.voxel_m), {}};
+  level_set.blocks.resize(wanted.size());
   work.report(0.1, "sampling the field");
   parallel_for(work, static_cast<int>(wanted.size()), 16, [&](int begin, int end) {
     for (int i = begin; i < end && !work.cancelled(); ++i)
-      leaves[static_cast<std::size_t>(i)] = leaf_of(field, blocks, wanted[static_cast<std::size_t>(i)], band);
+      level_set.blocks[static_cast<std::size_t>(i)] =
+          block_of(field, blocks, wanted[static_cast<std::size_t>(i)], band);
   });
   if (work.cancelled()) return Work::interrupted();
-  const auto grid = FloatGrid::create(static_cast<float>(kHalfWidth_voxels * blocks.voxel_m));
-  for (auto& leaf : leaves)
-    if (leaf) grid->tree().addLeaf(leaf.release());
-  // Tiles with a negative sign represent the inside beyond the band.
-  constexpr bool kThreaded = false;
-  openvdb::tools::signedFloodFill(grid->tree(), kThreaded);
-  const auto transform = openvdb::math::Transform::createLinearTransform(blocks.voxel_m);
-  transform->postTranslate({blocks.origin_m.x, blocks.origin_m.y, blocks.origin_m.z});
-  grid->setTransform(transform);
-  grid->setGridClass(openvdb::GRID_LEVEL_SET);
-  grid->setName("surface");
-  grid->setSaveFloatAsHalf(true);
-  return grid;
+  std::erase(level_set.blocks, nullptr);
+  return level_set;
+}
+
+/// The function in the module, which stays loaded. Errors: failed.
+Result<WriteVdbBlocks*> writer() {
+  const auto module =
+      helper_program("palpable-vdb-writer.so", "PALPABLE_VDB_WRITER", PALPABLE_VDB_WRITER_FOLDER);
+  if (!module)
+    return Error{ErrorCode::failed, "OpenVDB files cannot be written: " + module.error().message, {}};
+  void* const loaded = ::dlopen(module->c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* const found = loaded == nullptr ? nullptr : ::dlsym(loaded, kWriteVdbBlocks);
+  if (found == nullptr)
+    return Error{ErrorCode::failed, std::string("OpenVDB files cannot be written: ") + ::dlerror(), {}};
+  return reinterpret_cast<WriteVdbBlocks*>(found);
 }
 
 template <models::DistanceSurface Distance>
@@ -132,12 +119,12 @@ Result<std::vector<std::byte>> encode(const Distance& field, const VdbOptions& o
   };
   const Blocks blocks{{count(size.x), count(size.y), count(size.z)}, options.voxel_m, field.origin_m()};
   try {
-    const auto grid = grid_of(field, blocks, options.band, work);
-    if (!grid) return grid.error();
-    MemoryArchive archive;
-    archive.setCompression(openvdb::io::COMPRESS_BLOSC | openvdb::io::COMPRESS_ACTIVE_MASK);
+    const auto write = writer();
+    if (!write) return write.error();
+    auto level_set = level_set_of(field, blocks, options.band, work);
+    if (!level_set) return level_set.error();
     work.report(0.9, "packing the voxels");
-    const std::string bytes = archive.bytes(*grid);
+    const std::string bytes = (*write)(*level_set);
     const auto view = as_bytes(bytes);
     return std::vector<std::byte>(view.begin(), view.end());
   } catch (const std::exception& e) {
