@@ -45,12 +45,11 @@ bool PageTalk::advance(double seconds) {
   for (auto& probe : state.probes) probe.page = kPage;
   for (const auto& notice : changes_.notices()) send({page::text_frame(notice)});
   send(changes_.changes());
-  const bool moved = !std::equal(state.probes.begin(), state.probes.end(), sent_probes_.begin(),
-                                 sent_probes_.end(), page::nearly_equal);
+  const bool moved = !page::nearly_equal(state, sent_);
   quiet_s_ = moved ? 0.0 : quiet_s_ + seconds;
   if (moved) {
     send({page::text_frame(state)});
-    sent_probes_ = std::move(state.probes);
+    sent_ = std::move(state);
   }
   return quiet_s_ < kRest_s;
 }

@@ -55,7 +55,7 @@ class PageTalk {
   BrowserTouch& touch_;
   page::HostChanges changes_;
   std::deque<page::SharedFrame> waiting_;
-  std::vector<page::protocol::ProbeState> sent_probes_;
+  page::protocol::State sent_;
   /// Time without a change or message.
   double quiet_s_ = 0.0;
   describe::Language language_ = describe::Language::english;

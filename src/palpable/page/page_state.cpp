@@ -4,6 +4,7 @@
 
 #include "palpable/haptics/tick/servo_types.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,6 +12,18 @@ namespace palpable::page {
 namespace {
 
 bool near(double a, double b, double limit) { return std::abs(a - b) < limit; }
+
+bool same_place(const protocol::DevicePlace& a, const protocol::DevicePlace& b) {
+  return near(a.x_m, b.x_m, 1e-6) && near(a.y_m, b.y_m, 1e-6) && near(a.z_m, b.z_m, 1e-6) &&
+         near(a.turned_deg, b.turned_deg, 1e-2);
+}
+
+bool same_probe(const protocol::ProbeState& a, const protocol::ProbeState& b) {
+  return a.probe == b.probe && a.page == b.page && a.contact == b.contact && a.label == b.label &&
+         near(a.x_m, b.x_m, 1e-6) && near(a.y_m, b.y_m, 1e-6) && near(a.z_m, b.z_m, 1e-6) &&
+         near(a.surface_m, b.surface_m, 1e-6) && near(a.fx_N, b.fx_N, 2e-3) && near(a.fy_N, b.fy_N, 2e-3) &&
+         near(a.fz_N, b.fz_N, 2e-3);
+}
 
 }  // namespace
 
@@ -42,16 +55,9 @@ protocol::DevicePlace device_place(const Transform<SceneFrame, DeviceFrame>& sce
   return {origin.x, origin.y, origin.z, kDegrees * std::atan2(first.y, first.x)};
 }
 
-bool nearly_equal(const protocol::DevicePlace& a, const protocol::DevicePlace& b) {
-  return near(a.x_m, b.x_m, 1e-6) && near(a.y_m, b.y_m, 1e-6) && near(a.z_m, b.z_m, 1e-6) &&
-         near(a.turned_deg, b.turned_deg, 1e-2);
-}
-
-bool nearly_equal(const protocol::ProbeState& a, const protocol::ProbeState& b) {
-  return a.probe == b.probe && a.page == b.page && a.contact == b.contact && a.label == b.label &&
-         near(a.x_m, b.x_m, 1e-6) && near(a.y_m, b.y_m, 1e-6) && near(a.z_m, b.z_m, 1e-6) &&
-         near(a.surface_m, b.surface_m, 1e-6) && near(a.fx_N, b.fx_N, 2e-3) && near(a.fy_N, b.fy_N, 2e-3) &&
-         near(a.fz_N, b.fz_N, 2e-3);
+bool nearly_equal(const protocol::State& a, const protocol::State& b) {
+  return same_place(a.device, b.device) &&
+         std::equal(a.probes.begin(), a.probes.end(), b.probes.begin(), b.probes.end(), same_probe);
 }
 
 Point<SceneFrame> pointer_place(const protocol::Pointer& pointer, const models::Scene& scene,

@@ -19,11 +19,9 @@ protocol::ProbeState probe_state(const device::TouchSample& sample, const models
 /// A device's own positions in the scene, as the page shows them.
 protocol::DevicePlace device_place(const Transform<SceneFrame, DeviceFrame>& scene_from_device);
 
-/// Whether two places are equal for a user: within a micrometre and a hundredth of a degree.
-bool nearly_equal(const protocol::DevicePlace& a, const protocol::DevicePlace& b);
-
-/// Whether two states are equal for a user: within a micrometre and two millinewtons.
-bool nearly_equal(const protocol::ProbeState& a, const protocol::ProbeState& b);
+/// Whether two states are equal for a user, whatever their time and rate: probes and device within a
+/// micrometre, two millinewtons and a hundredth of a degree.
+bool nearly_equal(const protocol::State& a, const protocol::State& b);
 
 /// Where a page's pointer holds the probe: the centre of the touching ball, which at rest is one radius above
 /// the surface.

@@ -118,7 +118,7 @@ void Pages::show(std::shared_ptr<PageHost> host) {
     client.close(boost::beast::websocket::close_code::try_again_later, kReplaced);
   });
   movers_ = {};
-  sent_probes_.clear();
+  sent_state_ = {};
   sent_floor_.reset();
   changes_.reset();
   host_ = std::move(host);
@@ -180,10 +180,7 @@ void Pages::send_state() {
   protocol::State state = host_->state();
   for (auto& probe : state.probes) probe.page = movers_.at(static_cast<std::size_t>(probe.probe));
   const auto now = steady_clock::now();
-  constexpr auto is_same = [](const auto& a, const auto& b) { return nearly_equal(a, b); };
-  const bool moved = !std::equal(state.probes.begin(), state.probes.end(), sent_probes_.begin(),
-                                 sent_probes_.end(), is_same) ||
-                     !is_same(state.device, sent_device_);
+  const bool moved = !nearly_equal(state, sent_state_);
   if (moved) active_at_ = now;
   const bool is_due = moved || now - sent_state_at_ >= kRestPeriod;
   SharedFrame frame;
@@ -193,8 +190,7 @@ void Pages::send_state() {
     client.is_behind = !client.send_if_idle(frame);
   });
   if (!is_due) return;
-  sent_probes_ = std::move(state.probes);
-  sent_device_ = state.device;
+  sent_state_ = std::move(state);
   sent_state_at_ = now;
 }
 

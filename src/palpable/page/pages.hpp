@@ -93,8 +93,7 @@ class Pages {
   std::vector<std::weak_ptr<Client>> clients_;
   /// Set if there is a host.
   std::optional<HostChanges> changes_;
-  std::vector<protocol::ProbeState> sent_probes_;
-  protocol::DevicePlace sent_device_;
+  protocol::State sent_state_;
   std::chrono::steady_clock::time_point sent_state_at_;
   std::optional<protocol::RobotFloor> sent_floor_;
   std::chrono::steady_clock::time_point floor_at_;

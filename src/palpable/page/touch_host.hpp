@@ -54,7 +54,7 @@ class TouchHost final : public PageHost {
     session::RobotControl* robot = nullptr;
     /// Keeps the scene whenever its names have changed, on a thread of the host; may be empty, or fail: they
     /// are kept beside `save_as` then, until save().
-    std::function<Result<void>(const models::Scene&)> keep;
+    std::function<Result<void>(const models::Scene&)> keep = {};
   };
   /// `session`, and what the options refer to, must outlive the host.
   TouchHost(session::TouchSession& session, Options options);

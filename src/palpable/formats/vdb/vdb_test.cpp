@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <random>
 
@@ -70,6 +71,18 @@ TEST(Vdb, RefusesTooManyVoxels) {
   const auto bytes = encode_vdb(half_space(), {1e-6, VdbBand::narrow}, Work{});
   ASSERT_FALSE(bytes);
   EXPECT_EQ(bytes.error().code, ErrorCode::usage);
+}
+
+TEST(Vdb, SaysThatItsWriterCannotBeLoaded) {
+  for (const char* const module : {"/no/such/writer.so", "/etc/passwd"}) {
+    ::setenv("PALPABLE_VDB_WRITER", module, 1);
+    const auto bytes = encode_vdb(half_space(), {0.0005, VdbBand::narrow}, Work{});
+    ::unsetenv("PALPABLE_VDB_WRITER");
+    ASSERT_FALSE(bytes);
+    EXPECT_EQ(bytes.error().code, ErrorCode::failed);
+    EXPECT_NE(bytes.error().message.find("OpenVDB files cannot be written: "), std::string::npos);
+    EXPECT_NE(bytes.error().message.find(module), std::string::npos) << bytes.error().message;
+  }
 }
 
 TEST(Vdb, RefusesAFileTruncatedAnywhere) {

@@ -3,7 +3,7 @@
 #include "palpable/core/files/byte_reader.hpp"
 #include "palpable/core/system/child_process.hpp"
 #include "palpable/formats/vdb/vdb.hpp"
-#include "palpable/formats/vdb/vdb_blocks.hpp"
+#include "palpable/formats/vdb/vdb_writer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,58 +54,69 @@ std::vector<int> blocks_in_band(const Distance& field, const Blocks& blocks, Vdb
   return list;
 }
 
-/// A block's values; null if none of them is in the band.
+/// A block's values; false if none of them is in the band. What is not has the background's magnitude.
 template <models::DistanceSurface Distance>
-std::unique_ptr<VdbBlock> block_of(const Distance& field, const Blocks& blocks, int number, VdbBand band) {
-  const auto width_m = static_cast<float>(kHalfWidth_voxels * blocks.voxel_m);
-  auto block = std::make_unique<VdbBlock>();
-  block->corner = blocks.corner(number);
-  for (std::size_t i = 0; i < VdbBlock::kVoxels; ++i) {
+bool fill(LevelSet::Block& block, const Distance& field, const Blocks& blocks, float width_m, VdbBand band) {
+  bool is_in_band = false;
+  for (std::size_t i = 0; i < block.values.size(); ++i) {
     const Vec3 voxel{static_cast<double>(i / 64), static_cast<double>(i / 8 % 8), static_cast<double>(i % 8)};
-    const auto d = static_cast<float>(field.sample({blocks.place(block->corner, voxel)}).distance_m);
-    block->active[i] = d < width_m && (band == VdbBand::full || d > -width_m);
-    block->distance_m[i] = block->active[i] ? d : (d < 0.0F ? -width_m : width_m);
+    const auto d = static_cast<float>(field.sample({blocks.place(block.corner, voxel)}).distance_m);
+    const bool in_band = d < width_m && (band == VdbBand::full || d > -width_m);
+    block.values[i] = in_band ? d : (d < 0.0F ? -width_m : width_m);
+    is_in_band = is_in_band || in_band;
   }
-  if (block->active.none()) return nullptr;
-  return block;
+  return is_in_band;
 }
 
 template <models::DistanceSurface Distance>
-Result<VdbBlocks> level_set_of(const Distance& field, const Blocks& blocks, VdbBand band, const Work& work) {
+Result<LevelSet> level_set_of(const Distance& field, const Blocks& blocks, VdbBand band, const Work& work) {
   work.report(0.0, "looking for the surface");
   const std::vector<int> wanted = blocks_in_band(field, blocks, band, work);
   constexpr std::size_t kMostBytes = std::size_t{2} << 30U;
-  const std::size_t bytes = wanted.size() * sizeof(float) * VdbBlock::kVoxels;
+  const std::size_t bytes = wanted.size() * sizeof(LevelSet::Block::values);
   if (bytes > kMostBytes)
     return Error{ErrorCode::failed,
                  fmt::format("would take {:.1f} GB of voxels; up to {:.1f} GB are written: take larger ones",
                              1e-9 * static_cast<double>(bytes), 1e-9 * static_cast<double>(kMostBytes)),
                  {}};
-  VdbBlocks level_set{
-      blocks.voxel_m, blocks.origin_m, static_cast<float>(kHalfWidth_voxels * blocks.voxel_m), {}};
-  level_set.blocks.resize(wanted.size());
+  const double step = blocks.voxel_m;
+  LevelSet level_set{std::vector<LevelSet::Block>(wanted.size()),
+                     static_cast<float>(kHalfWidth_voxels * step),
+                     blocks.origin_m,
+                     {Vec3{step, 0.0, 0.0}, Vec3{0.0, step, 0.0}, Vec3{0.0, 0.0, step}}};
+  std::vector<std::uint8_t> is_kept(wanted.size());
   work.report(0.1, "sampling the field");
   parallel_for(work, static_cast<int>(wanted.size()), 16, [&](int begin, int end) {
-    for (int i = begin; i < end && !work.cancelled(); ++i)
-      level_set.blocks[static_cast<std::size_t>(i)] =
-          block_of(field, blocks, wanted[static_cast<std::size_t>(i)], band);
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end) && !work.cancelled();
+         ++i) {
+      LevelSet::Block& block = level_set.blocks[i];
+      block.corner = blocks.corner(wanted[i]);
+      is_kept[i] = fill(block, field, blocks, level_set.background, band) ? 1 : 0;
+    }
   });
   if (work.cancelled()) return Work::interrupted();
-  std::erase(level_set.blocks, nullptr);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    if (is_kept[i] != 0) level_set.blocks[kept++] = level_set.blocks[i];
+  level_set.blocks.resize(kept);
   return level_set;
 }
 
+struct Writer {
+  WriteLevelSet* write = nullptr;
+};
+
 /// The function in the module, which stays loaded. Errors: failed.
-Result<WriteVdbBlocks*> writer() {
+Result<Writer> writer() {
   const auto module =
       helper_program("palpable-vdb-writer.so", "PALPABLE_VDB_WRITER", PALPABLE_VDB_WRITER_FOLDER);
   if (!module)
     return Error{ErrorCode::failed, "OpenVDB files cannot be written: " + module.error().message, {}};
   void* const loaded = ::dlopen(module->c_str(), RTLD_NOW | RTLD_LOCAL);
-  void* const found = loaded == nullptr ? nullptr : ::dlsym(loaded, kWriteVdbBlocks);
+  void* const found = loaded == nullptr ? nullptr : ::dlsym(loaded, kWriteLevelSet);
   if (found == nullptr)
     return Error{ErrorCode::failed, std::string("OpenVDB files cannot be written: ") + ::dlerror(), {}};
-  return reinterpret_cast<WriteVdbBlocks*>(found);
+  return Writer{reinterpret_cast<WriteLevelSet*>(found)};
 }
 
 template <models::DistanceSurface Distance>
@@ -119,12 +130,12 @@ Result<std::vector<std::byte>> encode(const Distance& field, const VdbOptions& o
   };
   const Blocks blocks{{count(size.x), count(size.y), count(size.z)}, options.voxel_m, field.origin_m()};
   try {
-    const auto write = writer();
-    if (!write) return write.error();
+    const auto module = writer();
+    if (!module) return module.error();
     auto level_set = level_set_of(field, blocks, options.band, work);
     if (!level_set) return level_set.error();
     work.report(0.9, "packing the voxels");
-    const std::string bytes = (*write)(*level_set);
+    const std::string bytes = module->write(*level_set);
     const auto view = as_bytes(bytes);
     return std::vector<std::byte>(view.begin(), view.end());
   } catch (const std::exception& e) {

@@ -1,8 +1,10 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The module palpable-vdb-writer.so.
-#include "palpable/formats/vdb/vdb_blocks.hpp"
+#include "palpable/formats/vdb/vdb_writer.hpp"
 
+#include <cmath>
+#include <memory>
 #include <sstream>
 #include <utility>
 
@@ -18,7 +20,7 @@ namespace {
 using Tree = openvdb::tree::Tree4<float, 5, 4, 3>::Type;
 using FloatGrid = openvdb::Grid<Tree>;
 using Leaf = Tree::LeafNodeType;
-static_assert(Leaf::DIM == VdbBlock::kSide && Leaf::SIZE == VdbBlock::kVoxels);
+static_assert(Leaf::DIM == LevelSet::kSide);
 
 /// Serialises to memory, since OpenVDB writes files only in place; ours are written atomically.
 class MemoryArchive : public openvdb::io::Archive {
@@ -31,31 +33,30 @@ class MemoryArchive : public openvdb::io::Archive {
   }
 };
 
-std::unique_ptr<Leaf> leaf_of(const VdbBlock& block, float half_width_m) {
+std::unique_ptr<Leaf> leaf_of(const LevelSet::Block& block, float background) {
   const auto& [x, y, z] = block.corner;
-  auto leaf = std::make_unique<Leaf>(openvdb::Coord(x, y, z), half_width_m, false);
+  auto leaf = std::make_unique<Leaf>(openvdb::Coord(x, y, z), background, false);
   for (openvdb::Index i = 0; i < Leaf::SIZE; ++i) {
-    if (block.active[i])
-      leaf->setValueOn(i, block.distance_m[i]);
+    const float value = block.values[i];
+    if (std::abs(value) == background)
+      leaf->setValueOff(i, value);
     else
-      leaf->setValueOff(i, block.distance_m[i]);
+      leaf->setValueOn(i, value);
   }
   return leaf;
 }
 
 }  // namespace
 
-extern "C" __attribute__((visibility("default"))) std::string palpable_write_vdb_blocks(
-    VdbBlocks& level_set) {
-  const auto grid = FloatGrid::create(level_set.half_width_m);
-  for (auto& block : level_set.blocks) {
-    grid->tree().addLeaf(leaf_of(*block, level_set.half_width_m).release());
-    block.reset();
-  }
+extern "C" __attribute__((visibility("default"))) std::string palpable_write_level_set(LevelSet& level_set) {
+  const auto grid = FloatGrid::create(level_set.background);
+  for (const LevelSet::Block& block : level_set.blocks)
+    grid->tree().addLeaf(leaf_of(block, level_set.background).release());
+  level_set.blocks = {};
   // Tiles with a negative sign represent the inside beyond the band.
   constexpr bool kThreaded = false;
   openvdb::tools::signedFloodFill(grid->tree(), kThreaded);
-  const auto transform = openvdb::math::Transform::createLinearTransform(level_set.voxel_m);
+  const auto transform = openvdb::math::Transform::createLinearTransform(level_set.steps_m[0].x);
   transform->postTranslate({level_set.origin_m.x, level_set.origin_m.y, level_set.origin_m.z});
   grid->setTransform(transform);
   grid->setGridClass(openvdb::GRID_LEVEL_SET);
