@@ -42,7 +42,7 @@ export function showCards(list: HTMLElement, scenes: readonly ShelfScene[], targ
       words.append(made('h3', '', known(scene.title)), made('p', 'kind', known(scene.kind)), made('p', '', known(scene.sentence)));
       const actions = made('div', 'actions');
       actions.append(button(t('Touch'), t('Touch {title}', { title: known(scene.title) }), () => target.touch(scene)));
-      if (scene.forms.length > 0) actions.append(button(t('Save as …'), t('Save {title} as a file', { title: known(scene.title) }), () => target.saveAs(scene)));
+      if (scene.forms.length > 0) actions.append(button(t('Save'), t('Save {title} as a file', { title: known(scene.title) }), () => target.saveAs(scene)));
       const { forget } = target;
       if (forget) actions.append(button(t('Remove'), t('Remove {title} from this list', { title: known(scene.title) }), () => forget(scene)));
       card.append(frame, words, actions);

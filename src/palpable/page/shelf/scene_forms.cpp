@@ -48,7 +48,7 @@ Result<SaveWords> save_words(const protocol::SaveAs& wanted, std::string_view ki
   if (!wanted.paper) return words;
   if (*wanted.paper != "A4" && *wanted.paper != "A3")
     return Error{ErrorCode::usage, "there is no such paper", {}};
-  if (form->on_paper) words.options.push_back("--paper=" + *wanted.paper);
+  if (form->on_paper) words.options = {"--paper", *wanted.paper};
   return words;
 }
 

@@ -25,7 +25,7 @@ TEST(SceneForms, AreThoseThatExportHasForTheKind) {
 TEST(SceneForms, BecomeOptionsOfExport) {
   const auto drawing = save_words({"x", "swell", "A3"}, "a relief").value();
   EXPECT_EQ(drawing.suffix, ".svg");
-  EXPECT_THAT(drawing.options, ElementsAre("--paper=A3"));
+  EXPECT_THAT(drawing.options, ElementsAre("--paper", "A3"));
   const auto page = save_words({"x", "phone", "A3"}, "a relief").value();
   EXPECT_EQ(page.suffix, ".html");
   EXPECT_THAT(page.options, IsEmpty()) << "a page is on no paper";

@@ -70,7 +70,7 @@ class ServedShelf : public Served {
                  {"moved_mm", nullptr}});
   }
   Json end_of(Json job) const {
-    while (job["state"] == "making" || job["state"] == "opening") {
+    while (job["state"] == "making" || job["state"] == "opening" || job["state"] == "saving") {
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
       job = tell({{"type", "follow"}, {"job", job["job"]}});
     }
