@@ -207,7 +207,11 @@ it('making is shown, can be cancelled, and leaves nothing behind', async () => {
 });
 
 it('scenes are removed from the list with their files', async () => {
-  for (const name of ['boat.png', 'A sailing boat']) await page.getByRole('button', { name: `Remove ${name} from this list` }).click();
+  const kept = page.locator('#recent').getByRole('button', { name: /^Remove / });
+  for (let left = await kept.count(); left > 0; --left) {
+    await kept.first().click();
+    await expect.poll(() => kept.count()).toBe(left - 1);
+  }
   await page.getByRole('heading', { name: 'Opened lately' }).waitFor({ state: 'hidden' });
   expect(readdirSync(join(folder, 'palpable', 'scenes'))).toEqual([]);
   expect(complaints).toEqual([]);
