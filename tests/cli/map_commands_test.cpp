@@ -161,6 +161,11 @@ TEST_F(MapCommands, MakeAMapOfAnExtract) {
   ASSERT_EQ(set.exit_code, 0) << set.err;
   EXPECT_THAT(set.err, HasSubstr("map.dark_land"));
   EXPECT_THAT(set.err, Not(HasSubstr("map_relief")));
+  // A name that a person gave has a key, which is not that of a street.
+  EXPECT_EQ(palpable({"name", path("map.palp"), "--add", "Linden inn", "--at=10,10"}).exit_code, 0);
+  EXPECT_EQ(palpable({"export", path("map.palp"), "-o", path("map.brf")}).exit_code, 0);
+  EXPECT_THAT(read_text(path("map.brf")), HasSubstr("LI ,LINDENWEG"));
+  EXPECT_THAT(read_text(path("map.brf")), HasSubstr("LIX ,LINDEN INN"));
   // A sheet of an earlier key goes, a file of another kind stays.
   write_text(path("map-key-5.svg"), read_text(path("map-key.svg")));
   write_text(path("map-key-6.svg"), "<svg><title>Mine</title></svg>");

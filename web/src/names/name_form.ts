@@ -43,8 +43,8 @@ export class NameForm {
     this.dialog.addEventListener('close', () => {
       const { returnValue } = this.dialog;
       this.dialog.returnValue = '';
-      if (returnValue === 'save' && this.around !== null)
-        this.save({ list: this.around.list, place: this.chosen?.place ?? null, name: this.name.value, sentence: this.sentence.value, at: this.at });
+      if (returnValue === 'save')
+        this.save({ list: this.around?.list ?? 0, place: this.chosen?.place ?? null, name: this.name.value, sentence: this.sentence.value, at: this.at });
     });
   }
 
@@ -52,22 +52,46 @@ export class NameForm {
     return this.named[this.of.selectedIndex] ?? null;
   }
 
-  /** For the place `at`: the point, or what covers it; `only`: this one place. */
-  open(around: Around, at: Place, only?: AroundPlace): void {
+  /** For the point `at`: at once, so that what is typed is typed here. */
+  open(at: Place): void {
+    this.show(null, at, [null]);
+  }
+  /** For one place of a list. */
+  rename(around: Around, at: Place, place: AroundPlace): void {
+    this.show(around, at, [place]);
+  }
+  /** What covers the point can be named instead of it. */
+  offer(around: Around): void {
+    if (!this.dialog.open) return;
+    this.around = around;
+    this.choose([null, ...around.places.filter(({ here }) => here)]);
+  }
+  /** Nothing is named; false: it was not open. */
+  leave(): boolean {
+    if (!this.dialog.open) return false;
+    this.dialog.close('');
+    return true;
+  }
+
+  private show(around: Around | null, at: Place, named: (AroundPlace | null)[]): void {
     this.around = around;
     this.at = at;
-    const here = around.places.filter(({ here: covers }) => covers);
-    this.named = only ? [only] : [null, ...here];
-    const words = (place: AroundPlace | null) => (place === null ? t('this point') : place.written ? t('instead of {name}', { name: place.name }) : t('the whole of {name}', { name: place.name }));
-    this.of.replaceChildren(...this.named.map((place) => new Option(words(place))));
-    this.of.disabled = this.named.length === 1;
+    this.choose(named);
     element('name-problem').textContent = '';
+    const [only] = named;
     element('name-title').textContent = only ? t('Rename {name}', { name: only.name }) : t('Name a place');
     this.name.value = this.sentence.value = '';
     this.fill();
     this.dialog.showModal();
     this.name.focus();
     this.name.select();
+  }
+
+  private choose(named: (AroundPlace | null)[]): void {
+    this.named = named;
+    const words = (place: AroundPlace | null) => (place === null ? t('this point') : place.written ? t('instead of {name}', { name: place.name }) : t('the whole of {name}', { name: place.name }));
+    this.of.replaceChildren(...this.named.map((place) => new Option(words(place))));
+    this.of.disabled = this.named.length === 1;
   }
 
   /** A written name is edited; something else gets one. */

@@ -47,7 +47,11 @@ export class Names {
     );
     this.list = new PlacesList({
       find: (place, list) => this.find(place, list),
-      rename: (place) => this.ask((around) => this.form.open(around, page.place(), around.places.find(({ place: one }) => one === place.place))),
+      rename: ({ place }) =>
+        this.ask((around) => {
+          const one = around.places.find((other) => other.place === place);
+          if (one) this.form.rename(around, page.place(), one);
+        }),
       remove: (place, list) => page.send({ type: 'unname', list, place: place.place }),
       save: () => page.send({ type: 'save' }),
     });
@@ -62,7 +66,7 @@ export class Names {
   /** Names the probe's place. */
   nameHere(at = this.page.place()): void {
     this.setNaming(false);
-    this.ask((around) => this.form.open(around, at), at);
+    if (this.ask((around) => this.form.offer(around), at)) this.form.open(at);
   }
   /** The button: by keyboard the probe's place is named, by pointer the next place that is clicked. */
   nameByButton(event: Event): void {
@@ -103,6 +107,9 @@ export class Names {
   /** The connection is lost, or there is another scene. */
   forget(): void {
     this.asked = null;
+    // They are about what was there.
+    this.list.leave();
+    if (this.form.leave()) this.page.say(t('The name was not given.'), Importance.answer);
     if (this.finder.isLeading) this.finder.stop();
   }
 
@@ -122,11 +129,16 @@ export class Names {
     this.finder.begin(place.name);
   }
 
-  private ask(then: (around: Around) => void, at = this.page.place()): void {
-    if (this.page.surface() === null) return this.page.say(noScene, Importance.answer);
+  /** False, and said: there is no scene. */
+  private ask(then: (around: Around) => void, at = this.page.place()): boolean {
+    if (this.page.surface() === null) {
+      this.page.say(noScene, Importance.answer);
+      return false;
+    }
     this.serial += 1;
     this.asked = then;
     this.page.send({ type: 'look_around', serial: this.serial, x_m: at.x, y_m: at.y });
+    return true;
   }
 
   private setNaming(naming: boolean): void {

@@ -62,6 +62,12 @@ export class PlacesList {
     (around.places.length > 0 ? this.list : element('places-close')).focus();
   }
 
+  /** Without a choice. */
+  leave(): void {
+    this.around = null;
+    if (this.dialog.open) this.dialog.close('');
+  }
+
   private type(event: KeyboardEvent): void {
     event.preventDefault();
     const found = this.typeAhead.type(event.key, event.timeStamp, this.around?.places ?? [], this.list.selectedIndex);

@@ -3,7 +3,7 @@
 // A scene of the shelf as another file: what for it is saved, and the files that the browser gets.
 import { element } from '../dom';
 import type { Job, SaveAs, ShelfScene } from '../generated/protocol';
-import { known, t } from '../language';
+import { known, language, t } from '../language';
 import { setSent } from '../sent_language';
 import { formsOf } from './forms';
 
@@ -20,7 +20,7 @@ export class SaveAsQuestion {
       event.preventDefault();
       if (this.scene === null) return;
       const paper = element('paper-field').hidden ? null : element<HTMLSelectElement>('paper').value;
-      this.target.save({ scene: this.scene.scene, form: this.form, paper });
+      this.target.save({ scene: this.scene.scene, form: this.form, paper, language });
     };
     element('save-not').onclick = () => this.target.closed();
     element('saved-done').onclick = () => this.target.closed();
@@ -82,8 +82,10 @@ export function showSaved({ saved, notes }: Job): string {
       return line;
     }),
   );
-  const words = t('Saved: {names}', { names: saved.map(({ name }) => name).join(', ') });
+  const isOne = links.length === 1;
+  element('saved-how').textContent = isOne ? t('If the download does not begin by itself, choose the file:') : t('Choose each file to download it:');
+  const words = isOne ? t('Saved: {names}', { names: saved[0]!.name }) : t('Saved as {count} files', { count: links.length });
   element('saved-title').textContent = words;
-  if (links.length === 1) links[0]!.click();
-  return words;
+  if (isOne) links[0]!.click();
+  return [words, ...notes.map(known)].join('. ');
 }

@@ -41,6 +41,8 @@ export const steps = [
   'following points',
   'following trajectories',
   'fusing the depth maps',
+  'Opening the touch',
+  'Saving',
 ];
 
 /** {…}: what differs from file to file. */

@@ -71,7 +71,9 @@ export class ShelfPage {
     const touch = (scene: ShelfScene) => void this.follow(() => tell({ type: 'open', scene: scene.scene }, 'job'));
     const saveAs = (scene: ShelfScene) => this.askHowToSave(scene);
     showCards(element('samples'), shelf.samples, { touch, saveAs });
-    showCards(element('recent'), shelf.recent, { touch, saveAs, forget: (scene) => void this.forget(scene) });
+    showCards(element('recent'), shelf.recent, { touch, saveAs, forget: (scene) => {
+        if (confirm(t('Remove {title}? It cannot be brought back.', { title: known(scene.title) }))) void this.forget(scene);
+      } });
     element('lately').hidden = shelf.recent.length === 0;
     element('touching').hidden = shelf.touching === null;
     element('touching-name').textContent = shelf.touching;

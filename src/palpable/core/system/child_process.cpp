@@ -62,22 +62,42 @@ Result<std::pair<Descriptor, Descriptor>> make_pipe() {
   return pipe;
 }
 
-Result<std::filesystem::path> helper_program(std::string_view name, const char* variable,
-                                             const std::filesystem::path& installed) {
-  if (const char* named = std::getenv(variable); named != nullptr && *named != '\0')
-    return std::filesystem::path(named);
+namespace {
+
+/// The first place of a helper that `is_usable`; `obstacle`: why one that is there is not.
+Result<std::filesystem::path> find_helper(std::string_view name, const char* variable,
+                                          const std::filesystem::path& installed,
+                                          bool (*is_usable)(const std::filesystem::path&),
+                                          const char* obstacle) {
   std::error_code none;
+  if (const char* named = std::getenv(variable); named != nullptr && *named != '\0')
+    return std::filesystem::absolute(named, none);
   const auto beside = std::filesystem::read_symlink("/proc/self/exe", none).parent_path() / name;
   const std::array places{beside, installed / name};
   for (const auto& place : places)
-    if (is_executable(place)) return place;
+    if (is_usable(place)) return place;
   for (const auto& place : places)
-    if (std::filesystem::exists(place, none))
-      return Error{ErrorCode::failed, place.string() + " may not be executed", {}};
+    if (std::filesystem::exists(place, none)) return Error{ErrorCode::failed, place.string() + obstacle, {}};
   return Error{ErrorCode::failed,
                "neither " + beside.string() + " nor " + (installed / name).string() + " is there (" +
                    variable + " names another place)",
                {}};
+}
+
+}  // namespace
+
+Result<std::filesystem::path> helper_program(std::string_view name, const char* variable,
+                                             const std::filesystem::path& installed) {
+  return find_helper(name, variable, installed, is_executable, " may not be executed");
+}
+
+Result<std::filesystem::path> helper_module(std::string_view name, const char* variable,
+                                            const std::filesystem::path& installed) {
+  const auto is_file = [](const std::filesystem::path& path) {
+    std::error_code none;
+    return std::filesystem::is_regular_file(path, none);
+  };
+  return find_helper(name, variable, installed, is_file, " is no file");
 }
 
 Result<pid_t> start_child(const std::filesystem::path& program, std::vector<std::string> arguments,

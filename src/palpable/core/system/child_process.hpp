@@ -48,6 +48,10 @@ Result<std::pair<Descriptor, Descriptor>> make_pipe();
 Result<std::filesystem::path> helper_program(std::string_view name, const char* variable,
                                              const std::filesystem::path& installed);
 
+/// The same for a module that the program loads, which need not be executable.
+Result<std::filesystem::path> helper_module(std::string_view name, const char* variable,
+                                            const std::filesystem::path& installed);
+
 /// Starts `program` with these arguments. `descriptors` (passable) become its descriptors 3, 4, ...; its
 /// standard streams are /dev/null, and all other descriptors are closed. All signals have their default
 /// actions and are unblocked. The process gets its own process group, so that Ctrl-C in a terminal does not

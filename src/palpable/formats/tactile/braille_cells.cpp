@@ -108,7 +108,7 @@ std::vector<std::string> beyond_ascii(std::string_view text) {
 
 /// Whether a character is written by its number, as another one is: the same cells around the digits.
 bool is_by_number(const BrailleLine& cells, const BrailleLine& by_number) {
-  constexpr std::size_t kBegin = 3;  // quotation mark, backslash, x
+  constexpr std::size_t kBegin = 2;  // quotation mark, backslash; then x, or y or z beyond 16 bits
   if (cells.size() <= kBegin || by_number.size() <= kBegin) return cells == by_number;
   return std::equal(cells.begin(), cells.begin() + kBegin, by_number.begin()) &&
          cells.back() == by_number.back();
@@ -154,9 +154,12 @@ Result<std::vector<BrailleLine>> translated_braille(std::span<const std::string>
     return Error{ErrorCode::usage, "'" + table + "' is no table of liblouis, as en-ueb-g1.ctb", {}};
   std::string text;
   for (const std::string& line : lines) {
-    std::string plain = line;
-    std::replace(plain.begin(), plain.end(), '\n', ' ');
-    text += plain + "\n";
+    for (const char c : line) {
+      // A backslash begins a character by its number there.
+      if (c == '\\') text += c;
+      text += c == '\n' ? ' ' : c;
+    }
+    text += '\n';
   }
   Descriptor in = memory_file("palpable-text"), out = memory_file("palpable-braille");
   if (in.number() < 0 || out.number() < 0 || !write_whole(in, text))

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/vdb/vdb.hpp"
 
+#include "palpable/core/system/child_process.hpp"
 #include "palpable/models/field/distance_field.hpp"
 
 #include <algorithm>
@@ -83,6 +84,22 @@ TEST(Vdb, SaysThatItsWriterCannotBeLoaded) {
     EXPECT_NE(bytes.error().message.find("OpenVDB files cannot be written: "), std::string::npos);
     EXPECT_NE(bytes.error().message.find(module), std::string::npos) << bytes.error().message;
   }
+}
+
+TEST(Vdb, RefusesAWriterThatIsCutOff) {
+  const auto whole = helper_module("palpable-vdb-writer.so", "PALPABLE_VDB_WRITER", "");
+  ASSERT_TRUE(whole);
+  const auto cut = std::filesystem::path(testing::TempDir()) / "cut-vdb-writer.so";
+  for (const std::uintmax_t bytes : {10U, 1000U, 20000U, 300000U}) {
+    std::filesystem::copy_file(*whole, cut, std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::resize_file(cut, bytes);
+    ::setenv("PALPABLE_VDB_WRITER", cut.c_str(), 1);
+    const auto written = encode_vdb(half_space(), {0.0005, VdbBand::narrow}, Work{});
+    ::unsetenv("PALPABLE_VDB_WRITER");
+    ASSERT_FALSE(written) << bytes;
+    EXPECT_NE(written.error().message.find("is cut off"), std::string::npos) << written.error().message;
+  }
+  std::filesystem::remove(cut);
 }
 
 TEST(Vdb, RefusesAFileTruncatedAnywhere) {

@@ -7,10 +7,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <memory>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 #include <dlfcn.h>
+#include <elf.h>
 #include <fmt/format.h>
 
 namespace palpable::formats {
@@ -102,6 +108,19 @@ Result<LevelSet> level_set_of(const Distance& field, const Blocks& blocks, VdbBa
   return level_set;
 }
 
+/// Whether a module is whole: its table of sections, which is at its end, lies within it. The loader does not
+/// look, and a module that was cut off ends the program by a signal.
+bool is_whole(const std::filesystem::path& module) {
+  Elf64_Ehdr header{};
+  std::error_code error;
+  const auto bytes = std::filesystem::file_size(module, error);
+  std::ifstream file(module, std::ios::binary);
+  if (error || !file.read(reinterpret_cast<char*>(&header), sizeof header)) return false;
+  const std::uint64_t sections = std::uint64_t{header.e_shentsize} * header.e_shnum;
+  return std::string_view(reinterpret_cast<const char*>(header.e_ident), SELFMAG) == ELFMAG &&
+         header.e_shoff <= bytes && sections <= bytes - header.e_shoff;
+}
+
 struct Writer {
   WriteLevelSet* write = nullptr;
 };
@@ -109,9 +128,13 @@ struct Writer {
 /// The function in the module, which stays loaded. Errors: failed.
 Result<Writer> writer() {
   const auto module =
-      helper_program("palpable-vdb-writer.so", "PALPABLE_VDB_WRITER", PALPABLE_VDB_WRITER_FOLDER);
+      helper_module("palpable-vdb-writer.so", "PALPABLE_VDB_WRITER", PALPABLE_VDB_WRITER_FOLDER);
   if (!module)
     return Error{ErrorCode::failed, "OpenVDB files cannot be written: " + module.error().message, {}};
+  if (!is_whole(*module))
+    return Error{ErrorCode::failed,
+                 "OpenVDB files cannot be written: " + module->string() + " is no module, or is cut off",
+                 {}};
   void* const loaded = ::dlopen(module->c_str(), RTLD_NOW | RTLD_LOCAL);
   void* const found = loaded == nullptr ? nullptr : ::dlsym(loaded, kWriteLevelSet);
   if (found == nullptr)

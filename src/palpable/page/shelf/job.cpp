@@ -192,6 +192,8 @@ Result<void> Job::save() {
   fs::create_directory(plan.folder, error);
   const fs::path out = plan.folder / plan.file_name;
   if (plan.words.is_copy) {
+    if (auto read = formats::read_scene(plan_.scene); !read)
+      return Error{read.error().code, read.error().message, plan.file_name};
     if (!error) fs::copy_file(plan_.scene, out, error);
   } else if (!error) {
     std::vector<std::string> words{"export", plan_.scene.string()};
@@ -202,7 +204,10 @@ Result<void> Job::save() {
   std::vector<std::string> names;
   for (fs::directory_iterator entry(plan.folder, error), end; !error && entry != end; entry.increment(error))
     names.push_back(entry->path().filename().string());
-  std::sort(names.begin(), names.end());
+  // The drawing before the sheets of its key.
+  std::sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
+    return std::pair(a != plan.file_name, a) < std::pair(b != plan.file_name, b);
+  });
   set_state("saved", {});
   const std::lock_guard lock(mutex_);
   for (const std::string& name : names)

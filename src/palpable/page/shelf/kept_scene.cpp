@@ -18,7 +18,10 @@ Result<void> KeptScene::keep(const models::Scene& scene) {
     return Error{ErrorCode::failed, "the scene was removed from the list of scenes opened lately", {}};
   if (auto written = formats::write_scene(temporary_, scene, others_); !written) return written;
   if (!id_.empty()) return recent_.replace(id_, temporary_);
-  auto added = recent_.add(temporary_, scene_card(scene), scene_picture(scene, kCardPictureSide));
+  // The sample stays on the shelf, under its own title.
+  SceneCard card = scene_card(scene);
+  card.title += ", with names";
+  auto added = recent_.add(temporary_, card, scene_picture(scene, kCardPictureSide));
   if (!added) return added.error();
   id_ = *std::move(added);
   return {};

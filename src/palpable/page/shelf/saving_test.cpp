@@ -17,8 +17,8 @@ constexpr const char* kExports =
 
 Json save(const ServedShelf& served, const std::string& scene, const std::string& form,
           const Json& paper = nullptr) {
-  return served.end_of(
-      served.tell({{"type", "save_as"}, {"scene", scene}, {"form", form}, {"paper", paper}}));
+  return served.end_of(served.tell(
+      {{"type", "save_as"}, {"scene", scene}, {"form", form}, {"paper", paper}, {"language", "en"}}));
 }
 
 TEST(Saving, GivesTheBrowserASceneAsAnotherFile) {
@@ -46,15 +46,26 @@ TEST(Saving, GivesTheSceneItself) {
   EXPECT_EQ(read->scene.title, "A level");
 }
 
+TEST(Saving, DoesNotGiveADamagedSceneItself) {
+  ServedShelf served(kExports);
+  ASSERT_EQ(served.end_of(served.make(served.upload()))["state"], "touching");
+  const std::string scene = served.tell({{"type", "look"}})["recent"][0]["scene"];
+  std::ofstream(served.folder / "state" / (scene + ".palp")) << "rubbish";
+  const Json end = save(served, scene, "scene");
+  EXPECT_EQ(end["state"], "failed") << end;
+  EXPECT_TRUE(end["saved"].empty());
+}
+
 TEST(Saving, GivesEveryFileOfADrawing) {
   ServedShelf served(
       "if [ \"$1\" = export ]; then echo 1 > \"$out\"; echo 2 > \"${out%.svg}-key.svg\"; "
       "else cp \"$scene\" \"$out\"; fi");
   const Json end = save(served, "sample:one", "swell", "A4");
   ASSERT_EQ(end["saved"].size(), 2U) << end;
-  EXPECT_EQ(end["saved"][0]["name"], "One-key.svg");
-  EXPECT_EQ(served.get(end["saved"][0]["address"]).body(), "2\n");
-  EXPECT_EQ(served.get(end["saved"][1]["address"]).body(), "1\n");
+  EXPECT_EQ(end["saved"][0]["name"], "One.svg") << "the drawing first";
+  EXPECT_EQ(end["saved"][1]["name"], "One-key.svg");
+  EXPECT_EQ(served.get(end["saved"][0]["address"]).body(), "1\n");
+  EXPECT_EQ(served.get(end["saved"][1]["address"]).body(), "2\n");
 }
 
 TEST(Saving, SaysWhyItFailed) {
@@ -79,19 +90,25 @@ TEST(Saving, AdmitsOnlyItsOwnBrowserAndGivesNothingElse) {
     EXPECT_EQ(served.get(other).result_int(), 404U) << other;
   for (const auto& [scene, form] : {std::pair("sample:one", "words"), std::pair("sample:two", "phone"),
                                     std::pair("../state/x", "scene"), std::pair("sample:one", "--help")})
-    EXPECT_EQ(
-        served
-            .post("/shelf",
-                  Json{{"type", "save_as"}, {"scene", scene}, {"form", form}, {"paper", nullptr}}.dump())
-            .result_int(),
-        409U)
+    EXPECT_EQ(served
+                  .post("/shelf", Json{{"type", "save_as"},
+                                       {"scene", scene},
+                                       {"form", form},
+                                       {"paper", nullptr},
+                                       {"language", "en"}}
+                                      .dump())
+                  .result_int(),
+              409U)
         << scene << form;
 }
 
 TEST(Saving, IsCancelled) {
   ServedShelf served("if [ \"$1\" = export ]; then sleep 1000; else cp \"$scene\" \"$out\"; fi");
-  const Json job =
-      served.tell({{"type", "save_as"}, {"scene", "sample:one"}, {"form", "phone"}, {"paper", nullptr}});
+  const Json job = served.tell({{"type", "save_as"},
+                                {"scene", "sample:one"},
+                                {"form", "phone"},
+                                {"paper", nullptr},
+                                {"language", "en"}});
   EXPECT_EQ(job["state"], "saving");
   EXPECT_EQ(served.end_of(served.tell({{"type", "cancel"}, {"job", job["job"]}}))["state"], "cancelled");
 }
@@ -104,6 +121,8 @@ TEST(Saving, KeepsTheLastFilesOnly) {
   const std::string last = save(served, "sample:one", "phone")["saved"][0]["address"];
   while (served.get(first).result_int() == 200U) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   EXPECT_EQ(served.get(last).result_int(), 200U);
+  for (int k = 0; k < 20; ++k) served.end_of(served.tell({{"type", "open"}, {"scene", "sample:one"}}));
+  EXPECT_EQ(served.get(last).result_int(), 200U) << "touches do not count";
 }
 
 models::Scene named(models::Scene scene, const std::string& name) {
@@ -130,6 +149,7 @@ TEST(Saving, KeepsANamedSampleAmongTheScenesOpenedLately) {
   ASSERT_TRUE(served.keep(named(*served.touched, "Pump")));
   const Json recent = served.tell({{"type", "look"}})["recent"];
   ASSERT_EQ(recent.size(), 1U) << "the second time it has a copy";
+  EXPECT_EQ(recent[0]["title"], "A level, with names");
   ASSERT_EQ(served.end_of(served.tell({{"type", "open"}, {"scene", "sample:one"}}))["state"], "touching");
   EXPECT_TRUE(served.touched->names.empty()) << "the sample itself is as it was";
   ASSERT_EQ(served.end_of(served.tell({{"type", "open"}, {"scene", recent[0]["scene"]}}))["state"],

@@ -23,6 +23,12 @@ constexpr std::array kForms{Form{"phone", ".html"},        Form{"swell", ".svg",
                             Form{kWords, ".txt"},          Form{kPrint, ".stl"},
                             Form{kModel, ".glb"},          Form{kScene, ".palp"}};
 
+/// Of liblouis, for the languages of the pages that are not that of export's own.
+struct BrailleTable {
+  std::string_view language, name;
+};
+constexpr std::array kTables{BrailleTable{"de", "de-g1.ctb"}, BrailleTable{"es", "es-g1.ctb"}};
+
 /// As `palpable export` has them.
 bool fits(const Form& form, std::string_view kind) {
   if (form.name == kWords) return kind == kMapKind;
@@ -45,10 +51,14 @@ Result<SaveWords> save_words(const protocol::SaveAs& wanted, std::string_view ki
   if (form == kForms.end() || !fits(*form, kind))
     return Error{ErrorCode::usage, "this scene cannot be saved as that", {}};
   SaveWords words{std::string(form->suffix), {}, form->name == kScene};
+  const auto* const table = std::find_if(kTables.begin(), kTables.end(), [&](const BrailleTable& one) {
+    return one.language == wanted.language;
+  });
+  if (form->on_paper && table != kTables.end()) words.options = {"--braille-table", std::string(table->name)};
   if (!wanted.paper) return words;
   if (*wanted.paper != "A4" && *wanted.paper != "A3")
     return Error{ErrorCode::usage, "there is no such paper", {}};
-  if (form->on_paper) words.options = {"--paper", *wanted.paper};
+  if (form->on_paper) words.options.insert(words.options.end(), {"--paper", *wanted.paper});
   return words;
 }
 

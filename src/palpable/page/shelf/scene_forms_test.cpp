@@ -23,21 +23,25 @@ TEST(SceneForms, AreThoseThatExportHasForTheKind) {
 }
 
 TEST(SceneForms, BecomeOptionsOfExport) {
-  const auto drawing = save_words({"x", "swell", "A3"}, "a relief").value();
+  const auto drawing = save_words({"x", "swell", "A3", "en"}, "a relief").value();
   EXPECT_EQ(drawing.suffix, ".svg");
   EXPECT_THAT(drawing.options, ElementsAre("--paper", "A3"));
-  const auto page = save_words({"x", "phone", "A3"}, "a relief").value();
+  EXPECT_THAT(save_words({"x", "braille", "A4", "de"}, kMapKind).value().options,
+              ElementsAre("--braille-table", "de-g1.ctb", "--paper", "A4"));
+  EXPECT_THAT(save_words({"x", "braille", {}, "--json"}, kMapKind).value().options, IsEmpty())
+      << "an unknown language has no table of its own";
+  const auto page = save_words({"x", "phone", "A3", "de"}, "a relief").value();
   EXPECT_EQ(page.suffix, ".html");
   EXPECT_THAT(page.options, IsEmpty()) << "a page is on no paper";
   EXPECT_FALSE(page.is_copy);
-  EXPECT_TRUE(save_words({"x", "scene", {}}, kMapKind).value().is_copy);
+  EXPECT_TRUE(save_words({"x", "scene", {}, "en"}, kMapKind).value().is_copy);
 }
 
 TEST(SceneForms, RefusesOthers) {
-  EXPECT_FALSE(save_words({"x", "words", {}}, "a relief"));
-  EXPECT_FALSE(save_words({"x", "print", {}}, kGridKind));
-  EXPECT_FALSE(save_words({"x", "--grid=4", {}}, "a relief"));
-  EXPECT_FALSE(save_words({"x", "swell", "A4 --quiet"}, "a relief"));
+  EXPECT_FALSE(save_words({"x", "words", {}, "en"}, "a relief"));
+  EXPECT_FALSE(save_words({"x", "print", {}, "en"}, kGridKind));
+  EXPECT_FALSE(save_words({"x", "--grid=4", {}, "en"}, "a relief"));
+  EXPECT_FALSE(save_words({"x", "swell", "A4 --quiet", "en"}, "a relief"));
 }
 
 }  // namespace

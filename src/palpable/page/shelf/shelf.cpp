@@ -68,7 +68,11 @@ void remove_abandoned() {
 /// Of a file that is called as a scene: "boat" of one that is called after its picture, boat.png.
 std::string file_stem(const std::string& title) {
   constexpr std::size_t kLongestEnding = 5;
-  const std::string name = safe_file_name(title);
+  std::string name = safe_file_name(title);
+  // Other systems have them not in names of files.
+  std::replace_if(
+      name.begin(), name.end(),
+      [](char c) { return std::string_view("<>:\"|?*").find(c) != std::string::npos; }, '_');
   const fs::path ending = fs::path(name).extension();
   const std::string letters = ending.string();
   const bool is_ending = letters.size() > 1 && letters.size() <= kLongestEnding &&
@@ -122,7 +126,7 @@ void Shelf::forget_old_jobs() {
     jobs_.erase(std::find_if(jobs_.begin(), jobs_.end(), is_ended));
   };
   forget(kMostSaved, [](const Job& job) { return job.plan().save.has_value(); });
-  forget(kMostRemembered, [](const Job&) { return true; });
+  forget(kMostRemembered, [](const Job& job) { return !job.plan().save; });
 }
 
 Result<std::string> Shelf::answer(const protocol::FromShelf& message) {

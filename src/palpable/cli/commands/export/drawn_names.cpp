@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
@@ -52,28 +53,47 @@ formats::SheetPlace place_of(const models::Scene& scene, const models::PlaceName
   return place;
 }
 
-}  // namespace
-
-void add_names(const models::Scene& scene, KeyedDrawing& drawing) {
+/// Of the places of a scene that are drawn; `taken` keys are left out.
+void add_places(const models::Scene& scene, bool (*is_one)(const models::Scene&, const describe::NamedPlace&),
+                const std::set<std::string>& taken, KeyedDrawing& drawing) {
   const describe::PlaceGuide guide(scene);
   std::vector<const models::PlaceName*> drawn;
   std::vector<std::string> names;
   for (const describe::NamedPlace& place : guide.places())
-    if (is_drawn(scene, place)) {
+    if (is_one(scene, place)) {
       drawn.push_back(&place.name);
       names.push_back(place.name.name);
     }
-  if (drawn.empty()) return;
-  drawing.heading.push_back(shortened(describe::name_of(scene)));
-  const auto keys = describe::name_keys(names);
+  auto keys = describe::name_keys(names);
   for (std::size_t k = 0; k < drawn.size(); ++k) {
     if (keys[k].empty()) {
       ++drawing.not_drawn;
       continue;
     }
+    while (taken.contains(keys[k])) keys[k] += 'x';
     drawing.sheet.places.push_back(place_of(scene, *drawn[k], keys[k]));
     drawing.key_lines.push_back(keys[k] + " " + shortened(names[k]));
   }
+}
+
+}  // namespace
+
+void add_names(const models::Scene& scene, KeyedDrawing& drawing) {
+  const std::size_t before = drawing.key_lines.size() + drawing.not_drawn;
+  add_places(scene, is_drawn, {}, drawing);
+  if (drawing.key_lines.size() + drawing.not_drawn > before)
+    drawing.heading.push_back(shortened(describe::name_of(scene)));
+}
+
+void add_written_names(const models::Scene& scene, KeyedDrawing& drawing) {
+  std::set<std::string> taken;
+  for (const std::string& line : drawing.key_lines) taken.insert(line.substr(0, line.find(' ')));
+  const std::size_t before = drawing.key_lines.size();
+  add_places(
+      scene,
+      [](const models::Scene&, const describe::NamedPlace& place) { return place.written.has_value(); },
+      taken, drawing);
+  if (drawing.key_lines.size() > before) drawing.named += " and names";
 }
 
 }  // namespace palpable::cli

@@ -12,4 +12,8 @@ namespace palpable::cli {
 /// none.
 void add_names(const models::Scene& scene, KeyedDrawing& drawing);
 
+/// Adds keys for the names that persons gave to a drawing that has keys already, of a map's streets: each key
+/// is another one than those.
+void add_written_names(const models::Scene& scene, KeyedDrawing& drawing);
+
 }  // namespace palpable::cli

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/commands/export/export_map.hpp"
 
+#include "palpable/cli/commands/export/drawn_names.hpp"
 #include "palpable/cli/commands/export/sheet_files.hpp"
 #include "palpable/describe/map_text.hpp"
 #include "palpable/describe/map_words.hpp"
@@ -45,7 +46,7 @@ models::Scene on_paper(models::Scene scene, double width_m, double line_m, doubl
   return scene;
 }
 
-/// The streets' lines with their keys.
+/// The streets' lines with their keys, and those of names that persons gave.
 KeyedDrawing drawing_of(const models::Scene& scene) {
   const describe::MapGuide guide(scene, describe::MapStreets::felt);
   KeyedDrawing drawing;
@@ -71,6 +72,7 @@ KeyedDrawing drawing_of(const models::Scene& scene) {
     drawing.sheet.strokes.push_back(std::move(street));
     drawing.key_lines.push_back(keyed.key + " " + shortened(keyed.name));
   }
+  add_written_names(scene, drawing);
   for (const MapStreet& street : map.streets)
     if (street.name.empty())
       drawing.sheet.strokes.push_back({{line_in_scene(guide, street.points, false)}, {}});

@@ -45,8 +45,15 @@ std::filesystem::path key_path(const std::filesystem::path& output, std::size_t 
 std::vector<std::string> key_lines(const KeyedDrawing& drawing, const std::vector<std::size_t>& without_room,
                                    const std::string& table, Console& console) {
   const auto writable = formats::writable_in_braille(drawing.key_lines, table);
-  std::vector<std::string> lines = drawing.heading, without_key;
+  const auto writable_heading = formats::writable_in_braille(drawing.heading, table);
+  std::vector<std::string> lines, without_key;
   std::size_t unwritable = 0;
+  for (std::size_t i = 0; i < drawing.heading.size(); ++i)
+    if (!writable_heading || (*writable_heading)[i])
+      lines.push_back(drawing.heading[i]);
+    else
+      console.note(fmt::format("The key is without the heading that {} cannot write (--braille-table): {}.",
+                               table, drawing.heading[i]));
   for (std::size_t i = 0; i < drawing.key_lines.size(); ++i) {
     const bool has_key = std::find(without_room.begin(), without_room.end(), i) == without_room.end();
     if (writable && !(*writable)[i])
