@@ -216,7 +216,7 @@ it('scenes are removed from the list with their files', async () => {
   const kept = page.locator('#recent').getByRole('button', { name: /^Remove / });
   for (let left = await kept.count(); left > 0; --left) {
     await kept.first().click();
-    await expect.poll(() => kept.count()).toBe(left - 1);
+    await expect.poll(() => kept.count(), { timeout: 60_000 }).toBe(left - 1);
   }
   await page.getByRole('heading', { name: 'Opened lately' }).waitFor({ state: 'hidden' });
   expect(readdirSync(join(folder, 'palpable', 'scenes'))).toEqual([]);

@@ -92,8 +92,10 @@ void TouchHost::edit_names(const Edit& edit) {
     edited_names_ = std::move(edited->names);
   }
   named_.reset();
-  say(PageNames::level_of(edit), std::move(edited->words));
-  put([](Tasks& tasks) { tasks.keep = true; });
+  put([&](Tasks& tasks) {
+    tasks.keep = true;
+    tasks.edited_words.emplace_back(PageNames::level_of(edit), std::move(edited->words));
+  });
 }
 
 void TouchHost::find(const protocol::Find& find) {
@@ -328,6 +330,7 @@ void TouchHost::carry_out(const Tasks& tasks) {
   if (tasks.change) report([&] { return attempt(*tasks.change); });
   if (!tasks.edits.empty()) report([&] { return attempt(tasks.edits); });
   if (tasks.keep && !tasks.save) report([&] { return keep_names(); });
+  for (const auto& [level, words] : tasks.edited_words) say(level, words);
   if (tasks.save) report([&] { return write_scene(); });
   if (!tasks.change && tasks.edits.empty()) return;
   const std::lock_guard lock(mutex_);

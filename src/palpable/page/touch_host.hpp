@@ -26,6 +26,8 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace palpable::page {
 
@@ -100,6 +102,8 @@ class TouchHost final : public PageHost {
     bool save = false;
     /// Names were edited: a copy of the scene is kept until it is saved.
     bool keep = false;
+    /// What is said of that, with its level, once the copy is kept.
+    std::vector<std::pair<std::string, std::string>> edited_words;
     std::optional<session::ExplorerPose> pose;
     /// A new guide of the hand; null in it: none.
     std::optional<std::shared_ptr<const models::RouteGuide>> guide;
