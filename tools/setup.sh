@@ -3,7 +3,8 @@
 # Shared by ./run and ./test: installs missing packages and builds. They source this file in the root folder, with
 # `set -euo pipefail`. All messages go to standard error: standard output belongs to the started program.
 
-say() { printf 'palpable: %s\n' "$*" >&2; }
+# Nobody may be listening: that stops nothing.
+say() { printf 'palpable: %s\n' "$*" >&2 || true; }
 
 # If not empty, sudo is used without asking (./run -y, ./test -y); in continuous integration (CI is set) too.
 assume_yes=

@@ -61,6 +61,13 @@ expect 'without arguments the home page is opened' [ "$(<"$room/out")" = "<$room
 expect 'nothing is installed twice' [ "$(calls_of apt-get)" -eq 0 ]
 expect 'nothing is printed when there is nothing to do' [ ! -s "$room/err" ]
 
+# Another build holds the lock for a moment.
+(flock "$room/project/build/.setup/lock" sleep 2) &
+sleep 0.3
+(cd "$room" && PATH=$room/bin:$PATH project/run info </dev/null >out 2>&-)
+expect 'it waits for another build where nobody hears that' [ "$(<"$room/out")" = "<$room><info>" ]
+wait
+
 touch "$room/broken"
 run info
 expect 'a failed build is a failure' [ $? -eq 1 ]
