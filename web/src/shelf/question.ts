@@ -4,6 +4,7 @@
 import { t } from '../language';
 import { element } from '../dom';
 import type { Make } from '../generated/protocol';
+import { offerChoices } from './choices';
 import { kindsOf, sizeWords } from './kinds';
 import { Refusal, sendFile, tell, type Sending } from './program';
 
@@ -80,21 +81,8 @@ export class Question {
   }
 
   private offerKinds(files: readonly File[]): void {
-    const fieldset = element('kinds');
     element('kinds-title').textContent = files.length === 1 ? t('This file is') : t('These files are');
-    fieldset.querySelectorAll('.check').forEach((old) => old.remove());
-    kindsOf(files).forEach(({ what, words }, k) => {
-      const label = document.createElement('label');
-      label.className = 'check';
-      const input = document.createElement('input');
-      input.type = 'radio';
-      input.name = 'what';
-      input.value = what;
-      input.defaultChecked = k === 0;
-      input.onchange = () => this.offerFields();
-      label.append(input, ` ${words}`);
-      fieldset.append(label);
-    });
+    offerChoices(element('kinds'), 'what', kindsOf(files).map(({ what, words }) => ({ value: what, words })), () => this.offerFields());
   }
 
   private get what(): string {

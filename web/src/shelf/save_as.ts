@@ -5,6 +5,7 @@ import { element } from '../dom';
 import type { Job, SaveAs, ShelfScene } from '../generated/protocol';
 import { known, language, t } from '../language';
 import { setSent } from '../sent_language';
+import { offerChoices } from './choices';
 import { formsOf } from './forms';
 
 export interface SaveAsTarget {
@@ -29,20 +30,7 @@ export class SaveAsQuestion {
   ask(scene: ShelfScene): void {
     this.scene = scene;
     element('save-as-title').textContent = t('Save {title}', { title: known(scene.title) });
-    const fieldset = element('forms');
-    fieldset.querySelectorAll('.check').forEach((old) => old.remove());
-    formsOf(scene.forms).forEach(({ form, words }, k) => {
-      const label = document.createElement('label');
-      label.className = 'check';
-      const input = document.createElement('input');
-      input.type = 'radio';
-      input.name = 'form';
-      input.value = form;
-      input.defaultChecked = k === 0;
-      input.onchange = () => this.offerPaper();
-      label.append(input, ` ${words}`);
-      fieldset.append(label);
-    });
+    offerChoices(element('forms'), 'form', formsOf(scene.forms).map(({ form, words }) => ({ value: form, words })), () => this.offerPaper());
     element<HTMLFormElement>('save-as').reset();
     this.offerPaper();
   }
