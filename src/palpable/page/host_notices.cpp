@@ -21,6 +21,7 @@ std::optional<protocol::Notice> TouchHost::next_notice() {
 
 void TouchHost::take_notices() {
   using Kind = haptics::TouchEvent::Kind;
+  for (const std::string& note : std::exchange(options_.notes, {})) say("info", describe::known(note));
   if (const auto fault = session_.take_recording_fault())
     say("warning", describe::phrase("The recording has ended: {}", fault->sentence()));
   if (const std::string step = session_.take_guidance(); !step.empty()) say("info", step);

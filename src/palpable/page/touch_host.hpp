@@ -57,6 +57,8 @@ class TouchHost final : public PageHost {
     /// Keeps the scene whenever its names have changed, on a thread of the host; may be empty, or fail: they
     /// are kept beside `save_as` then, until save().
     std::function<Result<void>(const models::Scene&)> keep = {};
+    /// Said as the touch begins, in the language of the pages where the catalogue has them.
+    std::vector<std::string> notes = {};
   };
   /// `session`, and what the options refer to, must outlive the host.
   TouchHost(session::TouchSession& session, Options options);

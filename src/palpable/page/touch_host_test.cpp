@@ -3,6 +3,7 @@
 #include "palpable/page/touch_host.hpp"
 
 #include "palpable/core/test_comes_true.hpp"
+#include "palpable/describe/language.hpp"
 #include "palpable/device/recording/recording.hpp"
 #include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/page/page_state.hpp"
@@ -332,6 +333,18 @@ TEST(DevicePlace, IsTheOriginAndTurnOfTheDevicesOwnPositions) {
   EXPECT_TRUE(nearly_equal(state, other));
   other.device.z_m += 1e-4;
   EXPECT_FALSE(nearly_equal(state, other));
+}
+
+TEST_F(HostOnATouch, SaysWhatIsToBeKnownOfTheSceneOnce) {
+  host.reset();
+  auto options = options_for_host();
+  options.notes = {"The shelf could not keep this scene: save it if you want to open it again"};
+  host = std::make_unique<TouchHost>(*session, std::move(options));
+  const describe::LanguageScope german(describe::Language::german);
+  std::string said;
+  while (const auto notice = host->next_notice()) said += notice->text;
+  EXPECT_NE(said.find("Das Regal konnte diese Szene nicht behalten"), std::string::npos) << said;
+  EXPECT_FALSE(host->next_notice());
 }
 
 TEST_F(HostOnATouch, KeepsNamesWhereItIsTold) {

@@ -162,7 +162,9 @@ void RemoteHost::serve() {
     client_.reset();
     exchange_->connected = false;
     lost_since_ = Clock::now();
-    return tell("The connection is broken; the force is off until the program comes back.");
+    return tell(
+        "The connection is broken; the force is off until the program comes back; after a minute, others may "
+        "come.");
   }
   RemoteReading reading;
   // A reading that would wait behind others is not sent: a newer one comes.

@@ -56,7 +56,7 @@ std::string_view sentence_of(Refusal refusal) {
   switch (refusal) {
     case Refusal::wrong_token:
       return "the token of the address is wrong or was used already; take the address that palpable share "
-             "prints now";
+             "prints now: it prints a new one a minute after a program was lost without taking leave";
     case Refusal::in_use:
       return "another program touches with this device already";
     case Refusal::wrong_version:

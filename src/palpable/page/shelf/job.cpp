@@ -20,6 +20,8 @@ using std::chrono::steady_clock;
 
 // protocol.json
 constexpr std::size_t kMostNotes = 16, kMostSaved = 16;
+constexpr const char* kIsNotKept =
+    "The shelf could not keep this scene: save it if you want to open it again";
 /// Of a finer scene that is made while another one is touched.
 constexpr int kRefiningNiceness = 10;
 
@@ -72,6 +74,13 @@ void Job::set_state(const char* state, const std::string& step) {
   state_.fraction.reset();
 }
 
+void Job::add_note(std::string sentence) {
+  const std::lock_guard lock(mutex_);
+  auto& notes = state_.notes;
+  if (notes.size() < kMostNotes && std::find(notes.begin(), notes.end(), sentence) == notes.end())
+    notes.push_back(std::move(sentence));
+}
+
 void Job::run() {
   Result<void> done;
   try {
@@ -98,12 +107,7 @@ Result<void> Job::make(const std::vector<std::string>& words, const std::filesys
     state_.fraction = fraction;
     state_.step = std::move(step);
   };
-  news.note = [this](std::string sentence) {
-    const std::lock_guard lock(mutex_);
-    auto& notes = state_.notes;
-    if (notes.size() < kMostNotes && std::find(notes.begin(), notes.end(), sentence) == notes.end())
-      notes.push_back(std::move(sentence));
-  };
+  news.note = [this](std::string sentence) { add_note(std::move(sentence)); };
   return run_making(making, cancelled_, news);
 }
 
@@ -155,13 +159,17 @@ Result<void> Job::begin_touch() {
   std::string id = plan_.recent_id;
   if (plan_.is_kept) {
     // It can be touched all the same.
-    if (auto added = tools_.recent->add(plan_.scene, card, scene_picture(*request.scene, kCardPictureSide)))
+    if (auto added = tools_.recent->add(plan_.scene, card, scene_picture(*request.scene, kCardPictureSide))) {
       id = *std::move(added);
+    } else {
+      add_note(kIsNotKept);
+    }
   }
   auto temporary = plan_.scene;
   temporary.replace_filename(fmt::format("named-{}.palp", plan_.number));
   kept_ = std::make_shared<KeptScene>(*tools_.recent, std::move(id), temporary, std::move(read->others));
   request.keep = [kept = kept_](const models::Scene& scene) { return kept->keep(scene); };
+  request.notes = state().notes;
   if (cancelled_) return Work::interrupted();
   if (auto begun = tools_.touch->replace(request); !begun) return begun;
   set_state("touching", {});

@@ -102,6 +102,8 @@ class Job {
   /// scene outlives those. Rewrites the scene's file if that changes it.
   Result<void> keep_names_only(const std::filesystem::path& path, formats::SceneFile& file) const;
   void set_state(const char* state, const std::string& step);
+  /// Each sentence once.
+  void add_note(std::string sentence);
 
   JobPlan plan_;
   const JobTools& tools_;

@@ -41,6 +41,7 @@ TEST(Shelf, RemovesASceneThatItCannotKeepWithItsJob) {
   const Json end = served.end_of(served.make(served.upload()));
   EXPECT_EQ(end["state"], "touching") << "it can be touched all the same";
   EXPECT_TRUE(served.tell({{"type", "look"}})["recent"].empty());
+  EXPECT_THAT(served.notes, testing::ElementsAre(testing::HasSubstr("could not keep")));
 }
 
 TEST(Shelf, OpensAnotherSceneAndTellsThePagesOfTheFirst) {

@@ -26,6 +26,7 @@ class ServedShelf : public Served {
       ++touches;
       ++begun;
       name = request.name;
+      notes = request.notes;
       const std::lock_guard lock(mutex);
       keep = request.keep;
       touched = request.scene;
@@ -81,6 +82,7 @@ class ServedShelf : public Served {
   std::unique_ptr<Shelf> shelf;
   std::string cookie;
   std::string name;
+  std::vector<std::string> notes;
   std::mutex mutex;
   std::function<Result<void>(const models::Scene&)> keep;
   std::shared_ptr<const models::Scene> touched;

@@ -25,6 +25,8 @@ struct TouchRequest {
   bool better_follows = false;
   /// Keeps the scene with its names as they are now. Any thread. Never empty.
   std::function<Result<void>(const models::Scene&)> keep;
+  /// What the person should know of the scene, in English: said as the touch begins.
+  std::vector<std::string> notes;
 };
 
 /// Opens the device and begins a touch, which ends when its host is destroyed. Blocks. Errors: as

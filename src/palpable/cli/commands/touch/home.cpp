@@ -52,6 +52,7 @@ page::shelf::BeginTouch begin_touch(const HomeArguments& arguments, const Common
     host.take_better_scene = request.take_better_scene;
     host.better_follows = request.better_follows;
     host.keep = request.keep;
+    host.notes = request.notes;
     host.save_as = free_scene_file(page::shelf::safe_file_name(request.name));
     host.home = true;
     session::TouchSession& session = **opened;
