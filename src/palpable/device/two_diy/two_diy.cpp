@@ -290,7 +290,7 @@ Result<std::unique_ptr<Device>> open_two_diy(DeviceUrl& url, const OpenOptions& 
   if (path.empty()) {
     auto ports = two_diy_ports();
     // One that says what it is comes before the others.
-    std::ranges::stable_partition(ports, says_two_diy);
+    std::stable_partition(ports.begin(), ports.end(), says_two_diy);
     const bool is_one = ports.size() > 1 && says_two_diy(ports[0]) && !says_two_diy(ports[1]);
     if (is_one) ports.resize(1);
     if (ports.empty())
