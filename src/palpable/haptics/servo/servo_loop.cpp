@@ -89,6 +89,8 @@ struct ServoLoop::Impl {
   void rehearse(double dt_s);
   void tick_further(double dt_s);
   void note_missed(const Pacer::Wake& wake);
+  /// Whether the hand or a further probe is between two scenes.
+  bool any_fades() const;
   bool may_rest() const;
   void swap_scenes();
   void run_maintenance();
@@ -135,6 +137,8 @@ struct ServoLoop::Impl {
   TickPipeline tick;
   RestDetector rest;
   std::vector<std::unique_ptr<FurtherProbe>> further;
+  /// The scene that the hand has left, as long as a further probe fades from it.
+  const HapticScene* leaving = nullptr;
   LoopCounts counts;
   std::int64_t begin_ns = 0;
 
@@ -217,8 +221,14 @@ void ServoLoop::Impl::tick_once(const Pacer::Wake& wake, double dt_s) {
   status.store(sample.status, std::memory_order_relaxed);
   if (recording.load(std::memory_order_relaxed)) recorded.put(sample);
   tick_further(std::max(dt_s, shortest_s));
-  // Not earlier: the further probes may still use the scene until here.
-  if (const HapticScene* old = tick.take_retired()) retired.put(old);
+  // Not earlier: the fade of a further probe may take longer.
+  if (const HapticScene* old = tick.take_retired()) leaving = old;
+  if (leaving != nullptr && !any_fades()) retired.put(std::exchange(leaving, nullptr));
+}
+
+bool ServoLoop::Impl::any_fades() const {
+  return tick.fading() ||
+         std::any_of(further.begin(), further.end(), [](const auto& probe) { return probe->tick.fading(); });
 }
 
 void ServoLoop::Impl::rehearse(double dt_s) {
@@ -230,7 +240,7 @@ void ServoLoop::Impl::tick_further(double dt_s) {
   for (const auto& probe : further) {
     probe->tick.set_paused(paused.load(std::memory_order_relaxed));
     const TouchSample& sample = probe->tick.step(counts.ran_s, dt_s);
-    // All probes fade together with the hand, which returns the old scene.
+    // The hand returns the old scene, for all.
     probe->tick.take_retired();
     probe->rest.update(sample, dt_s);
     probe->latest.put(sample);
@@ -240,7 +250,7 @@ void ServoLoop::Impl::tick_further(double dt_s) {
 
 bool ServoLoop::Impl::may_rest() const {
   if (!device->traits().may_rest || recording.load(std::memory_order_relaxed)) return false;
-  if (tick.fading() || waiting.load(std::memory_order_relaxed) != nullptr) return false;
+  if (any_fades() || waiting.load(std::memory_order_relaxed) != nullptr) return false;
   const auto rests = [&](const RestDetector& one) { return one.rested_s() >= options.rest_after_s; };
   // Further probes are pointers, which may rest.
   return rests(rest) &&
@@ -255,7 +265,7 @@ void ServoLoop::Impl::note_missed(const Pacer::Wake& wake) {
 
 void ServoLoop::Impl::swap_scenes() {
   // Checked first: the servo must always be able to return the old scene, since it may not free it.
-  if (tick.fading() || !retired.has_room()) return;
+  if (any_fades() || !retired.has_room()) return;
   if (waiting.load(std::memory_order_relaxed) == nullptr) return;
   const HapticScene* next = waiting.exchange(nullptr, std::memory_order_acq_rel);
   if (next == nullptr) return;

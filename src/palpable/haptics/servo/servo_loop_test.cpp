@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -325,6 +326,38 @@ TEST(ServoLoop, FurtherProbesTouchTheSameSceneIndependently) {
   EXPECT_GE(recorded[0], recorded[1]);
   EXPECT_GT(recorded[1], recorded[2]);
   EXPECT_GT(recorded[2], 0U);
+}
+
+// A surface that comes up under a probe takes its time, while the hand, in the air, has long changed.
+TEST(ServoLoop, KeepsASceneUntilTheLastProbeHasLeftIt) {
+  Log log;
+  auto feed = std::make_shared<device::PointerFeed>();
+  std::vector<std::unique_ptr<device::Device>> further;
+  further.push_back(probe_of(feed));
+  const auto scene_of = [](SpringSurface::Shape shape, std::uint32_t id) {
+    HapticScene scene;
+    scene.touchable = std::make_shared<SpringSurface>(shape, 500.0, 0.0);
+    scene.id = id;
+    return scene;
+  };
+  HapticScene deep = scene_of([](double, double) { return SpringSurface::Height{-0.5}; }, 1);
+  const std::weak_ptr<const Touchable> old = deep.touchable;
+  auto loop =
+      ServoLoop::start(std::make_unique<LoggingDevice>(log), std::move(deep), quiet(), std::move(further));
+  ASSERT_TRUE(loop);
+  const std::optional<Point<DeviceFrame>> place{{{-0.02, 0.0, -0.001}}};
+  ASSERT_TRUE(wait_for(**loop, 1, *feed, place, [](const TouchSample& s) { return is_present(s); }));
+  // 5 mm above the probe alone: it rises for more than 0.1 s, while the hand's fade takes 2 ms.
+  (*loop)->change(
+      scene_of([](double x, double) { return SpringSurface::Height{x < -0.01 ? 0.004 : -0.5}; }, 2));
+  while (!old.expired()) {
+    feed->put(place);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  const auto after = wait_for(**loop, 1, *feed, place, is_present);
+  ASSERT_TRUE(after);
+  EXPECT_EQ(after->scene_id, 2U) << "its scene was freed";
+  (*loop)->stop();
 }
 
 TEST(ServoLoop, ChangesTheSceneOfAbsentProbesToo) {
