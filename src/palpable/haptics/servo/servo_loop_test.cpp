@@ -323,9 +323,10 @@ TEST(ServoLoop, FurtherProbesTouchTheSameSceneIndependently) {
   EXPECT_EQ(static_cast<std::uint64_t>(log.writes), statistics.touch.ticks + 1);
   std::array<std::uint64_t, 3> recorded{};
   while (const auto sample = (*loop)->take_recorded()) ++recorded.at(sample->probe);
-  EXPECT_GE(recorded[0], recorded[1]);
-  EXPECT_GT(recorded[1], recorded[2]);
-  EXPECT_GT(recorded[2], 0U);
+  for (const std::size_t probe : {1, 2}) {
+    EXPECT_GT(recorded.at(probe), 0U);
+    EXPECT_GE(recorded[0], recorded.at(probe));
+  }
 }
 
 // A surface that comes up under a probe takes its time, while the hand, in the air, has long changed.
