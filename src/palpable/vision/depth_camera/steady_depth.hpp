@@ -19,17 +19,22 @@ struct SteadyDepthOptions {
 
 /// Depth that does not tremble between the frames of a camera at rest. Where a reading is on the surface of
 /// the mean so far, both are averaged; where it is not, something moved, and it takes the mean's place at
-/// once. One thread.
+/// once. Where the readings around it have moved together by more than noise, the mean moves with them first,
+/// so that a surface that moves slowly is not seen late. One thread.
 class SteadyDepth {
  public:
   /// `options` within their ranges (check()).
   explicit SteadyDepth(const SteadyDepthOptions& options) : options_(options) {}
 
-  /// The depth after one more frame, which came `dt_s` >= 0 after the previous one. A frame of another size
+  /// The depth after one more frame, of clean_depth(), which came `dt_s` >= 0 after the previous one. A frame of another size
   /// begins anew. The reference is valid until the next call.
   const Raster<float>& add(const Raster<float>& depth_m, double dt_s);
 
  private:
+  /// How far the surface at each pixel has moved since the last frame, as far as that is more than noise.
+  Raster<float> movements_m(const Raster<float>& depth_m) const;
+  float movement_m(const Raster<float>& depth_m, int x, int y, float change_m, float deviation_m) const;
+
   SteadyDepthOptions options_;
   Raster<float> mean_m_;
   /// The number of readings in a mean, at most options_.frames; and the time since the last one.
