@@ -14,6 +14,7 @@ namespace palpable::haptics {
 /// The hand at one tick, in the scene's frame.
 struct Hand {
   Point<SceneFrame> position;
+  /// Relative to the surface, if that moves.
   Vector<SceneFrame> velocity_m_per_s;
   double dt_s = 0.001;
   /// Orientation of the handle, scene_from_tool, and its angular velocity; for devices with torque.

@@ -50,6 +50,8 @@ class PassivityObserver {
     /// The force that the motors held since the previous tick, N, and the movement during that time, m.
     Vector<DeviceFrame> held_force_N;
     Vector<DeviceFrame> moved_m;
+    /// How far the touched surface itself moved meanwhile, m: a damper dissipates by the difference.
+    Vector<DeviceFrame> surface_moved_m;
     /// Work of the held torque on the hand since then, J; 0 for devices without torque.
     double rotation_J = 0.0;
     double dt_s = 0.001;
@@ -143,8 +145,8 @@ class PassivityObserver {
 
   void count_balance(const Step& step, double received_J) noexcept {
     const double along = norm(step.held_force_N);
-    const double speed =
-        along > 0.0 && step.dt_s > 0.0 ? (received_J - step.rotation_J) / (along * step.dt_s) : 0.0;
+    const double past_J = received_J - step.rotation_J - dot(step.held_force_N, step.surface_moved_m);
+    const double speed = along > 0.0 && step.dt_s > 0.0 ? past_J / (along * step.dt_s) : 0.0;
     reserve_J_ += step.damping_Ns_per_m * speed * speed * step.dt_s -
                   reserve_J_ * std::min(1.0, step.dt_s / kReserve_s);
     const double made_J =

@@ -42,6 +42,7 @@ class CountedHand final : public device::Device {
 
   /// As SimulatedHand's.
   void set_goal(Vec3 goal_m) noexcept { hand_.set_goal(goal_m); }
+  void place(Vec3 position_m) noexcept { hand_.place(position_m); }
   Vec3 true_position_m() const noexcept { return hand_.true_position_m(); }
 
   /// No tick comes for so long; after 5 ms the watchdog cuts the force.

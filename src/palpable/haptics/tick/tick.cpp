@@ -124,6 +124,7 @@ const TouchSample& TickPipeline::step(double clock_t_s, double clock_dt_s) noexc
 
 ReadingUse TickPipeline::accept(const device::Reading& reading, double dt_s) noexcept {
   moved_ = {};
+  surface_moved_m_ = {};
   rotated_ = {};
   const JudgedReading judged = readings_.judge(reading, dt_s);
   if (judged.implausible) flags_ |= flag::kImplausible;
@@ -146,6 +147,7 @@ void TickPipeline::take(const device::Reading& reading, const JudgedReading& jud
   const Point<DeviceFrame> before = fine_.place();
   const Point<DeviceFrame> now = fine_.update(position_);
   if (!judged.first) moved_ = now - before;
+  if (!judged.first) surface_moved_m_ = judged.passed_s * surface_m_per_s_;
   if (!has_torque_) return;
   if (judged.first) rotation_.begin();
   rotation_.update(reading.rotation, judged.passed_s);
@@ -166,13 +168,16 @@ void TickPipeline::drop_force() noexcept {
   sent_.fill({});
   transient_.stop();
   motion_.begin();
+  surface_m_per_s_ = {};
   shortened_ = true;
   scene_changes_ = false;
 }
 
 Hand TickPipeline::hand_in(const Side& side, double dt_s) const noexcept {
   const auto& scene_from_device = side.scene->scene_from_device;
-  Hand hand{scene_from_device * position_, scene_from_device * motion_.velocity_m_per_s(), dt_s};
+  // Dampers and friction act on what is seen from a surface that moves.
+  Hand hand{scene_from_device * position_,
+            scene_from_device * (motion_.velocity_m_per_s() - surface_m_per_s_), dt_s};
   hand.acts_after_s = motion_.acts_after_s(dt_s);
   hand.gains_m_per_s = scene_from_device * motion_.gains_m_per_s();
   if (has_torque_) {
@@ -203,24 +208,6 @@ Vector<DeviceFrame> TickPipeline::device_torque_Nm(const Side& side,
   return (1.0 / side.scene->scene_from_device.scale) * rotate_force(side.device_from_scene, torque_Nm);
 }
 
-bool TickPipeline::evaluate_laws(double dt_s) noexcept {
-  if (counts_.ticks == 0) flags_ |= flag::kNewTouch;
-  const bool finite = evaluate_law(now_, dt_s) && (!fading() || evaluate_law(coming_, dt_s));
-  if (!finite) {
-    flags_ |= flag::kNotFinite;
-    return false;
-  }
-  law_force_N_ = device_force_N(now_, now_.output.force_N);
-  if (fading()) law_force_N_ += faded_ * (device_force_N(coming_, coming_.output.force_N) - law_force_N_);
-  guide_N_ = device_force_N(now_, now_.output.guide_N);
-  if (fading()) guide_N_ += faded_ * (device_force_N(coming_, coming_.output.guide_N) - guide_N_);
-  if (!has_torque_) return true;
-  law_torque_Nm_ = device_torque_Nm(now_, now_.output.torque_Nm);
-  if (fading())
-    law_torque_Nm_ += faded_ * (device_torque_Nm(coming_, coming_.output.torque_Nm) - law_torque_Nm_);
-  return true;
-}
-
 void TickPipeline::begin_touch() noexcept {
   // The force has been zero for some time and the hand may have moved anywhere: the law's state is obsolete.
   now_.state = {};
@@ -229,11 +216,13 @@ void TickPipeline::begin_touch() noexcept {
   uncontrolled_rise_.reset();
   begin_returns();
   motion_.begin();
+  surface_m_per_s_ = {};
   rotation_.begin();
   flags_ |= flag::kNewTouch;
 }
 
 bool TickPipeline::is_free() const noexcept {
+  if (moves_) return !between_.contact;
   const auto nothing = [](const LawOutput& output) {
     return !output.contact && output.force_N == Vector<SceneFrame>{} &&
            output.torque_Nm == Vector<SceneFrame>{};
@@ -242,10 +231,10 @@ bool TickPipeline::is_free() const noexcept {
 }
 
 Vector<DeviceFrame> TickPipeline::with_transient(Vector<DeviceFrame> force_N, double dt_s) noexcept {
-  const LawOutput& output = now_.output;
-  const bool strikes = !std::exchange(was_in_contact_, output.contact) && output.contact;
+  const bool touches = is_in_contact();
+  const bool strikes = !std::exchange(was_in_contact_, touches) && touches;
   // During a fade or a ramp, a vibration would belong to neither surface.
-  if (!output.contact || is_changing() || ramp_.value() < 1.0) {
+  if (!touches || is_changing() || ramp_.value() < 1.0) {
     transient_.stop();
     return force_N;
   }
@@ -279,7 +268,7 @@ void TickPipeline::make_force(double dt_s) noexcept {
   if (risen.limited || rise_.share() < ramp_.value()) flags_ |= flag::kRiseLimited;
   if (gain < 1.0) flags_ |= flag::kRamping;
   if (is_paused()) flags_ |= flag::kPaused;
-  scene_changes_ = fading() && !same_surface_;
+  scene_changes_ = fading() && !same_surface_ && !goes_on_;
   shortened_ = scene_changes_ || torque_capped_ || (gain < 1.0 && !is_accounted());
 }
 
@@ -323,8 +312,13 @@ void TickPipeline::bound(double dt_s) noexcept {
 
 void TickPipeline::send() noexcept {
   newest_ = (newest_ + 1) % sent_.size();
-  sent_[newest_] = {written_N_,       uncontrolled_N_, written_Nm_,
-                    uncontrolled_Nm_, guide_N_,        (flags_ & flag::kPassivityActed) != 0};
+  sent_[newest_] = {written_N_,
+                    uncontrolled_N_,
+                    written_Nm_,
+                    uncontrolled_Nm_,
+                    guide_N_,
+                    damper_N(),
+                    (flags_ & flag::kPassivityActed) != 0};
 }
 
 void TickPipeline::describe(const device::Reading& reading) noexcept {
@@ -333,7 +327,7 @@ void TickPipeline::describe(const device::Reading& reading) noexcept {
   sample_.device_position = reading.position;
   sample_.position = scene_from_device * position_;
   sample_.velocity_m_per_s = scene_from_device * motion_.velocity_m_per_s();
-  sample_.proxy = now_.output.proxy;
+  sample_.proxy = moves_ && between_.contact ? sample_.position + between_.to_surface_m : now_.output.proxy;
   sample_.raw_force_N = now_.output.force_N;
   sample_.written_force_N = rotate_force(scene_from_device, written_N_);
   sample_.energy_J = observer_.balance_J();
@@ -349,7 +343,7 @@ void TickPipeline::describe(const device::Reading& reading) noexcept {
   sample_.coming_scene_id = fading() ? coming_.scene->id : 0;
   sample_.status = reading.status;
   sample_.flags =
-      flags_ | (now_.output.contact ? flag::kContact : 0U) | (now_.output.has_proxy ? flag::kHasProxy : 0U);
+      flags_ | (is_in_contact() ? flag::kContact : 0U) | (now_.output.has_proxy ? flag::kHasProxy : 0U);
 }
 
 void TickPipeline::report_changes(const TouchSample& before) noexcept {

@@ -15,6 +15,7 @@
 #include "palpable/haptics/tick/rotation.hpp"
 #include "palpable/haptics/tick/servo_types.hpp"
 #include "palpable/haptics/tick/shown_work.hpp"
+#include "palpable/haptics/tick/surface_between.hpp"
 #include "palpable/haptics/tick/tick_options.hpp"
 #include "palpable/haptics/tick/tick_time.hpp"
 #include "palpable/haptics/tick/transient_player.hpp"
@@ -49,7 +50,8 @@ class TickPipeline {
 
   bool fading() const noexcept { return coming_.scene != nullptr; }
   /// Starts a cross-fade to `scene`; only while not fading(). It takes fade_s and a tick, whatever the
-  /// device's status is; longer where a spring comes up under the hand: 1 s for each 30 mm, at most 1 s.
+  /// device's status is; longer where a spring comes up under the hand: 1 s for each 30 mm, at most 1 s. A
+  /// surface that moves (Succession) comes at the hand in fade_s, and under it as slowly.
   void change(const HapticScene& scene) noexcept;
   /// The scene that the last step() stopped using, returned once; else null.
   const HapticScene* take_retired() noexcept;
@@ -102,6 +104,7 @@ class TickPipeline {
   double given_J(const RiseLimit& rise) const noexcept;
   /// What a change of parameters on the same surface added to it in this tick.
   double changed_J(const RiseLimit& rise) const noexcept;
+  Vector<DeviceFrame> damper_N() const noexcept;
   void account_spring(double dt_s, bool wanted) noexcept;
   void account_stall(RiseLimit::Input in, double dt_s) noexcept;
   void make_torque(double risen_s) noexcept;
@@ -140,7 +143,14 @@ class TickPipeline {
   device::LocalSurface local_surface() const noexcept;
   void write_device(bool wanted, bool is_held) noexcept;
   bool evaluate_laws(double dt_s) noexcept;
+  void blend_laws() noexcept;
   void fade(double dt_s) noexcept;
+  /// The part of a fade that is done after this tick, of a surface that moves.
+  double moved_by(double dt_s) const noexcept;
+  SurfaceAtHand surface_of(const Side& side) const noexcept;
+  void meet_moving_surface(double dt_s) noexcept;
+  /// What the law or, between two pictures, the moving surface is to the hand.
+  bool is_in_contact() const noexcept { return moves_ ? between_.contact : now_.output.contact; }
   /// Fading to a scene that feels otherwise here. An equal surface, as a live source sends it, changes
   /// nothing.
   bool is_changing() const noexcept;
@@ -183,6 +193,16 @@ class TickPipeline {
   double faded_before_ = 0.0;
   /// The scene that fades in is the same law on the same surface: springs and energies continue.
   bool same_surface_ = false;
+  /// It is the same surface, seen later: energies continue.
+  bool goes_on_ = false;
+  /// The same, with contact springs; as seen from the hand, and between both.
+  bool moves_ = false;
+  SurfaceAtHand from_;
+  SurfaceAtHand to_;
+  SurfaceBetween between_;
+  /// Of the surface under the hand, eased; and by how much it moved since the previous reading.
+  Vector<DeviceFrame> surface_m_per_s_;
+  Vector<DeviceFrame> surface_moved_m_;
   const HapticScene* retired_ = nullptr;
 
   ReadingFilter readings_;
@@ -237,6 +257,8 @@ class TickPipeline {
     Vector<DeviceFrame> uncontrolled_Nm;
     /// The part of the law's force that pulls along a way.
     Vector<DeviceFrame> guide_N;
+    /// What of the force a moving surface's damper and friction are.
+    Vector<DeviceFrame> damper_N;
     /// The controller reduced it.
     bool weakened = false;
   };

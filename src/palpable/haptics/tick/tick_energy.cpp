@@ -28,13 +28,15 @@ bool TickPipeline::is_accounted() const noexcept {
 }
 
 TickPipeline::Potential TickPipeline::potential(double faded) const noexcept {
-  const auto of = [this](const Side& side) {
-    return Potential{device_force_N(side, side.output.spring_N),
-                     side.output.stored_J / side.scene->scene_from_device.scale,
-                     {}};
+  const auto stored = [this](const Side& side, Vector<SceneFrame> spring_N, double stored_J) {
+    return Potential{device_force_N(side, spring_N), stored_J / side.scene->scene_from_device.scale, {}};
   };
+  const auto of = [&](const Side& side) { return stored(side, side.output.spring_N, side.output.stored_J); };
   Potential p = of(now_);
-  if (fading() && now_.energy == coming_.energy) {
+  if (moves_) {
+    const SurfaceBetween between = surface_between(from_, to_, faded);
+    p = stored(now_, between.spring_N, between.stored_J);
+  } else if (fading() && now_.energy == coming_.energy) {
     // A blend of two forces with potentials is the force of their energies' blend.
     const Potential next = of(coming_);
     p.spring_N += faded * (next.spring_N - p.spring_N);
@@ -90,6 +92,15 @@ void TickPipeline::account_spring(double dt_s, bool wanted) noexcept {
   account(uncontrolled_rise_, received_.uncontrolled_J, as_uncontrolled);
 }
 
+/// Of the written force what is not the spring's, while the surface moves.
+Vector<DeviceFrame> TickPipeline::damper_N() const noexcept {
+  // A spring that is held back begins where the hand is: what the surface brings is not counted.
+  if (surface_m_per_s_ == Vector<DeviceFrame>{} || rise_.is_weaker()) return {};
+  const double law_N = norm(law_force_N_);
+  if (!(law_N > 0.0)) return {};
+  return std::min(1.0, norm(written_N_) / law_N) * (law_force_N_ - guide_N_ - spring_N_);
+}
+
 void TickPipeline::count_received() noexcept {
   const Sent& acted = held();
   received_ = {dot(acted.written_N, moved_) + dot(acted.written_Nm, rotated_),
@@ -126,31 +137,36 @@ void TickPipeline::count_scene_change() noexcept {
   // What a change brings. On the same surface that is what its parameters add to the spring; otherwise the
   // work during it, and what the springs store more than before it.
   const double given = given_J(rise_);
-  change_work_J_ += same_surface_ ? changed_J(rise_) : received_.written_J;
-  const double more_J = same_surface_ || !std::isfinite(given) ? 0.0 : given - stored_before_change_J_;
+  const bool continues = same_surface_ || goes_on_;
+  change_work_J_ += continues ? changed_J(rise_) : received_.written_J;
+  const double more_J = continues || !std::isfinite(given) ? 0.0 : given - stored_before_change_J_;
   const double most_J = std::max(change_brought_J_, change_work_J_ + more_J);
   counts_.scene_change_J += most_J - change_brought_J_;
   change_brought_J_ = most_J;
 }
 
 double TickPipeline::changed_J(const RiseLimit& rise) const noexcept {
+  // What the surface's dampers and friction brought since the previous reading.
+  const double damped_J = dot(held().damper_N, surface_moved_m_);
   // A spring that is held back begins where the hand is: a change adds nothing to it.
-  const bool adds = same_surface_ && std::isfinite(changed_J_) && !(is_accounted() && rise.is_weaker());
-  return adds ? changed_J_ : 0.0;
+  const bool adds =
+      (same_surface_ || goes_on_) && std::isfinite(changed_J_) && !(is_accounted() && rise.is_weaker());
+  return (adds ? changed_J_ : 0.0) + damped_J;
 }
 
 void TickPipeline::observe() noexcept {
-  const bool contact = now_.output.contact;
+  const bool contact = is_in_contact();
   const bool stalled = (flags_ & flag::kStalled) != 0;
   PassivityObserver::Step step;
   step.held_force_N = held().written_N;
   step.moved_m = moved_;
+  step.surface_moved_m = surface_moved_m_;
   step.rotation_J = stalled ? received_.written_J : dot(held().written_Nm, rotated_);
   step.guide_N = held().guide_N;
   step.dt_s = passed_s_;
   step.delay = delay_;
   step.is_spring = now_.energy == EnergyModel::spring;
-  step.contact = contact || (fading() && coming_.output.contact);
+  step.contact = contact || (fading() && !moves_ && coming_.output.contact);
   step.damping_Ns_per_m = contact ? now_.scene->touchable->damping_Ns_per_m() : 0.0;
   step.shortened = shortened_;
   step.scene_changes = scene_changes_;
@@ -158,7 +174,7 @@ void TickPipeline::observe() noexcept {
   count_scene_change();
   // The springs of two scenes cannot be compared: during a change only their work is counted.
   const bool new_account =
-      (flags_ & flag::kNewTouch) != 0 || ((flags_ & flag::kFading) != 0 && !same_surface_);
+      (flags_ & flag::kNewTouch) != 0 || ((flags_ & flag::kFading) != 0 && !same_surface_ && !goes_on_);
   if (new_account) {
     using Beginning = PassivityObserver::Beginning;
     // A potential that is defined everywhere may be high where the touch begins.
