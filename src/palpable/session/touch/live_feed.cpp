@@ -280,7 +280,7 @@ void LiveFeed::feel(TouchSession& session, const LiveFrame& frame) {
   if (!surface || !surface->relief) return;
   auto scene = std::make_shared<models::Scene>(*session.scene());
   scene->model = risen_surface(*models::relief_of(*scene), std::move(surface->relief),
-                               places_of_hands(session), passed_s);
+                               places_of_hands(session), session.radius_in_use_m(), passed_s);
   if (memory_ || source_->marks_sounds()) scene->labels = std::move(surface->labels);
   refresh_picture(*scene);
   scene->guide = source_->guide(*scene);

@@ -28,7 +28,8 @@ struct TouchSession::Impl {
   /// The placement of a hand.
   using PlaceOf = std::function<Place(const DeviceHand&)>;
   Result<void> change(std::shared_ptr<const models::Scene> to_scene, const TouchSettings& to_settings,
-                      const PlaceOf& to_place);
+                      const PlaceOf& to_place,
+                      haptics::Succession succession = haptics::Succession::replaces);
   /// Where a probe is computed: a hand, and the probe's number in its loop.
   struct Seat {
     std::size_t hand = 0;
@@ -62,12 +63,14 @@ struct TouchSession::Impl {
 };
 
 Result<void> TouchSession::Impl::change(std::shared_ptr<const models::Scene> to_scene,
-                                        const TouchSettings& to_settings, const PlaceOf& to_place) {
+                                        const TouchSettings& to_settings, const PlaceOf& to_place,
+                                        haptics::Succession succession) {
   // First for all, so that an error leaves every hand as it was.
   std::vector<DeviceHand::Prepared> prepared;
   for (const auto& hand : hands) {
     auto one = hand->prepare(to_scene, to_settings, to_place(*hand), caches);
     if (!one) return std::move(one).error();
+    one->scene.scene.succession = succession;
     prepared.push_back(*std::move(one));
   }
   for (std::size_t hand = 0; hand < hands.size(); ++hand) hands[hand]->apply(std::move(prepared[hand]));
@@ -126,7 +129,9 @@ Result<void> TouchSession::change_scene(std::shared_ptr<const models::Scene> sce
 Result<void> TouchSession::change_surface(std::shared_ptr<const models::Scene> scene) {
   PALPABLE_CHECK(scene != nullptr);
   const std::lock_guard changing(impl_->changing);
-  return impl_->change(std::move(scene), settings(), [](const DeviceHand& hand) { return hand.place(); });
+  return impl_->change(
+      std::move(scene), settings(), [](const DeviceHand& hand) { return hand.place(); },
+      haptics::Succession::moves);
 }
 
 Result<void> TouchSession::change_settings(const TouchSettings& settings) {

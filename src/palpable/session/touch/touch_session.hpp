@@ -42,7 +42,7 @@ class TouchSession {
   Result<void> change_scene(std::shared_ptr<const models::Scene> scene);
   /// As change_scene(), for another surface of the same place, as the next picture of a camera shows it: the
   /// scene stays where it is for each hand, whatever the new surface's highest point, so that proxy and
-  /// friction go on.
+  /// friction go on, and the surface moves (haptics::Succession).
   Result<void> change_surface(std::shared_ptr<const models::Scene> scene);
   Result<void> change_settings(const TouchSettings& settings);
   /// Changes materials and settings together; the model and its placement stay. Errors: usage for materials
