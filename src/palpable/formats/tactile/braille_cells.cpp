@@ -8,10 +8,14 @@
 #include <array>
 #include <cctype>
 #include <csignal>
+#include <cstdlib>
+#include <filesystem>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <poll.h>
 #include <sys/mman.h>
 #include <sys/syscall.h>
@@ -114,6 +118,27 @@ bool is_by_number(const BrailleLine& cells, const BrailleLine& by_number) {
          cells.back() == by_number.back();
 }
 
+/// The folders of liblouis' tables, and the tables in them.
+std::set<std::string> installed_tables() {
+  std::set<std::string> tables;
+  std::string folders = "/usr/share/liblouis/tables,/usr/local/share/liblouis/tables";
+  if (const char* further = std::getenv("LOUIS_TABLEPATH")) folders += std::string(",") + further;
+  for (std::size_t begin = 0; begin <= folders.size();) {
+    const std::size_t end = std::min(folders.find(',', begin), folders.size());
+    std::error_code ignored;
+    for (const auto& file :
+         std::filesystem::directory_iterator(folders.substr(begin, end - begin), ignored)) {
+      const auto kind = file.path().extension();
+      if (kind == ".ctb" || kind == ".utb" || kind == ".tbl") tables.insert(file.path().filename().string());
+    }
+    begin = end + 1;
+  }
+  return tables;
+}
+
+/// What stands before the first mark: "en" of "en-ueb-g1.ctb".
+std::string language_of(const std::string& table) { return table.substr(0, table.find_first_of("-_.")); }
+
 }  // namespace
 
 char braille_ascii(BrailleCell cell) { return kBrailleAscii[cell & 63U]; }
@@ -145,6 +170,20 @@ BrailleLine plain_braille(std::string_view text) {
     in_number = is_digit;
   }
   return line;
+}
+
+Result<void> check_braille_table(const std::string& table) {
+  const auto tables = installed_tables();
+  if (tables.empty() || tables.contains(table)) return {};
+  std::set<std::string> same, languages;
+  for (const std::string& one : tables) {
+    languages.insert(language_of(one));
+    if (language_of(one) == language_of(table)) same.insert(one);
+  }
+  const std::string there =
+      same.empty() ? fmt::format("their names begin with {}", fmt::join(languages, ", "))
+                   : fmt::format("of \"{}\" there are {}", language_of(table), fmt::join(same, ", "));
+  return Error{ErrorCode::usage, fmt::format("liblouis has no braille table \"{}\"; {}", table, there), {}};
 }
 
 Result<std::vector<BrailleLine>> translated_braille(std::span<const std::string> lines,

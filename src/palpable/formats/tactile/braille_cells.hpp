@@ -24,6 +24,11 @@ std::string braille_ascii(std::span<const BrailleCell> line);
 /// digits with the number sign, common marks; any other character is dots 3456 and 6.
 BrailleLine plain_braille(std::string_view text);
 
+/// Whether liblouis has a table of this name. Errors, without a place: usage, with the names of those of its
+/// language, or the languages that there are. Also no error where no tables are found at all: then liblouis
+/// itself decides.
+Result<void> check_braille_table(const std::string& table);
+
 /// Translates lines (UTF-8) with liblouis, by its program `lou_translate` and one of its tables, as
 /// "en-ueb-g1.ctb" or "de-g1.ctb". Dots 7 and 8 are left out. Errors, without a place: usage for a name that
 /// is no table's; failed if the program is not installed, does not know the table or takes longer than ten

@@ -59,5 +59,35 @@ TEST(Braille, WrapsAtBlanksWithAnIndent) {
   EXPECT_EQ(braille_ascii(rows[3]), "  IJKL");
 }
 
+TEST(Braille, DividesLongWordsBetweenSignsOnly) {
+  const auto pieces = [](const std::string& word) {
+    std::vector<std::string> out;
+    for (const BrailleLine& line : wrapped({plain_braille(word)}, 10)) out.push_back(braille_ascii(line));
+    return out;
+  };
+  // A capital sign stays with its letter, and a number is one.
+  EXPECT_EQ(pieces("abcdefghiJklm"), (std::vector<std::string>{"ABCDEFGHI", "  ,JKLM"}));
+  EXPECT_EQ(pieces("abcdef12345"), (std::vector<std::string>{"ABCDEF", "  #ABCDE"}));
+  EXPECT_EQ(pieces("12345678901234"), (std::vector<std::string>{"#ABCDEFGHI", "  JABCD"}));
+  EXPECT_EQ(pieces("ab cdefghijklm"), (std::vector<std::string>{"AB CDEFGHI", "  JKLM"}));
+  // An accent is dots 4 and 5, a second cell, and the letter.
+  BrailleLine accent(8, 1);
+  accent.insert(accent.end(), {0b011000, 0b001100, 0b010001, 1});
+  const auto divided = wrapped({accent}, 10);
+  ASSERT_EQ(divided.size(), 2U);
+  EXPECT_EQ(divided[0].size(), 8U);
+}
+
+TEST(Braille, NamesTheTablesThatThereAreInPlaceOfOneThatIsNot) {
+  if (check_braille_table("no-such-table.ctb")) GTEST_SKIP() << "liblouis is not installed";
+  EXPECT_TRUE(check_braille_table("en-ueb-g1.ctb"));
+  const auto english = check_braille_table("en-ueb-g3.ctb");
+  ASSERT_FALSE(english);
+  EXPECT_EQ(english.error().code, ErrorCode::usage);
+  EXPECT_NE(english.error().message.find("en-ueb-g1.ctb"), std::string::npos);
+  EXPECT_EQ(english.error().message.find("de-g1.ctb"), std::string::npos);
+  EXPECT_NE(check_braille_table("xx.ctb").error().message.find(" de, "), std::string::npos);
+}
+
 }  // namespace
 }  // namespace palpable::formats

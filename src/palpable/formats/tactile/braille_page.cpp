@@ -25,7 +25,35 @@ std::pair<int, int> nearest_dot(double at_m, double pitch_m, double dot_m, int d
   return best;
 }
 
+/// Whether a line may be divided before cell `k` of a word: not within a sign of several cells, which begins
+/// with dots of the right column alone (capital, accent and other prefixes), or within a number.
+bool may_divide(const BrailleLine& line, std::size_t k) {
+  constexpr unsigned kLeft = 0b000111;
+  constexpr BrailleCell kNumberSign = 0b111100, kAccent = 0b011000;
+  const auto is_prefix = [](BrailleCell cell) { return cell != 0 && (cell & kLeft) == 0; };
+  if (is_prefix(line[k - 1]) || (k > 1 && line[k - 2] == kAccent)) return false;
+  std::size_t begin = k;
+  while (begin > 0 && line[begin - 1] != 0 && line[begin - 1] != kNumberSign) --begin;
+  if (begin == 0 || line[begin - 1] != kNumberSign) return true;
+  // Digits are the letters a to j, in the upper rows; a number has commas and points.
+  constexpr BrailleCell kLow = 0b100100, kComma = 0b000010, kPoint = 0b110010;
+  const auto is_of_number = [](BrailleCell cell) {
+    return (cell != 0 && (cell & kLow) == 0) || cell == kComma || cell == kPoint;
+  };
+  for (std::size_t i = begin; i <= k; ++i)
+    if (!is_of_number(line[i])) return true;
+  return false;
+}
+
 bool within(double value, double least, double most) { return value >= least && value <= most; }
+
+/// The last of the places from `most` down that suits; `least` if none above it does.
+template <class Suits>
+std::size_t last_end(std::size_t most, std::size_t least, const Suits& suits) {
+  std::size_t end = most;
+  while (end > least && !suits(end)) --end;
+  return end;
+}
 
 }  // namespace
 
@@ -100,13 +128,10 @@ std::vector<BrailleLine> wrapped(const std::vector<BrailleLine>& lines, int colu
   std::vector<BrailleLine> out;
   for (BrailleLine rest : lines) {
     while (rest.size() > most) {
-      // The last blank that leaves more than the indent before it; a long word is divided.
-      std::size_t end = most;
-      for (std::size_t k = most; k > kIndent; --k)
-        if (rest[k] == 0) {
-          end = k;
-          break;
-        }
+      // The last blank that leaves more than the indent before it; a long word is divided between signs.
+      std::size_t end = last_end(most, kIndent, [&](std::size_t k) { return rest[k] == 0; });
+      if (end == kIndent) end = last_end(most, kIndent, [&](std::size_t k) { return may_divide(rest, k); });
+      if (end == kIndent) end = most;
       out.emplace_back(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(end));
       const std::size_t next = rest[end] == 0 ? end + 1 : end;
       BrailleLine further(kIndent, 0);

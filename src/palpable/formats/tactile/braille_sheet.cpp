@@ -38,10 +38,11 @@ bool write_beside(BraillePage& page, const SheetStroke& stroke, const BrailleVie
   return false;
 }
 
-/// Writes a place's key into the nearest free cells: in its region if there is room, else at most 25 mm away.
+/// Writes a place's key into the nearest free cells: in its region if there is room, else near it.
 bool write_near(BraillePage& page, const SheetPlace& place, const BrailleView& view,
                 const BrailleOptions& options) {
-  constexpr double kReach_m = 0.025, kFarther = 1e3;
+  constexpr double kFarther = 1e3;
+  const double reach_m = key_reach_m(std::hypot(page.width_m(), page.height_m()));
   const Vec3 at{view.right_m(place.at.x), view.down_m(place.at.y), 0.0};
   double least = kFarther * kFarther;
   std::optional<std::pair<int, int>> best;
@@ -53,7 +54,7 @@ bool write_near(BraillePage& page, const SheetPlace& place, const BrailleView& v
       const bool is_inside =
           place.contains && place.contains({(middle.x - view.middle_right_m) / view.scale,
                                             (view.middle_down_m - middle.y) / view.scale, 0.0});
-      if (!is_inside && distance_m > kReach_m) continue;
+      if (!is_inside && distance_m > reach_m) continue;
       const double cost = is_inside ? distance_m : distance_m + kFarther;
       if (cost >= least || !has_room(page, place.key, column, row)) continue;
       least = cost;

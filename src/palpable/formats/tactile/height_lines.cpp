@@ -90,6 +90,14 @@ Raster<float> smoothed(Raster<float> heights_m, int reach) {
   return heights_m;
 }
 
+/// With one more sample on each side.
+Raster<float> framed(const Raster<float>& heights_m, float around_m) {
+  Raster<float> out(heights_m.width() + 2, heights_m.height() + 2, around_m);
+  for (int y = 0; y < heights_m.height(); ++y)
+    std::copy(heights_m.row(y).begin(), heights_m.row(y).end(), out.row(y + 1).begin() + 1);
+  return out;
+}
+
 }  // namespace
 
 Result<std::vector<HeightLine>> height_lines(const Raster<float>& heights_m, double pixel_m,
@@ -97,15 +105,20 @@ Result<std::vector<HeightLine>> height_lines(const Raster<float>& heights_m, dou
   const Range range = range_of(heights_m);
   if (const auto checked = check(options, range); !checked) return checked.error();
   const int reach = static_cast<int>(std::lround(0.25 * options.smooth_m / pixel_m));
-  const Raster<float> heights = reach > 0 ? smoothed(heights_m, reach) : heights_m;
+  Raster<float> heights = reach > 0 ? smoothed(heights_m, reach) : heights_m;
+  if (options.beyond == HeightLineOptions::Beyond::lowest)
+    heights = framed(heights, static_cast<float>(range.lowest_m));
+  // A line along the border lies on it.
+  const double right_m = 0.5 * heights_m.width() * pixel_m, top_m = 0.5 * heights_m.height() * pixel_m;
   std::vector<HeightLine> lines;
   for (const Level& level : levels_of(range.lowest_m, range.highest_m, options))
     for (const Line& line : level_lines(heights, level.height_m)) {
       if (length_of(line) * pixel_m < options.least_length_m) continue;
       HeightLine& added = lines.emplace_back(HeightLine{{}, level.width});
       for (const RasterPoint& point : line)
-        added.line.points.push_back({(point.x + 0.5 - 0.5 * heights.width()) * pixel_m,
-                                     (0.5 * heights.height() - point.y - 0.5) * pixel_m, 0.0});
+        added.line.points.push_back(
+            {std::clamp((point.x + 0.5 - 0.5 * heights.width()) * pixel_m, -right_m, right_m),
+             std::clamp((0.5 * heights.height() - point.y - 0.5) * pixel_m, -top_m, top_m), 0.0});
     }
   std::stable_sort(lines.begin(), lines.end(), [](const HeightLine& a, const HeightLine& b) {
     return std::pair(-a.weight, -palpable::length_of(a.line)) <

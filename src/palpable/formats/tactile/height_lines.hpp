@@ -6,6 +6,7 @@
 #include "palpable/core/picture/raster.hpp"
 #include "palpable/core/result.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -23,6 +24,10 @@ struct HeightLineOptions {
   /// Heights are averaged over about this width before, so that lines have no detail that is finer. 0: as
   /// they are. 0 … 0.1 m.
   double smooth_m = 0.0;
+  /// Beyond the raster's border nothing is known, so that lines end there; or there is nothing but the lowest
+  /// height, so that lines go on along it.
+  enum class Beyond : std::uint8_t { unknown, lowest };
+  Beyond beyond = Beyond::unknown;
 };
 
 /// A line of equal height: metres from the middle, y up.

@@ -46,6 +46,28 @@ TEST(HeightLines, BeginWithAnOutlineAboveTheGround) {
   }
 }
 
+TEST(HeightLines, GoOnAlongTheBorderOfWhatEndsThere) {
+  // A plate of 5 mm that reaches the lower border.
+  Raster<float> plate(40, 30);
+  for (int y = 10; y < 30; ++y)
+    for (int x = 10; x < 30; ++x) plate(x, y) = 0.005F;
+  HeightLineOptions options;
+  options.outline_m = 0.0025, options.interval_m = 1.0;
+  const auto ends_apart = [&] {
+    const auto lines = height_lines(plate, 0.001, options);
+    EXPECT_EQ(lines->size(), 1U);
+    return norm((*lines)[0].line.points.front() - (*lines)[0].line.points.back());
+  };
+  EXPECT_NEAR(ends_apart(), 0.020, 1e-6);
+  options.beyond = HeightLineOptions::Beyond::lowest;
+  EXPECT_NEAR(ends_apart(), 0.0, 1e-9);
+  const auto closed = height_lines(plate, 0.001, options);
+  ASSERT_TRUE(closed);
+  double lowest = 1.0;
+  for (const Vec3 p : closed->front().line.points) lowest = std::min(lowest, p.y);
+  EXPECT_NEAR(lowest, -0.015, 1e-9);
+}
+
 TEST(HeightLines, LeaveOutShortLines) {
   HeightLineOptions options;
   options.outline_m = 0.0005;

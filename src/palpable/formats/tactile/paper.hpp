@@ -16,6 +16,12 @@ struct PaperSize {
   double height_m = 0.0;
 };
 
+/// How many steps fit into a length; a step that ends within a nanometre of its end fits.
+inline int whole_steps(double length_m, double step_m) {
+  constexpr double kNothing_m = 1e-9;
+  return static_cast<int>((length_m + kNothing_m) / step_m);
+}
+
 /// Upright or across, whichever has room for the larger drawing of these proportions within the margin.
 inline PaperSize paper_for(Paper paper, double width_m, double height_m, double margin_m) {
   const PaperSize upright = paper == Paper::a4 ? PaperSize{0.210, 0.297} : PaperSize{0.297, 0.420};

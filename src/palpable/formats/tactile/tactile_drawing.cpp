@@ -65,8 +65,8 @@ BrailleOptions braille_on(Paper paper, double width_m, double height_m) {
   constexpr double kMargin_m = 0.010;
   const PaperSize size = paper_for(paper, width_m, height_m, kMargin_m);
   BrailleOptions options;
-  options.columns = static_cast<int>((size.width_m - 2.0 * kMargin_m) / options.cell_m);
-  options.rows = static_cast<int>((size.height_m - 2.0 * kMargin_m) / options.line_m);
+  options.columns = whole_steps(size.width_m - 2.0 * kMargin_m, options.cell_m);
+  options.rows = whole_steps(size.height_m - 2.0 * kMargin_m, options.line_m);
   return options;
 }
 

@@ -69,6 +69,9 @@ TEST(Braille, OnPaperLiesAsTheDrawingDoes) {
   EXPECT_EQ(across.columns, 46);
   EXPECT_EQ(across.rows, 19);
   EXPECT_EQ(braille_on(Paper::a3, 0.1, 0.05).columns, 66);
+  EXPECT_EQ(braille_on(Paper::a3, 0.1, 0.05).rows, 27);
+  EXPECT_EQ(braille_on(Paper::a3, 0.1, 0.1414).columns, 46);
+  EXPECT_EQ(braille_on(Paper::a3, 0.1, 0.1414).rows, 40);
 }
 
 TEST(Braille, StaysOnItsPage) {

@@ -246,7 +246,7 @@ std::size_t add_stroke_keys(const std::vector<SheetStroke>& strokes, const Sheet
 /// Keys of places in their regions, or beside their points, which get their marks before any key.
 void add_places(const TactileSheet& sheet, double factor, std::size_t first, const SheetOptions& options,
                 SheetSvg& svg, LabelSpace& space, std::vector<std::size_t>& without_room) {
-  constexpr double kMark_m = 0.004, kReach_m = 0.025;
+  constexpr double kMark_m = 0.004;
   for (const SheetPlace& place : sheet.places)
     if (place.mark == SheetPlace::Mark::disc) {
       svg.add_disc(factor * place.at, 0.5 * kMark_m);
@@ -254,6 +254,7 @@ void add_places(const TactileSheet& sheet, double factor, std::size_t first, con
       space.block(factor * place.at, kept_m, kept_m);
     }
   const double whole_m = factor * std::hypot(sheet.width_m, sheet.height_m);
+  const double reach_m = key_reach_m(whole_m);
   for (std::size_t k = 0; k < sheet.places.size(); ++k) {
     const SheetPlace& place = sheet.places[k];
     const KeyBox box = box_of(place.key, options);
@@ -268,7 +269,7 @@ void add_places(const TactileSheet& sheet, double factor, std::size_t first, con
     if (place.contains)
       middle = space.take_room_near(factor * place.at, whole_m, box.width_m, box.height_m, is_inside);
     if (!middle)
-      middle = space.take_room_near(factor * place.at, kReach_m, box.width_m, box.height_m,
+      middle = space.take_room_near(factor * place.at, reach_m, box.width_m, box.height_m,
                                     [](Vec3) { return true; });
     if (middle)
       add_key_at(*middle, place.key, options, svg);
@@ -279,20 +280,30 @@ void add_places(const TactileSheet& sheet, double factor, std::size_t first, con
 
 constexpr double kMargin_m = 0.015;
 
+/// Between the border of the paper and the drawing: no ink of its outermost lines, the widest of which are
+/// half as wide again, enters the margin.
+double border_m(const SheetOptions& options) { return kMargin_m + 0.5 * 1.5 * options.line_m; }
+
 }  // namespace
+
+double key_reach_m(double diagonal_m) {
+  constexpr double kReach_m = 0.025, kOnA4_m = 0.322;
+  return kReach_m * std::max(1.0, diagonal_m / kOnA4_m);
+}
 
 double printed_width_m(double width, double height, const SheetOptions& options) {
   if (!options.paper) return options.width_m;
-  const PaperSize paper = paper_for(*options.paper, width, height, kMargin_m);
-  return std::min(paper.width_m - 2.0 * kMargin_m, (paper.height_m - 2.0 * kMargin_m) * width / height);
+  const PaperSize paper = paper_for(*options.paper, width, height, border_m(options));
+  return std::min(paper.width_m - 2.0 * border_m(options),
+                  (paper.height_m - 2.0 * border_m(options)) * width / height);
 }
 
 Result<SheetDrawing> encode_sheet(const TactileSheet& sheet, const SheetOptions& options) {
   if (auto checked = check(options); !checked) return checked.error();
   const double width_m = printed_width_m(sheet.width_m, sheet.height_m, options);
   const double factor = width_m / sheet.width_m, height_m = factor * sheet.height_m;
-  const PaperSize paper =
-      options.paper ? paper_for(*options.paper, width_m, height_m, kMargin_m) : PaperSize{width_m, height_m};
+  const PaperSize paper = options.paper ? paper_for(*options.paper, width_m, height_m, border_m(options))
+                                        : PaperSize{width_m, height_m};
   const auto strokes = strokes_on_paper(sheet, factor, options);
   std::vector<Polyline> waters;
   for (const Polyline& water : sheet.waters) waters.push_back(scaled(water, factor));
@@ -321,8 +332,8 @@ std::vector<Polyline> lines_of(const TactileSheet& sheet) {
 std::vector<std::string> encode_key_sheets(const std::vector<BrailleLine>& lines,
                                            const SheetOptions& options) {
   constexpr double kWidth_m = 0.210, kHeight_m = 0.297;
-  const int columns = static_cast<int>((kWidth_m - 2.0 * kMargin_m) / options.cell_m);
-  const auto rows = static_cast<std::size_t>((kHeight_m - 2.0 * kMargin_m) / options.row_m);
+  const int columns = whole_steps(kWidth_m - 2.0 * kMargin_m, options.cell_m);
+  const auto rows = static_cast<std::size_t>(whole_steps(kHeight_m - 2.0 * kMargin_m, options.row_m));
   const auto all = wrapped(lines, columns);
   std::vector<std::string> pages;
   for (std::size_t begin = 0; begin < all.size(); begin += rows) {

@@ -50,7 +50,7 @@ struct TactileSheet {
 };
 
 struct SheetOptions {
-  /// The drawing is as large as this paper allows, with a margin of 15 mm; else `width_m` wide.
+  /// The drawing is as large as this paper allows, with a margin of 15 mm without ink; else `width_m` wide.
   std::optional<Paper> paper;
   /// Width of the printed drawing, 10 ... 1000 mm.
   double width_m = 0.18;
@@ -70,6 +70,9 @@ struct SheetOptions {
 
 /// How wide a drawing of these proportions is on paper.
 double printed_width_m(double width, double height, const SheetOptions& options);
+
+/// How far from its place a key may stand on a drawing with this diagonal: 25 mm on A4, more on larger ones.
+double key_reach_m(double diagonal_m);
 
 /// A drawing, and which keys found no room. They are counted from 0: first those of strokes, then those of
 /// places.

@@ -150,22 +150,28 @@ TEST(TactileSheet, KeysWithoutRoomAreToldByTheirNumber) {
   EXPECT_EQ(drawing->without_room, (std::vector<std::size_t>{0, 1}));
 }
 
+TEST(TactileSheet, HasRoomForKeysFartherFromTheirPlacesOnLargerPaper) {
+  EXPECT_NEAR(key_reach_m(0.2), 0.025, 1e-9);
+  EXPECT_NEAR(key_reach_m(0.322), 0.025, 1e-9);
+  EXPECT_NEAR(key_reach_m(0.464), 0.036, 1e-4);
+}
+
 TEST(TactileSheet, IsAsLargeAsThePaperAllows) {
   SheetOptions options;
   options.paper = Paper::a4;
-  // Twice as wide as high: across, 267 mm wide.
+  // Twice as wide as high: across, 267 mm wide with its outermost lines, which may be 3 mm wide.
   const auto across = encode_sheet(named_sheet(), options);
   ASSERT_TRUE(across);
   EXPECT_NE(across->text.find("width=\"297.000mm\" height=\"210.000mm\""), std::string::npos);
-  EXPECT_NEAR(printed_width_m(0.18, 0.09, options), 0.267, 1e-9);
-  // The square begins at a sixth of the width of 267 mm, after the margin of 15 mm.
-  EXPECT_NE(across->text.find("M59.500 "), std::string::npos);
+  EXPECT_NEAR(printed_width_m(0.18, 0.09, options), 0.264, 1e-9);
+  // The square begins at a sixth of the width of 264 mm, after the margin of 15 mm and half a line.
+  EXPECT_NE(across->text.find("M60.500 "), std::string::npos);
   TactileSheet high = named_sheet();
   std::swap(high.width_m, high.height_m);
   options.paper = Paper::a3;
   const auto upright = encode_sheet(high, options);
   EXPECT_NE(upright->text.find("width=\"297.000mm\" height=\"420.000mm\""), std::string::npos);
-  EXPECT_NEAR(printed_width_m(0.09, 0.18, options), 0.195, 1e-9);
+  EXPECT_NEAR(printed_width_m(0.09, 0.18, options), 0.1935, 1e-9);
 }
 
 TEST(TactileSheet, AsBrailleHasTheKeysOfPlacesToo) {

@@ -3,6 +3,7 @@
 #include "palpable/cli/commands/export/export_tactile.hpp"
 
 #include "palpable/cli/commands/export/drawn_names.hpp"
+#include "palpable/formats/tactile/braille_cells.hpp"
 #include "palpable/formats/tactile/height_lines.hpp"
 #include "palpable/formats/tactile/tactile_drawing.hpp"
 #include "palpable/sculpt/contours/boundary_map_from_picture.hpp"
@@ -51,6 +52,8 @@ Heights heights_of_solid(const models::Relief& from_above, const TactileArgument
   for (float& z : out.heights_m.values()) z -= static_cast<float>(lowest_m);
   out.lines.interval_m = arguments.interval_mm ? *arguments.interval_mm / 1000.0 : range_m / kHeights;
   out.lines.outline_m = kOutlineShare * range_m;
+  // The picture ends where the solid does.
+  out.lines.beyond = formats::HeightLineOptions::Beyond::lowest;
   return out;
 }
 
@@ -105,6 +108,7 @@ Result<std::string> pins_of(const formats::TactileSheet& sheet) {
 
 Result<PrintOptions> print_options(const TactileArguments& arguments, double width, double height,
                                    double width_m) {
+  if (auto known = formats::check_braille_table(arguments.braille_table); !known) return known.error();
   PrintOptions options;
   options.table = arguments.braille_table;
   options.sheet.width_m = arguments.width_mm ? *arguments.width_mm / 1000.0 : width_m;
