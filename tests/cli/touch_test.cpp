@@ -195,6 +195,18 @@ TEST_F(Touch, RefusesToShareWhatIsNoPageOrAtAForeignAddress) {
   EXPECT_THAT(foreign.err, HasSubstr("203.0.113.7"));
 }
 
+TEST_F(Touch, LooksForAHeadByADepthCameraAndForThePageOnly) {
+  const std::string left = path("left.png"), right = path("right.png");
+  const Outcome headless =
+      palpable({"touch", left, right, "--head", "openni:9", "--headless", "--seconds", "0.1", "--json"});
+  EXPECT_EQ(headless.exit_code, 0) << headless.err;
+  EXPECT_THAT(headless.err, HasSubstr("--head has no effect without the page"));
+  for (const char* other : {"http://127.0.0.1/video", "robot:127.0.0.1", "a folder"}) {
+    const Outcome refused = palpable({"touch", left, right, "--no-browser", "--head", other});
+    EXPECT_EQ(refused.exit_code, 2) << other << refused.err;
+  }
+}
+
 TEST_F(Touch, AnUnknownDeviceIsReported) {
   const Outcome unknown =
       palpable({"touch", path("left.png"), path("right.png"), "--headless", "--device", "teapot:"});

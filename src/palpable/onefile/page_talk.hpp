@@ -50,6 +50,7 @@ class PageTalk {
   void handle(const page::protocol::Withdraw&) {}
   void handle(const page::protocol::ShowOut&) {}
   void handle(const page::protocol::RobotOrder&) {}
+  void handle(const page::protocol::FollowHead&) {}
   void send(const std::vector<page::SharedFrame>& frames);
 
   BrowserTouch& touch_;

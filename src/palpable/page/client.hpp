@@ -58,6 +58,8 @@ class Client : public std::enable_shared_from_this<Client> {
   bool visible = true;
   /// Of the answers to its questions.
   describe::Language language = describe::Language::english;
+  /// It follows the head of who sits before it.
+  bool follows_head = false;
   /// A state was skipped: the next one is sent even if nothing has changed.
   bool is_behind = true;
   /// The probes that this page has moved and not yet lifted.

@@ -53,6 +53,11 @@ class PageHost {
   virtual std::optional<protocol::Robot> robot() { return std::nullopt; }
   /// What it has seen of the floor; nullopt: nothing yet.
   virtual std::optional<protocol::RobotFloor> robot_floor() { return std::nullopt; }
+  /// The viewer's head in a picture that is newer than at the last call; nullopt: there is none, or nobody
+  /// follows it.
+  virtual std::optional<protocol::Head> head() { return std::nullopt; }
+  /// Whether a page follows the viewer's head.
+  virtual void follow_head(const protocol::FollowHead& /*follow*/) {}
   /// The newest tick. The server fills in which page moved each probe.
   virtual protocol::State state() = 0;
 

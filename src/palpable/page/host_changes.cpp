@@ -26,6 +26,7 @@ SharedFrame text_frame(const Message& message) {
   return std::make_shared<const Frame>(Frame{protocol::write_message(message), false});
 }
 template SharedFrame text_frame(const protocol::RobotFloor&);
+template SharedFrame text_frame(const protocol::Head&);
 template SharedFrame text_frame(const protocol::State&);
 template SharedFrame text_frame(const protocol::Words&);
 template SharedFrame text_frame(const protocol::Around&);
@@ -39,7 +40,7 @@ std::vector<SharedFrame> HostChanges::everything(std::int64_t page,
   if (guest) {
     hello.guest = guest;
     hello.device = "the person who shares the scene";
-    hello.pointer_moves = hello.egocentric = hello.home = false;
+    hello.pointer_moves = hello.egocentric = hello.home = hello.finds_head = false;
   }
   std::vector<SharedFrame> frames{text_frame(hello), text_frame(host_.laws())};
   if (const auto scene = host_.scene(); scene != shown_) show(scene);

@@ -77,6 +77,7 @@ void Pages::on_closed(Client& client) {
   release_probes(client);
   std::erase_if(clients_,
                 [&](const auto& other) { return other.expired() || other.lock().get() == &client; });
+  if (host_ != nullptr) tell_who_follows();
   const auto is_same_guest = [&](const auto& other) {
     const auto page = other.lock();
     return page != nullptr && page->guest && page->guest->number == client.guest->number;
@@ -120,6 +121,7 @@ void Pages::show(std::shared_ptr<PageHost> host) {
   movers_ = {};
   sent_state_ = {};
   sent_floor_.reset();
+  follow_ = {};
   changes_.reset();
   host_ = std::move(host);
   if (host_ != nullptr) changes_.emplace(*host_);
@@ -136,6 +138,7 @@ void Pages::update() {
   for (const auto& frame : changes_->changes()) broadcast(frame);
   send_state();
   send_robot_floor();
+  send_head();
 }
 
 void Pages::send_notice(const protocol::Notice& notice) {
@@ -209,6 +212,38 @@ void Pages::send_robot_floor() {
   });
 }
 
+/// Whether a page follows the viewer's head; the host is told when that changes.
+bool Pages::tell_who_follows() {
+  const auto follows = [](const auto& weak) {
+    const auto client = weak.lock();
+    return client != nullptr && client->visible && client->follows_head;
+  };
+  const bool is_followed = std::any_of(clients_.begin(), clients_.end(), follows);
+  if (is_followed != follow_.follows) {
+    follow_.follows = is_followed;
+    host_->follow_head(follow_);
+  }
+  return is_followed;
+}
+
+// At once, since the view follows it: a page that does is not at rest.
+void Pages::send_head() {
+  if (!tell_who_follows()) return;
+  active_at_ = steady_clock::now();
+  const auto head = host_->head();
+  if (!head) return;
+  const auto frame = text_frame(*head);
+  // A place is replaced by the next one; that none will come is not.
+  const bool is_replaced = head->pictures == "come";
+  for_each_client([&](Client& client) {
+    if (!client.visible || !client.follows_head) return;
+    if (is_replaced)
+      static_cast<void>(client.send_if_idle(frame));
+    else
+      client.send(frame);
+  });
+}
+
 // Removes the additional probes that this page moved; the first probe stays.
 void Pages::release_probes(const Client& client) {
   for (std::size_t probe = 1; probe < client.moved.size(); ++probe)
@@ -257,6 +292,13 @@ void Pages::handle(Client& client, const protocol::RobotOrder& order) {
   // Who starts it has to see it, before the first movement of the probe, too.
   if (order.word == "start" && host_->hello().pointer_moves) movers_.front() = client.page;
   host_->order(order);
+}
+
+void Pages::handle(Client& client, const protocol::FollowHead& follow) {
+  client.follows_head = follow.follows;
+  if (!follow.follows) return;
+  follow_ = follow;
+  host_->follow_head(follow_);
 }
 
 void Pages::handle(Client& client, const protocol::Ask& ask) {

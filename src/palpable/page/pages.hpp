@@ -56,6 +56,8 @@ class Pages {
   void pass(Client& client, const protocol::FromPage& message);
   void send_state();
   void send_robot_floor();
+  bool tell_who_follows();
+  void send_head();
   void release_probes(const Client& client);
   void let_go(const Client& client);
   template <class Do>
@@ -73,6 +75,7 @@ class Pages {
   void handle(Client&, const protocol::Recentre&) { host_->recentre(); }
   void handle(Client& client, const protocol::RobotOrder& order);
   void handle(Client&, const protocol::MoveExplorer& pose) { host_->move_explorer(pose); }
+  void handle(Client& client, const protocol::FollowHead& follow);
   void handle(Client& client, const protocol::Ask& ask);
   void handle(Client& client, const protocol::LookAround& question);
   void handle(Client&, const protocol::Name& name) { host_->name(name); }
@@ -97,12 +100,14 @@ class Pages {
   std::chrono::steady_clock::time_point sent_state_at_;
   std::optional<protocol::RobotFloor> sent_floor_;
   std::chrono::steady_clock::time_point floor_at_;
+  /// As the host was told last.
+  protocol::FollowHead follow_;
   std::chrono::steady_clock::time_point active_at_;
   std::int64_t next_page_ = 1;
   std::uint64_t sent_sharing_ = 0;
-  /// The page that last moved each probe.
   /// Of what is said to all: that of the page of this machine that told its own last.
   describe::Language language_ = describe::Language::english;
+  /// The page that last moved each probe.
   std::array<std::optional<std::int64_t>, protocol::kMostProbes> movers_;
 };
 

@@ -31,6 +31,8 @@ struct Rules {
   Ruling operator()(const protocol::Name&) const { return Ruling::refuse; }
   Ruling operator()(const protocol::Unname&) const { return Ruling::refuse; }
   Ruling operator()(const protocol::UndoName&) const { return Ruling::refuse; }
+  // It is before another screen.
+  Ruling operator()(const protocol::FollowHead&) const { return Ruling::refuse; }
   Ruling operator()(const protocol::Invite&) const { return Ruling::refuse; }
   Ruling operator()(const protocol::Withdraw&) const { return Ruling::refuse; }
   Ruling operator()(const protocol::ShowOut&) const { return Ruling::refuse; }

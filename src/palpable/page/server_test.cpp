@@ -129,6 +129,44 @@ TEST(PageServer, SendsWhatARobotSawTwiceASecondToPagesThatAreVisible) {
   }
 }
 
+TEST(PageServer, TellsWhereTheHeadIsOnlyToVisiblePagesThatFollowIt) {
+  ServedPage page;
+  const std::string cookie = cookie_of(page);
+  TestPage other(page, cookie);
+  {
+    TestPage follows(page, cookie);
+    follows.read_until("hello");
+    EXPECT_FALSE(page.host.follows_head);
+    follows.send(R"({"type":"follow_head","follows":true,"down_deg":12})");
+    EXPECT_NEAR(double(follows.read_until("head")["place"]["z_m"]), 0.6, 1e-9);
+    EXPECT_NEAR(double(follows.read_until("head")["age_s"]), 0.0, 1e-9);
+    EXPECT_EQ(page.host.down_deg, 12.0);
+    follows.send(R"({"type":"visible","visible":false})");
+    page.host.follows_head.wait(true);
+    follows.send(R"({"type":"visible","visible":true})");
+    page.host.follows_head.wait(false);
+    EXPECT_EQ(page.host.down_deg, 12.0);
+  }
+  page.host.follows_head.wait(true);
+  EXPECT_FALSE(page.host.follows_head);
+  other.send(R"({"type":"ask","serial":2,"what":"position","probe":0,"x_m":0,"y_m":0,"press_m":0,"part":0})");
+  for (std::string frame = other.read(); !frame.empty(); frame = other.read()) {
+    EXPECT_EQ(frame.find(R"("type":"head")"), std::string::npos);
+    if (frame.find(R"("serial":2)") != std::string::npos) break;
+  }
+}
+
+TEST(PageServer, LooksForNoHeadAfterTheLastPageIsClosed) {
+  ServedPage page;
+  {
+    TestPage only(page, cookie_of(page));
+    only.send(R"({"type":"follow_head","follows":true,"down_deg":0})");
+    only.read_until("head");
+  }
+  page.host.follows_head.wait(true);
+  EXPECT_FALSE(page.host.follows_head);
+}
+
 /// Waits until exactly these probes have been removed.
 void wait_until_lifted(const FakeHost& host, int wanted) {
   for (int now = host.lifted; now != wanted; now = host.lifted) host.lifted.wait(now);

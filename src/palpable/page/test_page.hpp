@@ -102,6 +102,18 @@ class FakeHost final : public PageHost {
     floor.x_m = 0.01 * ++floors;
     return floor;
   }
+  std::optional<protocol::Head> head() override {
+    if (!follows_head) return std::nullopt;
+    protocol::Head head;
+    head.pictures = "come";
+    head.place = protocol::HeadPlace{0.01 * ++heads, 0.0, 0.6};
+    return head;
+  }
+  void follow_head(const protocol::FollowHead& follow) override {
+    down_deg = follow.down_deg;
+    follows_head = follow.follows;
+    follows_head.notify_all();
+  }
   void order(const protocol::RobotOrder& order) override {
     ++(order.word == "stop" ? robot_stops : commands);
   }
@@ -137,6 +149,10 @@ class FakeHost final : public PageHost {
   std::atomic<int> commands = 0;
   /// Before a page is opened.
   std::atomic<bool> has_robot = false;
+  /// What pages told of following the viewer's head, and how many places they were told.
+  std::atomic<bool> follows_head = false;
+  std::atomic<double> down_deg = 0.0;
+  std::atomic<int> heads = 0;
   /// How often its floor was asked for.
   std::atomic<int> floors = 0;
   /// Orders to stop it, and pages that drove it and let go.

@@ -10,6 +10,7 @@
 #include "palpable/page/page_robot.hpp"
 #include "palpable/page/spoken_words.hpp"
 #include "palpable/session/touch/find_pull.hpp"
+#include "palpable/session/touch/head_feed.hpp"
 #include "palpable/session/touch/outage.hpp"
 #include "palpable/session/touch/robot_control.hpp"
 #include "palpable/session/touch/touch_session.hpp"
@@ -59,6 +60,8 @@ class TouchHost final : public PageHost {
     std::function<Result<void>(const models::Scene&)> keep = {};
     /// Said as the touch begins, in the language of the pages where the catalogue has them.
     std::vector<std::string> notes = {};
+    /// Finds the head of who sits before the screen; null: nothing does.
+    session::HeadFeed* head = nullptr;
   };
   /// `session`, and what the options refer to, must outlive the host.
   TouchHost(session::TouchSession& session, Options options);
@@ -71,6 +74,8 @@ class TouchHost final : public PageHost {
   protocol::Materials materials() override;
   std::optional<protocol::Robot> robot() override;
   std::optional<protocol::RobotFloor> robot_floor() override;
+  std::optional<protocol::Head> head() override;
+  void follow_head(const protocol::FollowHead& follow) override;
   protocol::State state() override;
   void update() override;
   void move(const protocol::Pointer& pointer) override;

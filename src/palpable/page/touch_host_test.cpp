@@ -101,6 +101,8 @@ TEST_F(HostOnATouch, ShowsTheTouchedScene) {
   EXPECT_NEAR(scene->height_m(40, 30), relief.sample(0.00025, -0.00025).z_m, 1e-7);
   EXPECT_EQ(host->scene(), scene);
   EXPECT_TRUE(host->hello().pointer_moves);
+  EXPECT_FALSE(host->hello().finds_head);
+  EXPECT_FALSE(host->head());
   EXPECT_EQ(host->laws().laws.front().name, host->settings().law);
 }
 

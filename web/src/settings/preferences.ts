@@ -41,10 +41,11 @@ export interface Preferences {
   swapEyes: boolean;
   /** Of the scene in a headset: per cent of its true size, or of a table's where it is larger. */
   headsetSize: number;
-  /** Of the camera that follows the head: its horizontal angle of view and how far it looks down, degrees; and how far it is above the screen's upper edge, millimetres. */
+  /** Of the camera that follows the head: its horizontal angle of view and how far it looks down, degrees; and how far it is above the screen's upper edge and to the right of its middle, millimetres. */
   cameraAngle: number;
   cameraTilt: number;
   cameraAbove: number;
+  cameraRight: number;
   /** How far the view moves with the head to the sides, up and down, nearer and farther: per cent. */
   headGainX: number;
   headGainY: number;
@@ -81,6 +82,7 @@ export const defaults: Preferences = {
   cameraAngle: 60,
   cameraTilt: 0,
   cameraAbove: 10,
+  cameraRight: 0,
   headGainX: 100,
   headGainY: 100,
   headGainZ: 100,
@@ -113,7 +115,8 @@ export const ranges = {
   headsetSize: { min: 10, max: 1000 },
   cameraAngle: { min: 30, max: 120 },
   cameraTilt: { min: -45, max: 45 },
-  cameraAbove: { min: 0, max: 300 },
+  cameraAbove: { min: -400, max: 400 },
+  cameraRight: { min: -500, max: 500 },
   headGainX: { min: 0, max: 200 },
   headGainY: { min: 0, max: 200 },
   headGainZ: { min: 0, max: 200 },

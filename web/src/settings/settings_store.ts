@@ -48,6 +48,7 @@ const titles: Record<string, string> = {
   cameraAngle: t('camera’s angle of view'),
   cameraTilt: t('camera’s tilt'),
   cameraAbove: t('camera above the screen'),
+  cameraRight: t('camera to the right'),
   headGainX: t('head to the sides'),
   headGainY: t('head up and down'),
   headGainZ: t('head nearer and farther'),

@@ -38,6 +38,7 @@ const std::vector<std::string> kCommands = {
     R"({"type":"recentre"})",
     R"({"type":"robot_order","word":"start"})",
     R"({"type":"robot_order","word":"drive"})",
+    R"({"type":"follow_head","follows":true,"down_deg":0})",
     R"({"type":"move_explorer","x_m":0,"y_m":0,"heading_deg":0})",
     R"({"type":"name","list":1,"place":null,"name":"a","sentence":"","x_m":0,"y_m":0})",
     R"({"type":"unname","list":1,"place":0})",

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kScene = ".palp";
+constexpr const char* kSceneFile = ".palp";
 constexpr const char* kPicture = ".png";
 constexpr const char* kCard = ".json";
 constexpr std::size_t kIdLength = 32;
@@ -108,7 +108,7 @@ std::vector<RecentScene> RecentScenes::list() const {
   for (fs::directory_iterator entry(folder_, error), end; !error && entry != end; entry.increment(error)) {
     const fs::path& path = entry->path();
     const std::string id = path.stem().string();
-    if (path.extension() != kScene || !is_id(id) || !is_own_file(path)) continue;
+    if (path.extension() != kSceneFile || !is_id(id) || !is_own_file(path)) continue;
     std::error_code none;
     const auto time = fs::last_write_time(path, none);
     const auto card = read_card(file(id, kCard));
@@ -136,7 +136,7 @@ Result<std::string> RecentScenes::add(const fs::path& scene, const SceneCard& ca
   if (!picture.empty() && formats::write_png(file(*id, kPicture), picture))
     ::chmod(file(*id, kPicture).c_str(), S_IRUSR | S_IWUSR);
   // The scene last: list() shows none that is not whole.
-  if (auto moved = move_file(scene, file(*id, kScene)); !moved) {
+  if (auto moved = move_file(scene, file(*id, kSceneFile)); !moved) {
     forget(*id);
     return moved.error();
   }
@@ -147,17 +147,17 @@ Result<std::string> RecentScenes::add(const fs::path& scene, const SceneCard& ca
 
 Result<void> RecentScenes::replace(std::string_view id, const fs::path& path) {
   if (!scene(id)) return {};
-  return move_file(path, file(id, kScene));
+  return move_file(path, file(id, kSceneFile));
 }
 
 void RecentScenes::note_opened(std::string_view id) {
   std::error_code ignored;
-  if (is_id(id)) fs::last_write_time(file(id, kScene), fs::file_time_type::clock::now(), ignored);
+  if (is_id(id)) fs::last_write_time(file(id, kSceneFile), fs::file_time_type::clock::now(), ignored);
 }
 
 std::optional<fs::path> RecentScenes::scene(std::string_view id) const {
-  if (!is_id(id) || !is_own_file(file(id, kScene))) return std::nullopt;
-  return file(id, kScene);
+  if (!is_id(id) || !is_own_file(file(id, kSceneFile))) return std::nullopt;
+  return file(id, kSceneFile);
 }
 
 std::optional<fs::path> RecentScenes::picture(std::string_view id) const {
@@ -168,7 +168,7 @@ std::optional<fs::path> RecentScenes::picture(std::string_view id) const {
 void RecentScenes::forget(std::string_view id) {
   if (!is_id(id)) return;
   std::error_code ignored;
-  for (const char* const ending : {kScene, kPicture, kCard}) fs::remove(file(id, ending), ignored);
+  for (const char* const ending : {kSceneFile, kPicture, kCard}) fs::remove(file(id, ending), ignored);
 }
 
 void RecentScenes::forget_all() {
@@ -180,7 +180,7 @@ void RecentScenes::keep_limits() {
   std::size_t scenes = 0;
   for (const RecentScene& one : list()) {
     std::error_code error;
-    const auto size = fs::file_size(file(one.id, kScene), error);
+    const auto size = fs::file_size(file(one.id, kSceneFile), error);
     bytes += error ? 0 : size;
     // The one that was added last stays, however large it is: it is being touched.
     if (++scenes > 1 && (scenes > limits_.most_scenes || bytes > limits_.most_bytes)) forget(one.id);

@@ -1,9 +1,9 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 import { describe, expect, it } from 'vitest';
-import { calibrated, fitFace, focalLength, placeOf, type FacePoints, type Lens } from './place';
+import { calibrated, calibratedTilt, fitFace, focalLength, placeOf, type FacePoints, type Lens } from './place';
 
-const lens: Lens = { width: 640, height: 480, angle: 60, tilt: 0, up: 0.16 };
+const lens: Lens = { width: 640, height: 480, angle: 60, tilt: 0, up: 0.16, right: 0 };
 const eyeDistance = 0.063;
 /** The average face, metres from the middle between its eyes: right, up, towards the camera. */
 const head = [[0.5, 0, 0], [-0.5, 0, 0], [0, -0.45, 0], [0, -1, 0], [1.05, -0.35, 0], [-1.05, -0.35, 0]].map((point) => point.map((value) => value * eyeDistance));
@@ -70,6 +70,14 @@ describe('the calibration', () => {
     const place = placeOf(face, { ...lens, ...found }, eyeDistance);
     expect(place.y).toBeCloseTo(0, 9);
     expect(place.z).toBeCloseTo(0.55, 9);
+  });
+  it('of a depth camera gives the tilt by which the head is as high as the middle of the screen', () => {
+    const [up, away, tilt] = [0.2, 0.7, (11 * Math.PI) / 180];
+    // From a camera that looks straight ahead, the head is below it by `up`; told by one that is taken to look down by 4°.
+    const turned = tilt - (4 * Math.PI) / 180;
+    const from = { x: 0.1, y: -up * Math.cos(turned) + away * Math.sin(turned), z: away * Math.cos(turned) + up * Math.sin(turned) };
+    expect(calibratedTilt(from, 4, up)!).toBeCloseTo(11, 9);
+    expect(calibratedTilt({ x: 0, y: 0.9, z: 0.2 }, 40, 0.2)).toBeNull();
   });
   it('refuses what no camera sees', () => {
     const face = fitFace(seen({ x: 0, y: 0, z: 0.2 }));

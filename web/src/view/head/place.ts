@@ -22,6 +22,7 @@ export interface Lens {
   tilt: number;
   /** Of the camera from the middle of the screen, which is in the frame of the screen, metres. */
   up: number;
+  right: number;
 }
 
 /**
@@ -85,7 +86,18 @@ export function placeOf({ centre, eyes }: FaceFit, lens: Lens, eyeDistance: numb
   const right = -(centre.x - lens.width / 2) * metres;
   const up = -(centre.y - lens.height / 2) * metres;
   const [sin, cos] = [Math.sin((lens.tilt * Math.PI) / 180), Math.cos((lens.tilt * Math.PI) / 180)];
-  return { x: right, y: lens.up + up * cos - away * sin, z: away * cos + up * sin };
+  return { x: lens.right + right, y: lens.up + up * cos - away * sin, z: away * cos + up * sin };
+}
+
+/**
+ * The tilt for which a head is straight before the middle of the screen, as high as it; null if no camera looks so. `from`: the
+ * head from a depth camera that was taken to look down by `tilt`; `up`: of the camera, metres.
+ */
+export function calibratedTilt(from: ScreenPoint, tilt: number, up: number): number | null {
+  const below = Math.atan2(-from.y, from.z);
+  const wanted = Math.asin(Math.min(1, Math.max(-1, up / Math.hypot(from.y, from.z))));
+  const found = tilt + (180 / Math.PI) * (wanted - below);
+  return Math.abs(found) <= mostTilt ? found : null;
 }
 
 const angles = { least: 30, most: 120 };

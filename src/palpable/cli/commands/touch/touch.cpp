@@ -27,6 +27,24 @@ bool is_about_scene(const Error& error, const std::vector<std::string>& inputs) 
   return error.place.empty() || std::find(inputs.begin(), inputs.end(), error.place) != inputs.end();
 }
 
+/// The page is told where the head is, so a touch without one has no use for it.
+Result<void> open_head(const TouchArguments& arguments, TouchPlan& plan, Console& console) {
+  if (arguments.head.empty()) return {};
+  if (arguments.headless) {
+    console.note(Note("--head has no effect without the page: the camera is not opened."));
+    return {};
+  }
+  const auto& inputs = arguments.scene.make.inputs;
+  if (std::find(inputs.begin(), inputs.end(), arguments.head) != inputs.end())
+    return Error{ErrorCode::usage, "a camera that is touched does not look at you: give another one",
+                 "--head"};
+  auto opened = session::open_head_feed(arguments.head, console.work());
+  if (!opened) return std::move(opened).error();
+  plan.head = *std::move(opened);
+  console.note(Note("The depth camera looks for your head: its pictures do not leave the program."));
+  return {};
+}
+
 Result<Answer> touch(TouchArguments arguments, Console& console) {
   haptics::write_zero_force_on_crash();
   for (const std::string& url : arguments.devices)
@@ -53,6 +71,7 @@ Result<Answer> touch(TouchArguments arguments, Console& console) {
   const auto live = open_live(
       arguments, plan, [&console](const Note& note) { console.note(note); }, console.work());
   if (!live) return live.error();
+  if (const auto head = open_head(arguments, plan, console); !head) return head.error();
   plan.options.seed = console.options().seed;
   plan.options.hold = ask_to_hold(arguments.speak ? Speech::on : Speech::off, console);
   // Without progress: the maker of scenes reports its own at the same time.
@@ -141,6 +160,10 @@ void add_touch(Program& program) {
                "With --share: which IP address of this computer they connect to");
   options.integer("--share-port", arguments->share_port, {0, 65535},
                   "With --share: the port that they connect to; 0 = any free one");
+  options.text(
+      "--head", arguments->head,
+      "The view follows your head, found by a depth camera at the screen that looks at you: frames:FOLDER, "
+      "openni:N, freenect:N, realsense:N or ros://HOST:PORT; its pictures do not leave the program");
   options.flag("--headless", arguments->headless, "No page: a scripted hand explores");
   options.flag("--keys", arguments->keys,
                "With --headless: explore with the keys of this terminal; H lists them (braille, speech)");

@@ -95,7 +95,9 @@ Result<void> serve_page(const TouchArguments& arguments, const TouchPlan& plan,
                                  !plan.walk.empty(),
                                  plan.live != nullptr,
                                  false,
-                                 plan.live ? plan.live->robot() : nullptr});
+                                 plan.live ? plan.live->robot() : nullptr,
+                                 {},
+                                 plan.head.get()});
   notes.open([&host](const Note& note) { host.say("info", note.sentence); });
   std::optional<OpenedBrowser> browser;
   page::ServeOptions options;

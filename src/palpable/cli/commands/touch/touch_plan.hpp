@@ -9,6 +9,7 @@
 #include "palpable/cli/arguments/view_options.hpp"
 #include "palpable/cli/command.hpp"
 #include "palpable/haptics/safety/stability.hpp"
+#include "palpable/session/touch/head_feed.hpp"
 #include "palpable/session/touch/headless.hpp"
 #include "palpable/study/world/robot_server.hpp"
 
@@ -40,6 +41,8 @@ struct TouchArguments {
   bool start_robot = false;
   /// A live touch keeps what left the picture.
   bool memory = false;
+  /// The depth camera that looks at the viewer; empty: none.
+  std::string head;
   int port = 0;
   bool headless = false;
   bool keys = false;
@@ -81,6 +84,8 @@ struct TouchPlan {
   std::shared_ptr<study::RobotServer> sample_robot;
   /// Null unless the input is a live source.
   std::shared_ptr<session::LiveFeed> live;
+  /// Null: nothing finds the viewer's head.
+  std::shared_ptr<session::HeadFeed> head;
 };
 
 /// Errors: usage, for options that exclude each other.
