@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -148,6 +149,50 @@ TEST(CameraMemory, CorrectsOdometry) {
     EXPECT_LT(norm(found->translation_m - truth.translation_m), 0.01) << k;
     memory.add(corner_from(truth), kCamera, *found, 0.1 * k);
   }
+}
+
+/// On a floor (z up): before a bare wall alone, so that nothing but odometry says where the camera is along
+/// it and how high.
+TEST(CameraMemory, KeepsHeightAndTiltOfARobotBeforeABareWall) {
+  CameraMemory memory({});
+  std::mt19937_64 random(1);
+  std::normal_distribution<float> normal;
+  // Looks along the world's y axis.
+  const auto at = [](double x_m) { return Pose{{1, 0, 0, 0, 0, 1, 0, -1, 0}, {x_m, 0.0, 1.0}, 1.0}; };
+  for (int k = 0; k < 60; ++k) {
+    Raster<float> wall_m(kCamera.width, kCamera.height, 1.0F);
+    for (float& z : wall_m.values()) z += 0.002F * normal(random);
+    const auto found = memory.locate(wall_m, kCamera, at(0.02 * k));
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->translation_m.z, 1.0, 0.005) << k;
+    EXPECT_NEAR(found->translation_m.x, 0.02 * k, 0.02) << k;
+    EXPECT_NEAR(found->rotation[5], 1.0, 1e-3) << k;
+    memory.add(wall_m, kCamera, *found, 0.1 * k);
+  }
+  EXPECT_EQ(memory.closed(), 0);
+}
+
+TEST(PoseChain, SpreadsAnErrorOverTheMotionsByTheirUncertainty) {
+  PoseChain chain({});
+  const auto camera = [](double x_m) { return camera_at({x_m, 0, 0}); };
+  const Raster<float> depth_m(kCamera.width, kCamera.height, 1.0F);
+  const auto error = [](double position_m) {
+    return independent_errors({1e-4, 1e-4, 1e-4}, {position_m, position_m, position_m});
+  };
+  chain.keep({depth_m, kCamera, camera(0.0)}, 0.0);
+  chain.move(camera(0.0), camera(1.0), error(0.001));
+  chain.keep({depth_m, kCamera, camera(1.0)}, 1.0);
+  chain.move(camera(1.0), camera(2.0), error(0.1));
+  chain.keep({depth_m, kCamera, camera(2.0)}, 2.0);
+  // It did not move enough to be kept.
+  chain.keep({depth_m, kCamera, camera(2.01)}, 2.1);
+  ASSERT_EQ(chain.pictures().size(), 3U);
+  chain.close(camera(2.0), camera(2.2));
+  const auto x_m = [&](std::size_t k) { return chain.pictures()[k].posed.world_from_camera.translation_m.x; };
+  EXPECT_EQ(x_m(0), 0.0);
+  EXPECT_NEAR(x_m(1), 1.0, 1e-3);
+  EXPECT_NEAR(x_m(2), 2.2, 1e-3);
+  for (const double value : chain.drift()) EXPECT_EQ(value, 0.0);
 }
 
 TEST(CameraMemory, FindsItsWayWithoutStatedPoses) {
