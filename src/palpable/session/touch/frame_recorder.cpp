@@ -35,19 +35,20 @@ std::optional<std::string> FrameRecorder::notice() {
   return std::exchange(unsaid_, std::nullopt);
 }
 
-void FrameRecorder::keep(Write write) {
+bool FrameRecorder::keep(Write write) {
   constexpr std::size_t kMostWaiting = 8;
   {
     const std::lock_guard lock(mutex_);
-    if (has_failed_) return;
+    if (has_failed_) return false;
     if (waiting_.size() == kMostWaiting) {
       if (!std::exchange(said_slow_, true))
         unsaid_ = "Pictures come faster than they can be recorded; some are left out of the recording.";
-      return;
+      return false;
     }
     waiting_.push_back(std::move(write));
   }
   changed_.notify_all();
+  return true;
 }
 
 /// Writes until the end, then what is left.

@@ -32,7 +32,8 @@ class FrameRecorder {
   FrameRecorder(const FrameRecorder&) = delete;
   FrameRecorder& operator=(const FrameRecorder&) = delete;
 
-  void keep(Write write);
+  /// False: it is left out.
+  bool keep(Write write);
   std::optional<std::string> notice();
 
  private:

@@ -67,7 +67,7 @@ struct Kept {
   LiveFrame frame;
   std::optional<Image> colour;
   double metres_per_unit = kMillimetre_m;
-  bool is_first = false;
+  bool has_sidecar = false;
 };
 
 Result<void> write_frame(const fs::path& folder, const Kept& kept) {
@@ -76,7 +76,7 @@ Result<void> write_frame(const fs::path& folder, const Kept& kept) {
     return files.add(folder / name, bytes);
   };
   const auto number = fmt::format("{:06}", kept.frame.number);
-  if (kept.is_first)
+  if (kept.has_sidecar)
     if (auto added = add("depth.json", bytes_of(sidecar_of(kept.frame.depth.camera, kept.metres_per_unit)));
         !added)
       return added;
@@ -102,11 +102,16 @@ Result<std::unique_ptr<DepthRecorder>> DepthRecorder::open(const fs::path& folde
 }
 
 void DepthRecorder::keep(const LiveFrame& frame, const std::optional<Image>& colour) {
-  const bool is_first = metres_per_unit_ == 0.0;
-  if (is_first) metres_per_unit_ = unit_for(frame.depth.depth_m);
-  recorder_->keep([folder = folder_, kept = Kept{frame, colour, metres_per_unit_, is_first}] {
-    return write_frame(folder, kept);
-  });
+  if (metres_per_unit_ == 0.0) metres_per_unit_ = unit_for(frame.depth.depth_m);
+  // A camera may be stated only after the first frames, as by a rosbridge server.
+  const bool has_camera = frame.depth.camera.has_value();
+  const bool has_sidecar = !has_written_ || (has_camera && !has_stated_camera_);
+  const bool is_kept =
+      recorder_->keep([folder = folder_, kept = Kept{frame, colour, metres_per_unit_, has_sidecar}] {
+        return write_frame(folder, kept);
+      });
+  has_written_ = has_written_ || is_kept;
+  has_stated_camera_ = has_stated_camera_ || (is_kept && has_camera);
 }
 
 }  // namespace palpable::session

@@ -16,8 +16,9 @@ namespace palpable::session {
 
 /// Writes the frames of a depth camera as files of frames:FOLDER: NUMBER.depth.png, NUMBER.color.png where
 /// there is a picture, NUMBER.pose.txt where the camera's pose is stated, and depth.json, which states the
-/// unit and the camera of the first frame. The unit is 1 mm if its depths are whole millimetres, or if it
-/// reaches beyond 6.5 m; else 0.1 mm. What is farther than 65 535 units is written as unknown.
+/// unit and the camera of the first frame that states one. The unit is 1 mm if the first frame's depths are
+/// whole millimetres, or if it reaches beyond 6.5 m; else 0.1 mm. What is farther than 65 535 units is
+/// written as unknown.
 class DepthRecorder {
  public:
   /// Errors: as FrameRecorder::open().
@@ -36,6 +37,7 @@ class DepthRecorder {
   std::unique_ptr<FrameRecorder> recorder_;
   /// Of the first frame; 0 before it.
   double metres_per_unit_ = 0.0;
+  bool has_written_ = false, has_stated_camera_ = false;
 };
 
 }  // namespace palpable::session

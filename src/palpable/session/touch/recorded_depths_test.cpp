@@ -77,6 +77,24 @@ TEST(RecordedDepths, AreShownAgainByAFolderWithTheirCameraPosesAndColours) {
   EXPECT_EQ(DepthRecorder::open(folder).error().code, ErrorCode::usage);
 }
 
+TEST(RecordedDepths, StateACameraThatComesAfterTheFirstFrame) {
+  const auto folder = depths_folder("late-camera");
+  const DepthMap known = slope(0.8, 0.0003);
+  DepthMap unknown = known;
+  unknown.camera.reset();
+  {
+    const auto recorder = DepthRecorder::open(folder);
+    ASSERT_TRUE(recorder);
+    for (const auto* depth : {&unknown, &unknown, &known}) (*recorder)->keep({0, Clock::now(), *depth}, {});
+  }
+  const auto frames = sources::FrameFolder::open(folder);
+  ASSERT_TRUE(frames);
+  const auto first = frames->depth(0);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->camera, known.camera);
+  expect_equal(known.depth_m, first->depth_m);
+}
+
 TEST(RecordedDepths, KeepTenthsOfMillimetresWhereTheCameraHasThem) {
   const auto folder = depths_folder("tenths");
   {
