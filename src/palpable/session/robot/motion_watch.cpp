@@ -60,10 +60,12 @@ bool MotionWatch::goes_on(double t_s) const {
           least_rad > kLeast * std::max(std::abs(turned_rad), 2.0 * kMoved_rad));
 }
 
-bool MotionWatch::moves_unasked(double t_s, double measured_m_per_s, const RobotPose& pose) {
+bool MotionWatch::moves_unasked(const Measured& measured) {
   constexpr double kStill_m_per_s = 0.03;
-  if (std::abs(measured_m_per_s) <= kStill_m_per_s) fast_since_s_ = t_s;
-  poses_.emplace_back(t_s, pose);
+  const double t_s = measured.at_s;
+  if (!poses_.empty() && t_s <= poses_.back().first) return false;
+  if (std::abs(measured.forward_m_per_s) <= kStill_m_per_s) fast_since_s_ = t_s;
+  poses_.emplace_back(t_s, measured.pose);
   while (t_s - poses_.front().first > kSteps * kStep_s) poses_.pop_front();
   if (t_s - told_since_s_ <= kGrace_s) return false;
   if (t_s - fast_since_s_ > kGrace_s || goes_on(t_s)) {
@@ -93,16 +95,16 @@ bool MotionWatch::stays(double t_s, const RobotVelocity& told, const RobotPose& 
   return true;
 }
 
-std::optional<RobotEvent> MotionWatch::look(double t_s, const RobotVelocity& told, double measured_m_per_s,
-                                            const RobotPose& pose, bool is_followed) {
+std::optional<RobotEvent> MotionWatch::look(double t_s, const RobotVelocity& told, const Measured& measured,
+                                            bool is_followed) {
   if (!is_followed || told != RobotVelocity{}) {
     told_since_s_ = fast_since_s_ = t_s;
     poses_.clear();
     said_moving_ = false;
-  } else if (moves_unasked(t_s, measured_m_per_s, pose)) {
+  } else if (moves_unasked(measured)) {
     return RobotEvent::moved_unasked;
   }
-  if (stays(t_s, told, pose, is_followed)) return RobotEvent::stays;
+  if (stays(t_s, told, measured.pose, is_followed)) return RobotEvent::stays;
   return std::nullopt;
 }
 

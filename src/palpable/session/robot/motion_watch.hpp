@@ -14,17 +14,23 @@ namespace palpable::session {
 /// thread.
 class MotionWatch {
  public:
-  /// Call it after each command. `told`: the command that was sent last. `measured_m_per_s`: the robot's own
-  /// forward speed. `is_followed`: commands were sent, and the connection stands. An event when the robot
-  /// has to be stopped, once for each time. moved_unasked: since 1.5 s it is told to stand, and its speed was
-  /// not zero all that time, or its pose went on steadily in the last 0.9 s, by at least 2 cm or 0.03 rad;
-  /// this needs at least seven calls a second. stays: its odometry has neither moved by 5 mm nor turned by
-  /// 0.01 rad though it was told to move for 2 s.
-  std::optional<RobotEvent> look(double t_s, const RobotVelocity& told, double measured_m_per_s,
-                                 const RobotPose& pose, bool is_followed);
+  /// A robot's pose and its own forward speed, and when it measured them.
+  struct Measured {
+    double at_s = 0.0;
+    RobotPose pose;
+    double forward_m_per_s = 0.0;
+  };
+  /// Call it after each command. `told`: the command that was sent last. `is_followed`: commands were sent,
+  /// and the connection stands. An event when the robot has to be stopped, once for each time. moved_unasked:
+  /// since 1.5 s it is told to stand, and its speed was not zero all that time, or its pose went on steadily
+  /// in the last 0.9 s, by at least 2 cm or 0.03 rad; this needs at least seven poses a second. Poses count
+  /// for when they were measured, so that odometry that comes late is no movement after a stop. stays: its
+  /// odometry has neither moved by 5 mm nor turned by 0.01 rad though it was told to move for 2 s.
+  std::optional<RobotEvent> look(double t_s, const RobotVelocity& told, const Measured& measured,
+                                 bool is_followed);
 
  private:
-  bool moves_unasked(double t_s, double measured_m_per_s, const RobotPose& pose);
+  bool moves_unasked(const Measured& measured);
   bool goes_on(double t_s) const;
   bool stays(double t_s, const RobotVelocity& told, const RobotPose& pose, bool is_followed);
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/robot/motion_watch.hpp"
 
+#include "palpable/session/robot/measured_time.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -26,7 +28,7 @@ std::string said_at(RobotEvent event, const std::function<WatchedRobot(double)>&
   std::string times;
   for (int k = 0; k <= 40; ++k) {
     const auto [told, measured_m_per_s, pose, is_followed] = robot_at(0.25 * k);
-    if (watch.look(0.25 * k, told, measured_m_per_s, pose, is_followed) == event)
+    if (watch.look(0.25 * k, told, {0.25 * k, pose, measured_m_per_s}, is_followed) == event)
       times += std::to_string(k) + " ";
   }
   return times;
@@ -72,17 +74,18 @@ double noticed_at_s(double rate_hz, double noise_m, double noise_rad,
   std::mt19937_64 random(1);
   std::normal_distribution<double> normal;
   RobotPose pose;
-  double next_s = 0.0;
+  double next_s = 0.0, measured_s = 0.0;
   for (int k = 0; k <= 1000; ++k) {
     const double t_s = 0.02 * k;
     if (t_s >= next_s) {
       next_s += 1.0 / rate_hz;
+      measured_s = t_s;
       pose = pose_at(t_s);
       pose.x_m += noise_m * normal(random);
       pose.y_m += noise_m * normal(random);
       pose.heading_rad += noise_rad * normal(random);
     }
-    if (watch.look(t_s, {}, 0.0, pose, true)) return t_s;
+    if (watch.look(t_s, {}, {measured_s, pose, 0.0}, true)) return t_s;
   }
   return NAN;
 }
@@ -121,6 +124,49 @@ TEST(MotionWatch, TakesNoNoiseNoDriftAndNoCorrectionOfAPoseForAMovement) {
     const double left_s = std::max(0.0, 1.3 - t);
     return RobotPose{-0.2 * left_s * left_s, 0.0, 0.0};
   })));
+}
+
+/// When a robot that is told to stand at 2 s, and brakes within 0.5 s, is said to move unasked, if its
+/// odometry begins to come `late_s` late at 1 s; NaN: not at all within 10 s. `creeps_m_per_s`: it goes on
+/// so.
+double noticed_when_late_s(double late_s, double creeps_m_per_s) {
+  constexpr double kStop_s = 2.0, kBraked_s = 2.5, kSpeed_m_per_s = 0.3;
+  MotionWatch watch;
+  MeasuredTime time;
+  MotionWatch::Measured measured;
+  // By a clock of its own.
+  constexpr double kBooted_s = 1000.0;
+  for (int k = 0; k <= 500; ++k) {
+    const double t_s = 0.02 * k, taken_s = t_s > 1.0 ? std::max(1.0, t_s - late_s) : t_s;
+    const bool stands = taken_s > kBraked_s;
+    measured = {
+        time.of(t_s, taken_s + kBooted_s),
+        {kSpeed_m_per_s * std::min(taken_s, kBraked_s) + creeps_m_per_s * std::max(0.0, taken_s - kBraked_s),
+         0.0, 0.0},
+        stands ? creeps_m_per_s : kSpeed_m_per_s};
+    const RobotVelocity told = t_s < kStop_s ? kAhead : RobotVelocity{};
+    if (watch.look(t_s, told, measured, true) == kUnasked) return t_s;
+  }
+  return NAN;
+}
+
+TEST(MotionWatch, TakesNoOdometryThatComesLateForAMovement) {
+  for (const double late_s : {0.0, 0.5, 1.2, 1.9}) {
+    EXPECT_TRUE(std::isnan(noticed_when_late_s(late_s, 0.0))) << late_s;
+    // As soon as the odometry of a second and a half after the stop has come.
+    EXPECT_NEAR(noticed_when_late_s(late_s, 0.2), 2.0 + 1.5 + late_s, 0.1) << late_s;
+  }
+}
+
+TEST(MeasuredTime, IsThatOfTheQuickestMessageAndTheRobotsClock) {
+  MeasuredTime time;
+  EXPECT_EQ(time.of(10.0, std::nullopt), 10.0);
+  EXPECT_NEAR(time.of(10.0, 500.0), 10.0, 1e-9);
+  EXPECT_NEAR(time.of(11.7, 501.0), 11.0, 1e-9);
+  EXPECT_NEAR(time.of(11.8, 501.8), 11.8, 1e-9);
+  // A clock that was set back is no delay of an hour, and none at all after five seconds.
+  EXPECT_NEAR(time.of(12.0, 2.0), 10.0, 1e-9);
+  EXPECT_NEAR(time.of(17.0, 7.0), 17.0, 1e-9);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ Result<void> check(const DriveOptions& options) {
   if (!is_in(shape.radius_m, 0.05, 1.0) || !is_in(shape.height_m, 0.05, 2.5))
     return usage("a robot has a radius of 0.05 to 1 m and a height of 0.05 to 2.5 m");
   if (!is_in(shape.camera_height_m, 0.05, 2.5) || !is_in(shape.camera_forward_m, -1.0, 1.0) ||
-      !is_in(shape.camera_down_rad, -0.5, 1.2))
+      !is_in(shape.camera_left_m, -1.0, 1.0) || !is_in(shape.camera_down_rad, -0.5, 1.2))
     return usage(
         "a robot's camera is 0.05 to 2.5 m above the floor, at most 1 m from its axis, and looks down by -28 "
         "to 68 degrees");
@@ -84,6 +84,15 @@ std::optional<DriveLimit> RobotDrive::obstacle_to_start(double t_s) const {
   return std::nullopt;
 }
 
+/// Of the odometry that was measured next; the newest if the robot's clock does not say it.
+std::optional<RobotPose> RobotDrive::pose_at(std::optional<double> stamp_s) const {
+  if (!odometry_at_s_) return std::nullopt;
+  if (!stamp_s) return pose_;
+  const auto next = std::lower_bound(past_.begin(), past_.end(), *stamp_s,
+                                     [](const auto& past, double stamp) { return past.first < stamp; });
+  return next == past_.end() ? pose_ : next->second;
+}
+
 std::optional<double> RobotDrive::picture_age_s(double t_s) const {
   return picture_at_s_ ? std::optional(std::max(0.0, t_s - *picture_at_s_)) : std::nullopt;
 }
@@ -97,14 +106,6 @@ void RobotDrive::take_odometry(double t_s, const RobotPose& pose, std::optional<
   if (!past_.empty() && *stamp_s < past_.back().first) past_.clear();
   past_.emplace_back(*stamp_s, pose);
   while (*stamp_s - past_.front().first > kKept_s) past_.pop_front();
-}
-
-/// The pose of the odometry that was measured next; the newest if the robot's clock does not say it.
-RobotPose RobotDrive::pose_at(std::optional<double> stamp_s) const {
-  if (!stamp_s) return pose_;
-  const auto next = std::lower_bound(past_.begin(), past_.end(), *stamp_s,
-                                     [](const auto& past, double stamp) { return past.first < stamp; });
-  return next == past_.end() ? pose_ : next->second;
 }
 
 bool RobotDrive::is_frozen(const Raster<float>& depth_m) {
@@ -128,7 +129,7 @@ void RobotDrive::take_picture(double t_s, const DepthMap& depth, std::optional<d
   if (stamp_s && !past_.empty() && past_.back().first - *stamp_s > kOldest_s) return;
   if (share_known(depth.depth_m) < kLeastKnown || is_frozen(depth.depth_m)) return;
   vouched_m_ = std::max(vouched_m_, map_.nearest_floor_m(*depth.camera));
-  map_.add(depth, pose_at(stamp_s));
+  map_.add(depth, pose_at(stamp_s).value_or(pose_));
   constexpr std::size_t kIntervals = 9;
   if (picture_at_s_) picture_intervals_s_.push_back(t_s - *picture_at_s_);
   if (picture_intervals_s_.size() > kIntervals) picture_intervals_s_.pop_front();

@@ -95,6 +95,8 @@ class RobotDrive {
 
   /// By its odometry.
   const RobotPose& pose() const { return pose_; }
+  /// When this was by the robot's clock, within the last two seconds; nullopt before any odometry.
+  std::optional<RobotPose> pose_at(std::optional<double> stamp_s) const;
   /// The floor around it, as far as it was seen.
   RobotFloor floor() const { return map_.floor(pose_); }
   /// Since the newest picture that is used; nullopt: none came.
@@ -127,7 +129,6 @@ class RobotDrive {
  private:
   bool is_old(const std::optional<double>& at_s, double t_s) const;
   bool is_picture_old(double t_s) const;
-  RobotPose pose_at(std::optional<double> stamp_s) const;
   bool is_frozen(const Raster<float>& depth_m);
   std::optional<DriveLimit> reason_to_stand(double t_s) const;
   bool is_in_dead_zone() const;

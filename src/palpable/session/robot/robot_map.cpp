@@ -96,7 +96,8 @@ void RobotMap::add(const DepthMap& depth, const RobotPose& pose) {
     for (int u = step / 2; u < depth.depth_m.width(); u += step) {
       const double z = double{depth.depth_m(u, v)};
       if (!(z > 0.0) || z > 2.0 * kFarthest_m) continue;
-      const double right_m = z * (u - camera.cx) / camera.fx, below_m = z * (v - camera.cy) / camera.fy;
+      const double right_m = z * (u - camera.cx) / camera.fx - shape_.camera_left_m;
+      const double below_m = z * (v - camera.cy) / camera.fy;
       const double ahead_m = z * down_cos - below_m * down_sin;
       const double height_m = shape_.camera_height_m - z * down_sin - below_m * down_cos;
       if (ahead_m > kFarthest_m || height_m > shape_.height_m) continue;

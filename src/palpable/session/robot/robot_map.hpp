@@ -29,6 +29,8 @@ struct RobotShape {
   double camera_forward_m = 0.1;
   /// How far the camera's axis is tilted below the horizontal, radians.
   double camera_down_rad = 0.44;
+  /// From the axis to the left: of the left one of a stereo camera.
+  double camera_left_m = 0.0;
 };
 
 /// What is known of a piece of floor.

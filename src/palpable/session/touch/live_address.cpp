@@ -212,7 +212,26 @@ std::optional<std::pair<int, int>> size_in(std::string_view text) {
   return is_size ? std::optional(std::pair(width, height)) : std::nullopt;
 }
 
-/// The server of HOST:PORT and its depth camera; leaves the url's other options.
+/// The stereo camera of an address that names its pictures.
+Result<std::optional<RosPair>> take_pair(device::DeviceUrl& url) {
+  RosPair pair;
+  if (auto taken = take_topics(url, {{"left", &pair.left}, {"right", &pair.right}}); !taken)
+    return std::move(taken).error();
+  if (pair.left.empty() && pair.right.empty()) return std::optional<RosPair>();
+  if (pair.left.empty() || pair.right.empty() || pair.left == pair.right)
+    return Error{ErrorCode::usage, "a stereo camera has two topics of pictures: left=/TOPIC&right=/TOPIC",
+                 url.scheme() + ":" + url.path()};
+  if (auto taken = take_topics(url, {{"left-info", &pair.left_info}, {"right-info", &pair.right_info}});
+      !taken)
+    return std::move(taken).error();
+  // 0 stands for none.
+  constexpr double kLeast_m = 0.001, kMost_m = 10.0;
+  if (const double baseline_m = url.take_number("baseline", 0.0, kLeast_m, kMost_m); baseline_m > 0.0)
+    pair.baseline_m = baseline_m;
+  return std::optional(std::move(pair));
+}
+
+/// The server of HOST:PORT and its camera; leaves the url's other options.
 Result<RosAddress> take_ros(device::DeviceUrl& url, std::string_view authority) {
   auto place = host_and_port(authority, "9090");
   if (!place || authority.find_first_of("/@ ") != std::string_view::npos)
@@ -223,6 +242,11 @@ Result<RosAddress> take_ros(device::DeviceUrl& url, std::string_view authority) 
   RosAddress address;
   address.host = std::move(place->first);
   address.port = std::move(place->second);
+  auto pair = take_pair(url);
+  if (!pair) return std::move(pair).error();
+  address.pair = *std::move(pair);
+  // Of a stereo camera the others are no options.
+  if (address.pair) return address;
   if (auto taken =
           take_topics(url, {{"depth", &address.depth}, {"color", &address.colour}, {"info", &address.info}});
       !taken)

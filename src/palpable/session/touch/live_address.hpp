@@ -45,7 +45,17 @@ struct VideoCameras {
   std::optional<sources::VideoDevice> right;
 };
 
-/// A depth camera of a rosbridge server.
+/// A stereo camera of a rosbridge server: topics of two rectified pictures and their cameras.
+struct RosPair {
+  std::string left;
+  std::string right;
+  std::string left_info = "/stereo/left/camera_info";
+  std::string right_info = "/stereo/right/camera_info";
+  /// Not given: as the right camera states it.
+  std::optional<double> baseline_m;
+};
+
+/// A camera of a rosbridge server, of depth unless it has a pair.
 struct RosAddress {
   std::string host;
   std::string port = "9090";
@@ -55,6 +65,8 @@ struct RosAddress {
   std::string info = "/camera/depth/camera_info";
   /// Not given: as the pictures' encoding has it.
   std::optional<double> metres_per_unit;
+  /// Given: a stereo camera in place of the depth camera.
+  std::optional<RosPair> pair;
 };
 
 /// A camera on a robot's arm, and how the arm is told to move it.
@@ -94,7 +106,8 @@ using LiveAddress = std::variant<FramesAddress, HttpCameras, StreamCameras, Vide
 
 /// Parses frames:FOLDER?fps=30&loop=0, camera:N?right=N&size=1280x480&fps=30&format=mjpeg (all that both
 /// cameras have in common; format: mjpeg, yuyv), openni:N?library=FILE, freenect:N and realsense:N likewise,
-/// ros://HOST:PORT?depth=/TOPIC&color=/TOPIC&info=/TOPIC&scale=METRES,
+/// ros://HOST:PORT?depth=/TOPIC&color=/TOPIC&info=/TOPIC&scale=METRES or
+/// ?left=/TOPIC&right=/TOPIC&left-info=/TOPIC&right-info=/TOPIC&baseline=METRES,
 /// robot:HOST:PORT with these options and those of docs/live.md, or
 /// http://HOST:PORT/PATH?QUERY#right=http://HOST:PORT/PATH?QUERY (what stands before # is the camera's own),
 /// and likewise rtsp://NAME:PASSWORD@HOST:PORT/PATH#right=…, rtsps:// and https://, the last two also with

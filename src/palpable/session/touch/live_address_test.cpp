@@ -110,6 +110,28 @@ TEST(LiveAddress, ReadsTheTopicsOfARosbridgeServer) {
     EXPECT_EQ(parse_live_address(wrong).error().code, ErrorCode::usage) << wrong;
 }
 
+TEST(LiveAddress, ReadsAStereoCameraOfARosbridgeServer) {
+  const auto parsed = parse_live_address(
+      "robot:turtle?left=/s/l/image&right=/s/r/image&right-info=/s/r/info&camera-left=0.06");
+  ASSERT_TRUE(parsed) << parsed.error().sentence();
+  const auto& robot = std::get<RobotAddress>(*parsed);
+  ASSERT_TRUE(robot.pictures.pair);
+  EXPECT_EQ(robot.pictures.pair->left, "/s/l/image");
+  EXPECT_EQ(robot.pictures.pair->right, "/s/r/image");
+  EXPECT_EQ(robot.pictures.pair->left_info, "/stereo/left/camera_info");
+  EXPECT_EQ(robot.pictures.pair->right_info, "/s/r/info");
+  EXPECT_FALSE(robot.pictures.pair->baseline_m);
+  EXPECT_EQ(robot.drive.shape.camera_left_m, 0.06);
+  const auto stated = parse_live_address("ros://a?left=/l&right=/r&baseline=0.1");
+  ASSERT_TRUE(stated) << stated.error().sentence();
+  EXPECT_EQ(std::get<RosAddress>(*stated).pair->baseline_m, 0.1);
+  EXPECT_FALSE(std::get<RosAddress>(*parse_live_address("ros://a")).pair);
+  for (const char* wrong :
+       {"ros://a?left=/l", "ros://a?right=/r", "ros://a?left=/l&right=/l",
+        "ros://a?left=/l&right=/r&depth=/d", "ros://a?left=/l&right=/r&baseline=0", "ros://a?baseline=0.1"})
+    EXPECT_EQ(parse_live_address(wrong).error().code, ErrorCode::usage) << wrong;
+}
+
 TEST(LiveAddress, ReadsARobotAndItsCamera) {
   const auto parsed =
       parse_live_address("robot:turtle:9091?cmd=/base/cmd&depth=/d&radius=0.2&camera-down=30&mode=look");

@@ -8,7 +8,7 @@
 #include "palpable/session/touch/matched_source.hpp"
 #include "palpable/session/touch/recorded_pairs.hpp"
 #include "palpable/session/touch/robot_source.hpp"
-#include "palpable/session/touch/ros_source.hpp"
+#include "palpable/session/touch/ros_eyes.hpp"
 #include "palpable/sources/live/frame_folder.hpp"
 #include "palpable/sources/live/video_device.hpp"
 
@@ -155,8 +155,18 @@ Result<std::unique_ptr<LiveSource>> open_live_source(const std::string& address,
   const auto* ros = std::get_if<RosAddress>(&*parsed);
   const auto* robot = std::get_if<RobotAddress>(&*parsed);
   const auto* depths = std::get_if<sources::DepthCamera>(&*parsed);
-  if (ros != nullptr) return open_ros_source(*ros);
-  if (robot != nullptr) return open_robot_source(*robot);
+  if (ros != nullptr) {
+    sources::RosbridgeOptions server;
+    server.host = ros->host;
+    server.port = ros->port;
+    const auto topics = add_topics(*ros, server.topics);
+    auto client = sources::RosbridgeClient::open(std::move(server));
+    if (!client) return std::move(client).error();
+    if (!ros->pair) return ros_depths(*std::move(client), topics, *ros);
+    const auto cameras = options.rig ? RosCameras::known : RosCameras::stated;
+    return matched(ros_pairs(*std::move(client), topics, *ros, cameras));
+  }
+  if (robot != nullptr) return open_robot_source(*robot, work);
   if (depths != nullptr) return open_depth_camera_source(*depths, address);
   const auto& frames = std::get<FramesAddress>(*parsed);
   auto folder = sources::FrameFolder::open(frames.folder);

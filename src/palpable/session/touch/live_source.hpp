@@ -32,6 +32,8 @@ struct LiveFrame {
   DepthMap depth;
   /// Where the camera was, as the source states it: a pose, or odometry, which drifts. nullopt: not stated.
   std::optional<Transform<WorldFrame, CameraFrame>> world_from_camera = {};
+  /// When it was taken, by the source's clock, s; nullopt: not stated.
+  std::optional<double> stamp_s = {};
 };
 
 /// What a live source shows now.
@@ -110,8 +112,8 @@ struct LivePairOptions {
 /// (matched_source()) with `options` and `work`. Errors: parse_live_address(); invalid_input as
 /// sources::FrameFolder::open(), sources::connect_http_camera(), sources::connect_stream_camera(),
 /// sources::open_video_device(),
-/// open_ros_source() and open_robot_source(); as sources::open_depth_camera(); as recorded_pairs(), and usage
-/// for frames of depth in a folder that shall be recorded.
+/// sources::RosbridgeClient::open() and open_robot_source(); as sources::open_depth_camera(); as
+/// recorded_pairs(), and usage for frames of depth in a folder that shall be recorded.
 Result<std::unique_ptr<LiveSource>> open_live_source(const std::string& address,
                                                      const LivePairOptions& options, const Work& work);
 

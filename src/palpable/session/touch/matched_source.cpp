@@ -36,15 +36,18 @@ class MatchedSource final : public LiveSource {
     if (!taken) return std::move(taken).error();
     if (!*taken) return std::optional<LiveFrame>();
     vision::StereoPair pair{std::move((*taken)->left), std::move((*taken)->right), {}};
-    auto rig = rig_ ? rig_for(*rig_, pair.left)
-                    : Result<StereoRig>(vision::assumed_rig(pair.left.width, pair.left.height));
+    const auto& known = rig_ ? rig_ : (*taken)->rig;
+    auto rig = known ? rig_for(*known, pair.left)
+                     : Result<StereoRig>(vision::assumed_rig(pair.left.width, pair.left.height));
     if (!rig) return std::move(rig).error();
     pair.rig = *rig;
     auto depth = sequence_.depth(pair, work_);
     if (!depth) return std::move(depth).error();
     if (depth->camera) scale_px_m_ = depth->camera->fx * rig->baseline_m;
     colour_ = std::move(sequence_.exchanged() ? pair.right : pair.left);
-    return std::optional(LiveFrame{(*taken)->number, (*taken)->arrival, *std::move(depth)});
+    LiveFrame frame{(*taken)->number, (*taken)->arrival, *std::move(depth)};
+    frame.stamp_s = (*taken)->stamp_s;
+    return std::optional(std::move(frame));
   }
 
   bool has_ended() const override { return pairs_->has_ended(); }

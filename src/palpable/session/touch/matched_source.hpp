@@ -21,6 +21,9 @@ struct LivePair {
   std::chrono::steady_clock::time_point arrival;
   Image left;
   Image right;
+  std::optional<double> stamp_s = {};
+  /// The cameras, as the source states them.
+  std::optional<StereoRig> rig = {};
 };
 
 /// A source of pairs that arrive whether they are taken or not. One thread takes them.
@@ -41,9 +44,10 @@ class PairSource {
 };
 
 /// The depth of a stereo camera's pairs, matched by `fast`, in at most 240 x 180 pixels. `rig`: for pictures
-/// of its size, or of the same proportions; nullopt: typical cameras, so that only the proportions of depths
-/// are right. Its take() also has the errors of vision::match(), and invalid_input for pictures of other
-/// proportions than those of the rig. `work`: threads, and a cancellation that ends the matching.
+/// of its size, or of the same proportions; nullopt: as each pair states it, else typical cameras, so that
+/// only the proportions of depths are right. Its take() also has the errors of vision::match(), and
+/// invalid_input for pictures of other proportions than those of the rig. `work`: threads, and a cancellation
+/// that ends the matching.
 std::unique_ptr<LiveSource> matched_source(std::unique_ptr<PairSource> pairs, std::optional<StereoRig> rig,
                                            const Work& work);
 

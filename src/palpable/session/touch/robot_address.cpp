@@ -82,6 +82,7 @@ Result<RobotAddress> take_robot_options(device::DeviceUrl& url, RosAddress pictu
   shape.height_m = url.take_number("height", shape.height_m, 0.05, 2.5);
   shape.camera_height_m = url.take_number("camera-height", shape.camera_height_m, 0.05, 2.5);
   shape.camera_forward_m = url.take_number("camera-forward", shape.camera_forward_m, -1.0, 1.0);
+  shape.camera_left_m = url.take_number("camera-left", shape.camera_left_m, -1.0, 1.0);
   shape.camera_down_rad =
       kDegree * url.take_number("camera-down", shape.camera_down_rad / kDegree, -28.0, 68.0);
   drive.speed_m_per_s = url.take_number("speed", drive.speed_m_per_s, 0.05, 1.0);

@@ -2,25 +2,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/touch/robot_source.hpp"
 
+#include "palpable/core/picture/camera_pose.hpp"
 #include "palpable/session/robot/drive_surface.hpp"
-#include "palpable/session/touch/frame_order.hpp"
 #include "palpable/session/touch/robot_hand.hpp"
 #include "palpable/session/touch/robot_hearing.hpp"
 #include "palpable/session/touch/robot_views.hpp"
 #include "palpable/session/touch/robot_wheels.hpp"
+#include "palpable/session/touch/ros_eyes.hpp"
 #include "palpable/session/touch/touch_session.hpp"
 #include "palpable/session/touch/what_is_ahead.hpp"
 #include "palpable/sources/live/rosbridge_client.hpp"
-#include "palpable/sources/live/rosbridge_picture.hpp"
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <condition_variable>
 #include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
-#include <variant>
 
 namespace palpable::session {
 namespace {
@@ -28,38 +28,39 @@ namespace {
 using sources::RosbridgeClient;
 using RobotClock = std::chrono::steady_clock;
 
-/// Places of the topics in the client's list.
-enum RobotTopic : std::size_t {
-  kRobotDepth,
-  kRobotColour,
-  kRobotInfo,
-  kRobotOdometry,
-  kRobotBattery,
-  kRobotContact
-};
-
 constexpr auto kTick = std::chrono::milliseconds(20);
 
 double now_s() { return RobotWheels::seconds_of(RobotClock::now()); }
 
+/// Where a robot's camera is in the frame of its odometry, z up.
+Transform<WorldFrame, CameraFrame> world_from_camera(const RobotPose& robot, const RobotShape& shape) {
+  const double c = std::cos(robot.heading_rad), s = std::sin(robot.heading_rad);
+  const double ahead_m = shape.camera_forward_m, left_m = shape.camera_left_m;
+  return camera_pose(
+      {{robot.x_m + ahead_m * c - left_m * s, robot.y_m + ahead_m * s + left_m * c, shape.camera_height_m}},
+      robot.heading_rad, shape.camera_down_rad);
+}
+
 class RobotSource final : public LiveSource, public RobotControl {
  public:
-  RobotSource(std::unique_ptr<RosbridgeClient> client, const RobotAddress& address,
-              const RobotViews::Places& wrist, std::optional<RobotEars> ears,
-              const RobotHearing::Options& hearing)
+  RobotSource(std::shared_ptr<RosbridgeClient> client, std::unique_ptr<LiveSource> eyes,
+              const RobotAddress& address, const RobotWheels::Places& wheels, const RobotViews::Places& wrist,
+              std::optional<RobotEars> ears, const RobotHearing::Options& hearing)
       : client_(std::move(client)),
-        metres_per_unit_(address.pictures.metres_per_unit),
+        eyes_(std::move(eyes)),
         shape_(address.drive.shape),
-        wheels_(*client_, {kRobotOdometry, kRobotBattery, kRobotContact, 0}, address.drive, address.mode),
+        wheels_(*client_, wheels, address.drive, address.mode),
         hearing_(std::move(ears), hearing) {
     hand_.change_mode(address.mode);
     if (address.wrist)
       views_ = std::make_unique<RobotViews>(*client_, wrist, address.wrist->sweep, address.drive.shape);
     thread_ = std::thread([this] { run(); });
+    looking_ = std::thread([this] { look(); });
   }
   ~RobotSource() override {
     ending_ = true;
     thread_.join();
+    looking_.join();
   }
 
   // LiveSource
@@ -73,10 +74,13 @@ class RobotSource final : public LiveSource, public RobotControl {
   std::optional<Image> colour() override {
     if (views_)
       if (auto near = views_->colour()) return near;
-    const auto newest = client_->take(kRobotColour);
-    if (!newest) return std::nullopt;
-    auto picture = sources::colour_of(newest->message.body);
-    return picture ? std::optional(*std::move(picture)) : std::nullopt;
+    const std::lock_guard lock(mutex_);
+    wants_colour_ = true;
+    return std::exchange(colour_, std::nullopt);
+  }
+  vision::DepthNoise noise() const override {
+    const std::lock_guard lock(mutex_);
+    return noise_;
   }
   std::optional<std::string> loss() override { return client_->loss(); }
   std::optional<std::string> notice() override {
@@ -140,10 +144,6 @@ class RobotSource final : public LiveSource, public RobotControl {
  private:
   void run() {
     for (auto next = RobotClock::now(); !ending_; next += kTick) {
-      // Wakes for each picture, so that none waits for the next tick.
-      auto depth = client_->wait(kRobotDepth, next);
-      if (depth && *depth) take_picture(**depth);
-      if (!depth) fail(depth.error());
       tick(RobotClock::now());
       std::this_thread::sleep_until(std::min(next, RobotClock::now() + kTick));
       next = std::max(next, RobotClock::now() - kTick);
@@ -157,6 +157,20 @@ class RobotSource final : public LiveSource, public RobotControl {
       sent += stands && arm_stands ? 1 : 0;
     }
   }
+  /// Takes what its camera sees: on a thread of its own, since the depth of a pair takes longer than the
+  /// wheels may wait.
+  void look() {
+    constexpr auto kPatience = std::chrono::milliseconds(50);
+    while (!ending_) {
+      auto taken = eyes_->take(RobotClock::now() + kPatience);
+      if (!taken) {
+        fail(taken.error());
+        std::this_thread::sleep_for(kTick);
+      } else if (*taken) {
+        take_picture(**std::move(taken));
+      }
+    }
+  }
   /// As surface(), in the mode touch.
   std::shared_ptr<const models::Relief> touched_view(const SeenView& seen) {
     TouchSession* session = hand_.touch();
@@ -164,27 +178,21 @@ class RobotSource final : public LiveSource, public RobotControl {
   }
   void fail(const Error& error) {
     const std::lock_guard lock(mutex_);
-    if (!std::exchange(has_failed_, true)) fault_ = error;
+    fault_ = error;
     changed_.notify_all();
   }
 
-  void take_picture(RosbridgeClient::Newest& newest) {
-    if (order_.is_late(newest.message.stamp_s)) return;
-    if (const auto info = client_->take(kRobotInfo))
-      if (const auto* camera = std::get_if<Pinhole>(&info->message.body)) camera_ = *camera;
-    auto depth = sources::depth_of(newest.message.body, camera_, metres_per_unit_);
-    if (depth) {
-      wheels_.take_picture(newest.arrival, *depth, newest.message.stamp_s);
-      const RobotState robot = wheels_.state();
-      const bool stands = robot.is_started && !robot.moves && robot.mode != RobotMode::touch;
-      if (auto words = ahead_.look(now_s(), *depth, shape_, stands)) notices_.put(*std::move(words));
-    }
+  void take_picture(LiveFrame frame) {
+    wheels_.take_picture(frame.arrival, frame.depth, frame.stamp_s);
+    if (const auto pose = wheels_.pose_at(frame.stamp_s))
+      frame.world_from_camera = world_from_camera(*pose, shape_);
+    const RobotState robot = wheels_.state();
+    const bool stands = robot.is_started && !robot.moves && robot.mode != RobotMode::touch;
+    if (auto words = ahead_.look(now_s(), frame.depth, shape_, stands)) notices_.put(*std::move(words));
     const std::lock_guard lock(mutex_);
-    if (!depth) {
-      fault_ = invalid_input(depth.error().message, client_->name());
-    } else {
-      newest_ = LiveFrame{newest.number, newest.arrival, *std::move(depth)};
-    }
+    noise_ = eyes_->noise();
+    if (std::exchange(wants_colour_, false)) colour_ = eyes_->colour();
+    newest_ = std::move(frame);
     changed_.notify_all();
   }
 
@@ -198,8 +206,9 @@ class RobotSource final : public LiveSource, public RobotControl {
     hearing_.listen(*client_, robot.t_s, robot.pose.heading_rad);
   }
 
-  std::unique_ptr<RosbridgeClient> client_;
-  std::optional<double> metres_per_unit_;
+  std::shared_ptr<RosbridgeClient> client_;
+  /// The thread's that looks.
+  std::unique_ptr<LiveSource> eyes_;
   RobotShape shape_;
   RobotWheels wheels_;
   RobotHearing hearing_;
@@ -213,29 +222,28 @@ class RobotSource final : public LiveSource, public RobotControl {
   /// The feed's thread's own: of the last surface().
   std::optional<Pinhole> camera_seen_;
 
-  // The thread's own.
-  std::optional<Pinhole> camera_;
-  FrameOrder order_;
+  /// The thread's that looks.
   AheadWatch ahead_;
-  bool has_failed_ = false;
 
   /// Guards what follows.
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::optional<LiveFrame> newest_;
   std::optional<Error> fault_;
-  std::thread thread_;
+  vision::DepthNoise noise_;
+  std::optional<Image> colour_;
+  bool wants_colour_ = true;
+  std::thread thread_, looking_;
 };
 
 }  // namespace
 
-Result<std::unique_ptr<LiveSource>> open_robot_source(const RobotAddress& address) {
+Result<std::unique_ptr<LiveSource>> open_robot_source(const RobotAddress& address, const Work& work) {
   if (auto valid = check(address.drive); !valid) return std::move(valid).error();
   sources::RosbridgeOptions options;
   options.host = address.pictures.host;
   options.port = address.pictures.port;
-  options.topics = {address.pictures.depth, address.pictures.colour, address.pictures.info,
-                    address.odometry,       address.battery,         address.contact};
+  const RosEyesTopics eyes = add_topics(address.pictures, options.topics);
   options.publications = {{address.command, "geometry_msgs", "Twist"}};
   RobotViews::Places places;
   RobotHearing::Options hearing{address.marks_sounds, address.pulls_to_sounds,
@@ -244,6 +252,7 @@ Result<std::unique_ptr<LiveSource>> open_robot_source(const RobotAddress& addres
     options.topics.push_back(topic);
     return options.topics.size() - 1;
   };
+  const RobotWheels::Places wheels{add(address.odometry), add(address.battery), add(address.contact), 0};
   if (const auto& wrist = address.wrist) {
     if (auto valid = check(wrist->sweep); !valid) return std::move(valid).error();
     places = {add(wrist->picture), add(wrist->info), add(wrist->pose), options.publications.size()};
@@ -259,10 +268,12 @@ Result<std::unique_ptr<LiveSource>> open_robot_source(const RobotAddress& addres
     hearing.sound_format = add(address.sound_format);
     options.kept_whole = {hearing.sound};
   }
-  auto client = RosbridgeClient::open(std::move(options));
-  if (!client) return std::move(client).error();
+  auto opened = RosbridgeClient::open(std::move(options));
+  if (!opened) return std::move(opened).error();
+  const std::shared_ptr<RosbridgeClient> client = *std::move(opened);
   return std::unique_ptr<LiveSource>(
-      std::make_unique<RobotSource>(*std::move(client), address, places, std::move(ears), hearing));
+      std::make_unique<RobotSource>(client, ros_eyes(client, eyes, address.pictures, work), address, wheels,
+                                    places, std::move(ears), hearing));
 }
 
 }  // namespace palpable::session

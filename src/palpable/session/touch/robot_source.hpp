@@ -10,8 +10,8 @@
 namespace palpable::session {
 
 /// A robot of a rosbridge server: the live source of what its camera sees, and its control
-/// (LiveSource::robot()). Nothing is sent to it before RobotControl::request_start(). Errors: as
-/// RosbridgeClient::open(), and check() of the address's DriveOptions.
-Result<std::unique_ptr<LiveSource>> open_robot_source(const RobotAddress& address);
+/// (LiveSource::robot()). Nothing is sent to it before RobotControl::request_start(). `work`: threads for the
+/// pairs of a stereo camera. Errors: as RosbridgeClient::open(), and check() of the address's DriveOptions.
+Result<std::unique_ptr<LiveSource>> open_robot_source(const RobotAddress& address, const Work& work);
 
 }  // namespace palpable::session

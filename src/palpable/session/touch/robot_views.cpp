@@ -157,7 +157,7 @@ void RobotViews::take_wrist(double t_s) {
     if (const auto* at = std::get_if<sources::RosPose>(&newest->message.body))
       sweep_.take_pose(t_s, {at->rotation, at->position_m}, newest->message.stamp_s);
   if (const auto newest = client_.take(places_.info))
-    if (const auto* camera = std::get_if<Pinhole>(&newest->message.body)) wrist_ = *camera;
+    if (const auto* camera = std::get_if<sources::RosCamera>(&newest->message.body)) wrist_ = camera->camera;
   if (!sweep_.is_active()) return;
   const auto newest = client_.take(places_.picture);
   if (!newest) return;

@@ -53,6 +53,11 @@ RobotPose RobotWheels::pose() const {
   return drive_.pose();
 }
 
+std::optional<RobotPose> RobotWheels::pose_at(std::optional<double> stamp_s) const {
+  const std::lock_guard lock(mutex_);
+  return drive_.pose_at(stamp_s);
+}
+
 RobotStatistics RobotWheels::statistics() const {
   const std::lock_guard lock(mutex_);
   RobotStatistics statistics = statistics_;
@@ -148,7 +153,8 @@ void RobotWheels::take_state() {
       drive_.take_odometry(seconds_of(newest->arrival), {at->x_m, at->y_m, at->yaw_rad},
                            newest->message.stamp_s);
       odometry_stamp_s_ = newest->message.stamp_s;
-      measured_ = {at->forward_m_per_s, at->turn_rad_per_s};
+      measured_ = {measured_time_.of(seconds_of(newest->arrival), odometry_stamp_s_), drive_.pose(),
+                   at->forward_m_per_s};
     }
   if (const auto newest = client_.take(places_.contact))
     if (const auto* touches = std::get_if<sources::RosFlag>(&newest->message.body))
@@ -246,8 +252,7 @@ void RobotWheels::send(const RobotVelocity& velocity, Clock::time_point now) {
 }
 
 void RobotWheels::watch_motion(Clock::time_point now) {
-  const auto event = watch_.look(seconds_of(now), published_, measured_.forward_m_per_s, drive_.pose(),
-                                 has_commanded_ && !was_lost_);
+  const auto event = watch_.look(seconds_of(now), published_, measured_, has_commanded_ && !was_lost_);
   if (!event) return;
   drive_.stop();
   report(*event);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/haptics/servo/latency_recorder.hpp"
+#include "palpable/session/robot/measured_time.hpp"
 #include "palpable/session/robot/motion_watch.hpp"
 #include "palpable/session/robot/robot_drive.hpp"
 #include "palpable/session/robot/robot_state.hpp"
@@ -32,8 +33,8 @@ struct RobotNow {
 };
 
 /// The wheels of a robot behind a rosbridge server: commanded by the hand (RobotDrive), and stopped with a
-/// sentence when something is lost, touched, or does other than it is told. take_picture(), tick() and
-/// stand() by one thread, the rest by any.
+/// sentence when something is lost, touched, or does other than it is told. tick() and stand() by one thread,
+/// the rest by any.
 class RobotWheels {
  public:
   using Clock = std::chrono::steady_clock;
@@ -62,6 +63,8 @@ class RobotWheels {
   RobotDrive drive() const;
   RobotMode mode() const;
   RobotPose pose() const;
+  /// RobotDrive::pose_at().
+  std::optional<RobotPose> pose_at(std::optional<double> stamp_s) const;
   /// Without sounds and arm.
   RobotStatistics statistics() const;
   /// As it was at the end of the last tick, without the view.
@@ -113,7 +116,8 @@ class RobotWheels {
   /// The command that was sent last.
   RobotVelocity published_;
   std::optional<double> odometry_stamp_s_;
-  RobotVelocity measured_;
+  MeasuredTime measured_time_;
+  MotionWatch::Measured measured_;
   MotionWatch watch_;
   RobotStatistics statistics_;
   haptics::LatencyRecorder picture_ages_;

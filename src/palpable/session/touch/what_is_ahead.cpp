@@ -41,7 +41,8 @@ class Plan {
       for (int u = step / 2; u < width; u += step) {
         const double z = double{depth.depth_m(u, v)};
         if (!(z > 0.0)) continue;
-        const double right_m = z * (u - camera.cx) / camera.fx, below_m = z * (v - camera.cy) / camera.fy;
+        const double right_m = z * (u - camera.cx) / camera.fx - shape.camera_left_m;
+        const double below_m = z * (v - camera.cy) / camera.fy;
         const double ahead_m = z * down_cos - below_m * down_sin;
         const double up_m = shape.camera_height_m - z * down_sin - below_m * down_cos;
         if (up_m < kStep_m + kStepPerMetre * ahead_m) continue;

@@ -123,17 +123,35 @@ Result<RosBody> compressed_in(const RosJson& message) {
   return RosBody(RosCompressed{format.get<std::string>(), *std::move(data)});
 }
 
-/// The row-major camera matrix: fx 0 cx 0 fy cy 0 0 1.
+/// A row-major matrix of `columns` whose first three are fx 0 cx, 0 fy cy, 0 0 1; nullopt for anything else.
+std::optional<Pinhole> pinhole_in(const RosJson& matrix, std::size_t columns, const Size& size) {
+  if (!matrix.is_array() || matrix.size() != 3 * columns) return std::nullopt;
+  const auto fx = ros_number(matrix[0]), cx = ros_number(matrix[2]), fy = ros_number(matrix[columns + 1]),
+             cy = ros_number(matrix[columns + 2]);
+  constexpr double kMost_px = 1e6;
+  if (!fx || !fy || !cx || !cy || *fx <= 0.0 || *fy <= 0.0 || *fx > kMost_px || *fy > kMost_px ||
+      std::abs(*cx) > kMost_px || std::abs(*cy) > kMost_px)
+    return std::nullopt;
+  return Pinhole{*fx, *fy, *cx, *cy, size.width, size.height};
+}
+
+/// `matrix`: its camera matrix K. A projection matrix P that is none, as of zeros, is not stated.
 Result<RosBody> ros_camera_in(const RosJson& message, const RosJson& matrix) {
   const auto size = size_in(message);
   if (!size) return size.error();
-  const auto at = [&](std::size_t k) { return k < matrix.size() ? ros_number(matrix[k]) : std::nullopt; };
-  const auto fx = at(0), cx = at(2), fy = at(4), cy = at(5);
-  constexpr double kMost_px = 1e6;
-  if (matrix.size() != 9 || !fx || !fy || !cx || !cy || *fx <= 0.0 || *fy <= 0.0 || *fx > kMost_px ||
-      *fy > kMost_px || std::abs(*cx) > kMost_px || std::abs(*cy) > kMost_px)
-    return invalid_input("sends a camera that is none");
-  return RosBody(Pinhole{*fx, *fy, *cx, *cy, size->width, size->height});
+  const auto camera = pinhole_in(matrix, 3, *size);
+  if (!camera) return invalid_input("sends a camera that is none");
+  RosCamera stated{*camera, std::nullopt};
+  for (const char* name : {"P", "p"}) {
+    const auto& projection = ros_member(message, name);
+    stated.rectified = pinhole_in(projection, 4, *size);
+    if (!stated.rectified) continue;
+    constexpr double kFarthest_m = 100.0;
+    const double right_m = -ros_number(projection[3]).value_or(0.0) / stated.rectified->fx;
+    stated.right_m = std::abs(right_m) <= kFarthest_m ? right_m : 0.0;
+    break;
+  }
+  return RosBody(stated);
 }
 
 /// Where in a point a field of this name is, which must be a float32.

@@ -88,9 +88,18 @@ struct RosSoundFormat {
   std::string samples;
 };
 
-/// What a topic's message is, recognised by its members. sensor_msgs/CameraInfo is a Pinhole; its distortion
-/// is not used. All numbers are finite.
-using RosBody = std::variant<RosPicture, RosCompressed, Pinhole, RosCloud, RosOdometry, RosPose, RosBattery,
+/// sensor_msgs/CameraInfo; its distortion is not used.
+struct RosCamera {
+  /// Of the picture as it is taken (K).
+  Pinhole camera;
+  /// Of the rectified picture (P); nullopt: not stated.
+  std::optional<Pinhole> rectified;
+  /// How far it is to the right of the first camera of its pair, m: -P[3] / P[0]. 0 of a single camera.
+  double right_m = 0.0;
+};
+
+/// What a topic's message is, recognised by its members. All numbers are finite.
+using RosBody = std::variant<RosPicture, RosCompressed, RosCamera, RosCloud, RosOdometry, RosPose, RosBattery,
                              RosFlag, RosSound, RosSoundFormat>;
 
 enum class RosVersion : std::uint8_t { unknown, ros1, ros2 };

@@ -112,7 +112,30 @@ TEST(RosbridgeMessage, HasACameraOfBothVersions) {
   for (const auto* name : {"K", "k"}) {
     const auto message = message_of(
         fmt::format(R"({{"height":480,"width":640,"{}":[525.0,0,319.5,0,526,239.5,0,0,1]}})", name));
-    EXPECT_EQ(std::get<Pinhole>(message.body), (Pinhole{525.0, 526.0, 319.5, 239.5, 640, 480}));
+    const auto& camera = std::get<RosCamera>(message.body);
+    EXPECT_EQ(camera.camera, (Pinhole{525.0, 526.0, 319.5, 239.5, 640, 480}));
+    EXPECT_FALSE(camera.rectified);
+  }
+}
+
+TEST(RosbridgeMessage, HasTheCamerasOfARectifiedPair) {
+  for (const auto* name : {"P", "p"}) {
+    const auto camera = [&](const char* projection) {
+      return std::get<RosCamera>(
+          message_of(
+              fmt::format(R"({{"height":480,"width":640,"k":[525,0,319.5,0,526,239.5,0,0,1],"{}":{}}})", name,
+                          projection))
+              .body);
+    };
+    const auto right = camera("[500,0,310,-60,0,501,240,0,0,0,1,0]");
+    ASSERT_TRUE(right.rectified);
+    EXPECT_EQ(*right.rectified, (Pinhole{500.0, 501.0, 310.0, 240.0, 640, 480}));
+    EXPECT_DOUBLE_EQ(right.right_m, 0.12);
+    // A camera that was never calibrated states zeros; others are none.
+    for (const auto* none :
+         {"[0,0,0,0,0,0,0,0,0,0,0,0]", "[500,0,310]", "7", "[1e-3,0,1,\"x\",0,1,1,0,0,0,1,0,2]"})
+      EXPECT_FALSE(camera(none).rectified) << none;
+    EXPECT_EQ(camera("[1,0,1,-1e9,0,1,1,0,0,0,1,0]").right_m, 0.0);
   }
 }
 

@@ -33,6 +33,10 @@ using ServerClock = std::chrono::steady_clock;
 constexpr const char* kDepthTopic = "/camera/depth/image_rect_raw";
 constexpr const char* kColourTopic = "/camera/color/image_raw";
 constexpr const char* kInfoTopic = "/camera/depth/camera_info";
+constexpr const char* kLeftTopic = "/stereo/left/image_rect_color";
+constexpr const char* kRightTopic = "/stereo/right/image_rect_color";
+constexpr const char* kLeftInfoTopic = "/stereo/left/camera_info";
+constexpr const char* kRightInfoTopic = "/stereo/right/camera_info";
 constexpr const char* kWristTopic = "/wrist_camera/image_raw";
 constexpr const char* kWristInfoTopic = "/wrist_camera/camera_info";
 constexpr const char* kWristPoseTopic = "/wrist_camera/pose";
@@ -56,6 +60,11 @@ ServerJson picture_of(ServerJson header, int width, int height, const char* enco
           {"is_bigendian", 0},
           {"step", pixel_bytes * static_cast<std::size_t>(width)},
           {"data", base64(std::as_bytes(data))}};
+}
+
+ServerJson colours_of(ServerJson header, const RoomView& view) {
+  return picture_of<Rgb8>(std::move(header), view.colour.width(), view.colour.height(), "rgb8", 3,
+                          view.colour.values());
 }
 
 /// Millimetres; 0 where the depth is unknown.
@@ -85,11 +94,15 @@ ServerJson odometry_of(ServerJson header, const FloorPose& pose, const WheelMoti
               {"angular", {{"x", 0.0}, {"y", 0.0}, {"z", motion.turn_rad_per_s}}}}}}}};
 }
 
-ServerJson camera_info_of(ServerJson header, const Pinhole& camera, bool is_ros2) {
+/// `right_m`: how far it is to the right of the first camera of its pair.
+ServerJson camera_info_of(ServerJson header, const Pinhole& camera, bool is_ros2, double right_m = 0.0) {
   return {{"header", std::move(header)},
           {"width", camera.width},
           {"height", camera.height},
-          {is_ros2 ? "k" : "K", {camera.fx, 0.0, camera.cx, 0.0, camera.fy, camera.cy, 0.0, 0.0, 1.0}}};
+          {is_ros2 ? "k" : "K", {camera.fx, 0.0, camera.cx, 0.0, camera.fy, camera.cy, 0.0, 0.0, 1.0}},
+          {is_ros2 ? "p" : "P",
+           {camera.fx, 0.0, camera.cx, -camera.fx * right_m, 0.0, camera.fy, camera.cy, 0.0, 0.0, 0.0, 1.0,
+            0.0}}};
 }
 
 ServerJson pose_of(ServerJson header, const Transform<WorldFrame, CameraFrame>& pose) {
@@ -164,9 +177,13 @@ struct RobotServer::Impl {
 
   /// False: the connection is lost.
   bool serve(WebSocket& socket) {
-    auto text = socket.receive(ServerClock::now() + std::chrono::milliseconds(2));
-    if (!text) return false;
-    if (*text) take(**text);
+    // All that came: on a busy machine commands would wait in line, and be followed seconds later.
+    for (auto patience = std::chrono::microseconds(2000);; patience = std::chrono::microseconds(200)) {
+      auto received = socket.receive(ServerClock::now() + patience);
+      if (!received) return false;
+      if (!*received) break;
+      take(**received);
+    }
     if (followed_s >= next_picture_s) take_picture();
     if (followed_s >= next_state_s) send_state(socket);
     if (followed_s >= next_wrist_s) send_wrist(socket);
@@ -205,22 +222,44 @@ struct RobotServer::Impl {
     next_picture_s = std::max(next_picture_s + 1.0 / now.rate_hz, followed_s);
     const auto uniform = [&] { return static_cast<double>(random() >> 11U) * 0x1p-53; };
     if (uniform() < now.loss) return;
-    CameraNoise noise = options.noise;
-    noise.seed = random();
-    const RoomView view = world.view(camera, noise);
-    const auto header = [&] { return header_of(world.time_s(), options.is_ros2); };
-    std::vector<std::string> messages;
-    const auto add = [&](const char* topic, const ServerJson& message) {
-      if (subscribed.contains(topic)) messages.push_back(sent_text(topic, message));
-    };
-    add(kInfoTopic, camera_info_of(header(), camera, options.is_ros2));
-    add(kColourTopic,
-        picture_of<Rgb8>(header(), camera.width, camera.height, "rgb8", 3, view.colour.values()));
-    add(kDepthTopic, picture_of<std::uint16_t>(header(), camera.width, camera.height, "16UC1", 2,
-                                               millimetres(view.depth_m)));
+    std::vector<std::string> messages =
+        options.eyes == RobotEyes::stereo ? pair_messages() : depth_messages();
     // Messages of one connection stay in their order.
     const double due_s = followed_s + now.delay_s + now.jitter_s * uniform();
     waiting.emplace_back(std::max(due_s, waiting.empty() ? 0.0 : waiting.back().first), std::move(messages));
+  }
+
+  RoomView seen(RoomView (RobotWorld::*eye)(const Pinhole&, const CameraNoise&) const) {
+    CameraNoise noise = options.noise;
+    noise.seed = random();
+    return (world.*eye)(camera, noise);
+  }
+  void add_message(std::vector<std::string>& messages, const char* topic, const ServerJson& message) const {
+    if (subscribed.contains(topic)) messages.push_back(sent_text(topic, message));
+  }
+
+  std::vector<std::string> depth_messages() {
+    const RoomView view = seen(&RobotWorld::view);
+    const auto header = [&] { return header_of(world.time_s(), options.is_ros2); };
+    std::vector<std::string> messages;
+    add_message(messages, kInfoTopic, camera_info_of(header(), camera, options.is_ros2));
+    add_message(messages, kColourTopic, colours_of(header(), view));
+    add_message(messages, kDepthTopic,
+                picture_of<std::uint16_t>(header(), camera.width, camera.height, "16UC1", 2,
+                                          millimetres(view.depth_m)));
+    return messages;
+  }
+
+  std::vector<std::string> pair_messages() {
+    const RoomView left = seen(&RobotWorld::view), right = seen(&RobotWorld::right_view);
+    const auto header = [&] { return header_of(world.time_s(), options.is_ros2); };
+    std::vector<std::string> messages;
+    add_message(messages, kLeftInfoTopic, camera_info_of(header(), camera, options.is_ros2));
+    add_message(messages, kRightInfoTopic,
+                camera_info_of(header(), camera, options.is_ros2, options.body.baseline_m));
+    add_message(messages, kLeftTopic, colours_of(header(), left));
+    add_message(messages, kRightTopic, colours_of(header(), right));
+    return messages;
   }
 
   void send_state(WebSocket& socket) {
@@ -246,8 +285,7 @@ struct RobotServer::Impl {
     const RoomView view = world.wrist_view(wrist, noise);
     const ServerJson header = header_of(world.time_s(), options.is_ros2);
     socket.send(sent_text(kWristInfoTopic, camera_info_of(header, wrist, options.is_ros2)));
-    socket.send(sent_text(
-        kWristTopic, picture_of<Rgb8>(header, wrist.width, wrist.height, "rgb8", 3, view.colour.values())));
+    socket.send(sent_text(kWristTopic, colours_of(header, view)));
   }
 
   void send_sound(WebSocket& socket) {

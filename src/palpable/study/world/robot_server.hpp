@@ -21,8 +21,12 @@ struct RobotLink {
   double loss = 0.0;
 };
 
+/// What a robot sees with: a depth camera, or two cameras side by side.
+enum class RobotEyes : std::uint8_t { depth, stereo };
+
 struct RobotServerOptions {
   std::uint64_t seed = 1;
+  RobotEyes eyes = RobotEyes::depth;
   RobotBody body;
   RobotErrors errors;
   RobotLink link;
@@ -45,10 +49,11 @@ struct RobotServerOptions {
 
 /// A robot in a room (RobotWorld of make_room()) behind a rosbridge server on a real WebSocket, in real time,
 /// on a thread of its own. Topics that it sends: /camera/depth/image_rect_raw (16UC1),
-/// /camera/color/image_raw (rgb8), /camera/depth/camera_info, /odom, /battery_state, /contact, /audio (S16LE,
-/// 20 parts a second), /audio_info, and of the wrist camera /wrist_camera/image_raw (rgb8),
-/// /wrist_camera/camera_info and /wrist_camera/pose (PoseStamped, in the robot's frame); that it takes:
-/// /cmd_vel and /arm/cmd_vel (linear.y). One client at a time.
+/// /camera/color/image_raw (rgb8), /camera/depth/camera_info, or, of a stereo pair,
+/// /stereo/left/image_rect_color (rgb8) and /stereo/left/camera_info and the same of the right one; /odom,
+/// /battery_state, /contact, /audio (S16LE, 20 parts a second), /audio_info, and of the wrist camera
+/// /wrist_camera/image_raw (rgb8), /wrist_camera/camera_info and /wrist_camera/pose (PoseStamped, in the
+/// robot's frame); that it takes: /cmd_vel and /arm/cmd_vel (linear.y). One client at a time.
 class RobotServer {
  public:
   /// Errors: failed (the port is in use).

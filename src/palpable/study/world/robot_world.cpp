@@ -145,6 +145,12 @@ RoomView RobotWorld::wrist_view(const Pinhole& camera, const CameraNoise& noise)
   return render(room_, world_from_wrist(), camera, noise);
 }
 
+RoomView RobotWorld::right_view(const Pinhole& camera, const CameraNoise& noise) const {
+  auto pose = world_from_camera();
+  pose.translation_m += pose.rotate({body_.baseline_m, 0.0, 0.0});
+  return render(room_, pose, camera, noise);
+}
+
 RoomView RobotWorld::view(const Pinhole& camera, const CameraNoise& noise) const {
   return render(room_, world_from_camera(), camera, noise);
 }

@@ -48,6 +48,8 @@ struct RobotBody {
   /// From the axis to the camera.
   double camera_forward_m = 0.12;
   double camera_down_rad = 0.44;
+  /// Its second camera, of a stereo pair, is so far to the right of the first one.
+  double baseline_m = 0.12;
   double max_forward_m_per_s = 0.5;
   double max_turn_rad_per_s = 1.5;
   double forward_m_per_s2 = 0.6;
@@ -102,8 +104,9 @@ class RobotWorld {
   bool has_touched() const { return has_touched_; }
   const Room& room() const { return room_; }
   const RobotBody& body() const { return body_; }
-  /// What its camera sees now.
+  /// What its camera sees now, and the second one of its pair.
   RoomView view(const Pinhole& camera, const CameraNoise& noise) const;
+  RoomView right_view(const Pinhole& camera, const CameraNoise& noise) const;
 
  private:
   void step(double dt_s);

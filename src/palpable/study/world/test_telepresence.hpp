@@ -70,7 +70,8 @@ class Telepresence {
     at.x_m += 0.002 * normal_(noise_);
     at.y_m += 0.002 * normal_(noise_);
     at.heading_rad += 0.003 * normal_(noise_);
-    if (watch_.look(now_s, command.velocity, world.motion().forward_m_per_s, at, link_holds)) ++false_alarms;
+    if (watch_.look(now_s, command.velocity, {now_s, at, world.motion().forward_m_per_s}, link_holds))
+      ++false_alarms;
   }
 
   double delay_s_;

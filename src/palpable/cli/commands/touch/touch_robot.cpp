@@ -27,7 +27,7 @@ std::string further_options(std::string_view address) {
     const auto option = options.substr(0, options.find('&'));
     options.remove_prefix(std::min(options.size(), option.size() + 1));
     const auto name = option.substr(0, option.find('='));
-    constexpr std::array<std::string_view, 6> kOwn{"seed", "fps", "delay", "jitter", "loss", "sound"};
+    constexpr std::array<std::string_view, 7> kOwn{"seed", "eyes", "fps", "delay", "jitter", "loss", "sound"};
     if (std::find(kOwn.begin(), kOwn.end(), name) == kOwn.end()) rest.append("&").append(option);
   }
   return rest;
@@ -44,6 +44,12 @@ Result<SampleRobot> start_sample_robot(const std::string& address) {
   if (!url) return std::move(url).error();
   study::RobotServerOptions options;
   options.seed = static_cast<std::uint64_t>(url->take_count("seed", 1, 0, 1'000'000));
+  const bool is_stereo = url->take_word("eyes", {"depth", "stereo"}) == "stereo";
+  if (is_stereo) {
+    options.eyes = study::RobotEyes::stereo;
+    // As many pairs as two slow processors match.
+    options.link.rate_hz = 10.0;
+  }
   options.link.rate_hz = url->take_number("fps", options.link.rate_hz, 1.0, 60.0);
   options.link.delay_s = url->take_number("delay", 0.0, 0.0, 5.0);
   options.link.jitter_s = url->take_number("jitter", 0.0, 0.0, 5.0);
@@ -59,10 +65,12 @@ Result<SampleRobot> start_sample_robot(const std::string& address) {
   const auto& body = options.body;
   constexpr double kDegree = 3.14159265358979323846 / 180.0;
   const std::string there = fmt::format(
-      "robot:127.0.0.1:{}?color=/camera/color/"
-      "image_raw&radius={}&height={}&camera-height={}&camera-forward={}&camera-down={}&microphones=square:0."
-      "1&arm=/arm/cmd_vel&wrist=/wrist_camera/image_raw",
-      (*server)->port(), body.radius_m, body.height_m, body.camera_height_m, body.camera_forward_m,
+      "robot:127.0.0.1:{}?{}&radius={}&height={}&camera-height={}&camera-forward={}&camera-down={}"
+      "&microphones=square:0.1&arm=/arm/cmd_vel&wrist=/wrist_camera/image_raw",
+      (*server)->port(),
+      is_stereo ? "left=/stereo/left/image_rect_color&right=/stereo/right/image_rect_color"
+                : "color=/camera/color/image_raw",
+      body.radius_m, body.height_m, body.camera_height_m, body.camera_forward_m,
       body.camera_down_rad / kDegree);
   return SampleRobot{*std::move(server), there + further_options(address)};
 }

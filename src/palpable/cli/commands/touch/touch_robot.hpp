@@ -23,8 +23,8 @@ struct SampleRobot {
 
 /// Whether an address is that of the simulated robot, robot:sample.
 bool is_sample_robot(std::string_view address);
-/// Starts the robot of robot:sample?seed=N&fps=HZ&delay=S&jitter=S&loss=SHARE; further options, such as mode,
-/// are those of robot:. Errors: usage for a value out of its range; failed.
+/// Starts the robot of robot:sample?seed=N&eyes=depth|stereo&fps=HZ&delay=S&jitter=S&loss=SHARE; further
+/// options, such as mode, are those of robot:. Errors: usage for a value out of its range; failed.
 Result<SampleRobot> start_sample_robot(const std::string& address);
 
 /// Obeys the lines of a terminal for as long as it lives; does nothing where standard input is none.

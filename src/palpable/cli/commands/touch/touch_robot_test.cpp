@@ -14,6 +14,7 @@
 #include <memory>
 #include <mutex>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -192,8 +193,47 @@ TEST_F(RobotTouch, IsTouchedWithTheLawOfPicturesInTheModeTouch) {
   EXPECT_EQ(robot_.server->commands(), 0U);
 }
 
+/// The depth of its two cameras beside the truth of the room.
+TEST(SampleRobot, SeesDepthWithAStereoPair) {
+  const auto robot = start_sample_robot("robot:sample?eyes=stereo&fps=5&seed=3&sound=0");
+  ASSERT_TRUE(robot) << robot.error().sentence();
+  const auto source = session::open_live_source(robot->address, {}, {});
+  ASSERT_TRUE(source) << source.error().sentence();
+  std::optional<session::LiveFrame> frame;
+  EXPECT_TRUE(comes_true([&] {
+    auto taken = (*source)->take(std::chrono::steady_clock::now() + std::chrono::seconds(1));
+    if (taken && *taken) frame = **std::move(taken);
+    return frame && frame->world_from_camera;
+  }));
+  ASSERT_TRUE(frame && frame->depth.camera);
+  const study::RobotBody body;
+  study::RobotWorld world(study::make_room(3), body, {}, 3);
+  world.place(robot->server->pose());
+  const auto truth_m = world.view(*frame->depth.camera, {}).depth_m;
+  int known = 0, right = 0;
+  for (std::size_t k = 0; k < truth_m.count(); ++k) {
+    const double z = frame->depth.depth_m.values()[k], truth = truth_m.values()[k];
+    if (!std::isfinite(z) || truth > 2.5) continue;
+    ++known;
+    // A pixel of disparity.
+    right += std::abs(z - truth) < truth * truth / (frame->depth.camera->fx * body.baseline_m) ? 1 : 0;
+  }
+  EXPECT_GT(known, 0.3 * static_cast<double>(truth_m.count()));
+  EXPECT_GT(right, 0.9 * known);
+  // By its odometry, which begins at 0.
+  EXPECT_NEAR(frame->world_from_camera->translation_m.z, body.camera_height_m, 1e-9);
+  EXPECT_NEAR(frame->world_from_camera->translation_m.x, body.camera_forward_m, 1e-6);
+}
+
+TEST_F(RobotTouch, DrivesByAStereoPair) {
+  open("robot:sample?eyes=stereo&fps=5&mode=look&sound=0");
+  EXPECT_TRUE(turns_at(kLeft)) << said();
+  EXPECT_FALSE(robot_.server->has_touched());
+}
+
 TEST(SampleRobot, RefusesOptionsOutOfRange) {
-  for (const auto* wrong : {"robot:sample?loss=2", "robot:sample?fps=0", "robot:sample?port=1"})
+  for (const auto* wrong :
+       {"robot:sample?loss=2", "robot:sample?eyes=three", "robot:sample?fps=0", "robot:sample?port=1"})
     EXPECT_EQ(start_sample_robot(wrong).error().code, ErrorCode::usage) << wrong;
   EXPECT_FALSE(is_sample_robot("robot:sampler:9090"));
 }
