@@ -19,6 +19,8 @@ using Pose = Transform<WorldFrame, CameraFrame>;
 
 constexpr Pinhole kCamera{80, 80, 39.5, 29.5, 80, 60};
 
+const PoseMatrix kExpected = independent_errors({0.02, 0.02, 0.02}, {0.02, 0.02, 0.02});
+
 /// A camera at `place`, turned about y by `turn_rad`.
 Pose camera_at(Vec3 place, double turn_rad = 0.0) {
   const double c = std::cos(turn_rad), s = std::sin(turn_rad);
@@ -123,7 +125,7 @@ TEST(Alignment, FindsThePoseFromTheSurfaces) {
   SurfaceMap map({});
   for (int k = 0; k < 3; ++k) add(map, camera_at({0, 0, 0}), 0.1 * k);
   const Pose truth = camera_at({0.02, -0.015, 0.02}, 0.02);
-  const AlignedPose found = aligned(map, {corner_from(truth), kCamera, camera_at({0, 0, 0})}, {});
+  const AlignedPose found = aligned(map, {corner_from(truth), kCamera, camera_at({0, 0, 0})}, kExpected);
   ASSERT_TRUE(found.found);
   EXPECT_GT(found.matched, 0.8);
   EXPECT_LT(norm(found.world_from_camera.translation_m - truth.translation_m), 0.002);
@@ -134,7 +136,7 @@ TEST(Alignment, LeavesTheExpectedPoseWhereNothingMatches) {
   SurfaceMap map({});
   add(map, camera_at({0, 0, 0}), 0.0);
   const Pose expected = camera_at({0.01, 0, 0});
-  const AlignedPose found = aligned(map, {Raster<float>(80, 60, 0.7F), kCamera, expected}, {});
+  const AlignedPose found = aligned(map, {Raster<float>(80, 60, 0.7F), kCamera, expected}, kExpected);
   EXPECT_FALSE(found.found);
   EXPECT_EQ(found.world_from_camera.translation_m, expected.translation_m);
 }
