@@ -85,7 +85,8 @@ TEST(RecordedDepths, StateACameraThatComesAfterTheFirstFrame) {
   {
     const auto recorder = DepthRecorder::open(folder);
     ASSERT_TRUE(recorder);
-    for (const auto* depth : {&unknown, &unknown, &known}) (*recorder)->keep({0, Clock::now(), *depth}, {});
+    for (const DepthMap& depth : {unknown, unknown, known})
+      (*recorder)->keep({0, Clock::now(), depth, {}}, {});
   }
   const auto frames = sources::FrameFolder::open(folder);
   ASSERT_TRUE(frames);

@@ -26,8 +26,8 @@ class SteadyDepth {
   /// `options` within their ranges (check()).
   explicit SteadyDepth(const SteadyDepthOptions& options) : options_(options) {}
 
-  /// The depth after one more frame, of clean_depth(), which came `dt_s` >= 0 after the previous one. A frame of another size
-  /// begins anew. The reference is valid until the next call.
+  /// The depth after one more frame, of clean_depth(), which came `dt_s` >= 0 after the previous one. A frame
+  /// of another size begins anew. The reference is valid until the next call.
   const Raster<float>& add(const Raster<float>& depth_m, double dt_s);
 
  private:

@@ -190,7 +190,7 @@ struct Settled {
 Settled settled(const SurfaceMap& map, const std::vector<Reading>& readings, const Pose& start,
                 const Pose& expected, const Matrix6& root, const AlignmentOptions& options) {
   Settled found{start};
-  constexpr double kStill = 1e-5;
+  constexpr double kConvergedStep = 1e-5;
   for (int k = 0; k < options.iterations; ++k) {
     const Equations e = equations(map, readings, found.pose, options.independent_readings);
     found.matched = e.matched;
@@ -200,7 +200,7 @@ Settled settled(const SurfaceMap& map, const std::vector<Reading>& readings, con
     if (!solution.step.allFinite()) return found;
     found.pose = moved(found.pose, solution.step);
     found.information = solution.information;
-    if (solution.step.norm() < kStill) break;
+    if (solution.step.norm() < kConvergedStep) break;
   }
   found.is_valid = true;
   return found;

@@ -17,8 +17,8 @@ float slope(float before, float value, float after) {
   if (std::isnan(a)) return b;
   if (std::isnan(b)) return a;
   // Noise is up to some percent of the inverse depth.
-  constexpr float kAlike = 0.02F;
-  if (std::abs(a - b) <= kAlike * value) return 0.5F * (a + b);
+  constexpr float kAlikeShare = 0.02F;
+  if (std::abs(a - b) <= kAlikeShare * value) return 0.5F * (a + b);
   return std::abs(a) < std::abs(b) ? a : b;
 }
 

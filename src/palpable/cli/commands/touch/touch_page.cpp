@@ -87,17 +87,16 @@ Result<std::unique_ptr<page::Sharing>> open_sharing(const TouchArguments& argume
 Result<void> serve_page(const TouchArguments& arguments, const TouchPlan& plan,
                         session::TouchSession& session, session::MakerThread& maker, NoteBox& notes,
                         page::ShareHost* share, Console& console) {
-  page::TouchHost host(session, {std::string("palpable ") + PALPABLE_VERSION,
-                                 {},
-                                 [&maker] { return maker.take(std::chrono::milliseconds(0)); },
-                                 plan.live == nullptr && !maker.outcome(),
-                                 save_path(plan),
-                                 !plan.walk.empty(),
-                                 plan.live != nullptr,
-                                 false,
-                                 plan.live ? plan.live->robot() : nullptr,
-                                 {},
-                                 plan.head.get()});
+  page::TouchHost::Options shown;
+  shown.program = std::string("palpable ") + PALPABLE_VERSION;
+  shown.take_better_scene = [&maker] { return maker.take(std::chrono::milliseconds(0)); };
+  shown.better_follows = plan.live == nullptr && !maker.outcome();
+  shown.save_as = save_path(plan);
+  shown.egocentric = !plan.walk.empty();
+  shown.live = plan.live != nullptr;
+  shown.robot = plan.live ? plan.live->robot() : nullptr;
+  shown.head = plan.head.get();
+  page::TouchHost host(session, std::move(shown));
   notes.open([&host](const Note& note) { host.say("info", note.sentence); });
   std::optional<OpenedBrowser> browser;
   page::ServeOptions options;
