@@ -102,8 +102,9 @@ class RosPairTest : public testing::Test {
                                            fourth)));
   }
   void send_picture(const char* topic, const Image& picture, int taken_s) {
+    const Raster<Rgb8> colours = rgb8(picture);
     std::vector<std::uint8_t> bytes;
-    for (const Rgb8& pixel : rgb8(picture).values()) bytes.insert(bytes.end(), {pixel.r, pixel.g, pixel.b});
+    for (const Rgb8& pixel : colours.values()) bytes.insert(bytes.end(), {pixel.r, pixel.g, pixel.b});
     std::string message = ros_published(topic, ros_picture(picture.width, picture.height, "rgb8", 3, bytes));
     const std::string stamp = R"("secs":1,)";
     message.replace(message.find(stamp), stamp.size(), R"("secs":)" + std::to_string(taken_s) + ",");
