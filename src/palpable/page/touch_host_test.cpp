@@ -2,92 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/touch_host.hpp"
 
-#include "palpable/core/test_comes_true.hpp"
-#include "palpable/describe/language.hpp"
 #include "palpable/device/recording/recording.hpp"
 #include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/page/page_state.hpp"
+#include "palpable/page/test_host_on_a_touch.hpp"
 
 #include <chrono>
-#include <cmath>
-#include <filesystem>
-#include <functional>
-#include <memory>
-#include <mutex>
 #include <set>
 #include <string>
 #include <utility>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 namespace palpable::page {
 namespace {
-
-// A cone of 10 mm in the middle of 40 x 30 mm.
-std::shared_ptr<const models::Scene> cone_scene() {
-  Raster<float> height_m(80, 60);
-  for (int j = 0; j < 60; ++j)
-    for (int i = 0; i < 80; ++i)
-      height_m(i, j) = static_cast<float>(std::max(0.0, 0.010 - 0.0005 * std::hypot(i - 39.5, j - 29.5)));
-  auto scene = std::make_shared<models::Scene>();
-  scene->model =
-      std::make_shared<const models::Relief>(models::Relief::from_samples(height_m, 0.0005).value());
-  scene->texture = Raster<Rgb8>(80, 60, Rgb8{90, 120, 150});
-  scene->source.inputs = {"/somewhere/cone left.png", "/somewhere/cone right.png"};
-  return scene;
-}
-
-class HostOnATouch : public ::testing::Test {
- protected:
-  HostOnATouch() {
-    session::SessionOptions options;
-    options.servo.realtime_priority = 0;
-    options.further_probes = 9;
-    options.recording = recorded;
-    auto opened = session::TouchSession::open(cone_scene(), {}, "pointer:", options);
-    EXPECT_TRUE(opened);
-    session = std::move(opened).value();
-    host = std::make_unique<TouchHost>(*session, options_for_host());
-  }
-
-  TouchHost::Options options_for_host() {
-    return {"palpable test", {}, [this] { return std::exchange(better, nullptr); }, false, file, true};
-  }
-
-  protocol::ProbeState first() const { return host->state().probes.front(); }
-
-  // Updates as the server does until `condition` holds.
-  bool comes_true(const std::function<bool()>& condition) const {
-    return palpable::comes_true([&] {
-      host->update();
-      return condition();
-    });
-  }
-
-  std::filesystem::path file =
-      std::filesystem::path(::testing::TempDir()) / (std::to_string(getpid()) + "_host_test.palp");
-  std::filesystem::path recorded = std::filesystem::path(::testing::TempDir()) /
-                                   (std::string("palpable_host_test_") +
-                                    ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".rec");
-  std::shared_ptr<const models::Scene> better;
-  std::unique_ptr<session::TouchSession> session;
-  std::unique_ptr<TouchHost> host;
-};
-
-protocol::Change change_of(int serial, double stiffness = 400.0) {
-  return {serial, "proxy", {{"stiffness_N_per_m", stiffness}}, 1.0};
-}
-protocol::Edit edit(int serial, double stiffness) {
-  return {serial, 0, {stiffness, 0.5, 0.4, 0.25, protocol::Texture{"ridges", 0.002, 30e-6, 90.0}}};
-}
-protocol::ParameterValue parameter(const protocol::Settings& settings, const std::string& name) {
-  return *std::find_if(settings.parameters.begin(), settings.parameters.end(),
-                       [&](const auto& one) { return one.name == name; });
-}
-double stiffness_in(const protocol::Settings& settings) {
-  return parameter(settings, "stiffness_N_per_m").used;
-}
 
 TEST_F(HostOnATouch, ShowsTheTouchedScene) {
   const auto scene = host->scene();
@@ -305,21 +233,6 @@ TEST_F(HostOnATouch, PrefersAnEditedMaterialToAValueSetForAll) {
   EXPECT_FALSE(session->settings().law.stiffness_N_per_m);
 }
 
-TEST_F(HostOnATouch, KeepsNamesBesideTheSceneUntilTheyAreSaved) {
-  const auto copy = file.parent_path() / (file.stem().string() + "-unsaved.palp");
-  std::filesystem::remove(copy);
-  protocol::Name name;
-  name.name = "summit";
-  host->name(name);
-  // It is empty for a moment.
-  ASSERT_TRUE(comes_true([&] { return formats::read_scene(copy).has_value(); }));
-  EXPECT_EQ(formats::read_scene(copy)->scene.names.front().name, "summit");
-  host->save();
-  EXPECT_TRUE(comes_true([&] { return !std::filesystem::exists(copy); }));
-  EXPECT_EQ(formats::read_scene(file)->scene.names.front().name, "summit");
-  std::filesystem::remove(file);
-}
-
 TEST(DevicePlace, IsTheOriginAndTurnOfTheDevicesOwnPositions) {
   Transform<SceneFrame, DeviceFrame> place;
   place.rotation = {0, -1, 0, 1, 0, 0, 0, 0, 1};
@@ -335,61 +248,6 @@ TEST(DevicePlace, IsTheOriginAndTurnOfTheDevicesOwnPositions) {
   EXPECT_TRUE(nearly_equal(state, other));
   other.device.z_m += 1e-4;
   EXPECT_FALSE(nearly_equal(state, other));
-}
-
-TEST_F(HostOnATouch, SaysWhatIsToBeKnownOfTheSceneOnce) {
-  host.reset();
-  auto options = options_for_host();
-  options.notes = {"The shelf could not keep this scene: save it if you want to open it again"};
-  host = std::make_unique<TouchHost>(*session, std::move(options));
-  const describe::LanguageScope german(describe::Language::german);
-  std::string said;
-  while (const auto notice = host->next_notice()) said += notice->text;
-  EXPECT_NE(said.find("Das Regal konnte diese Szene nicht behalten"), std::string::npos) << said;
-  EXPECT_FALSE(host->next_notice());
-}
-
-TEST_F(HostOnATouch, KeepsNamesWhereItIsTold) {
-  const auto copy = file.parent_path() / (file.stem().string() + "-unsaved.palp");
-  std::filesystem::remove(copy);
-  std::mutex mutex;
-  std::string kept;
-  bool can_keep = true;
-  host.reset();
-  auto options = options_for_host();
-  options.keep = [&](const models::Scene& scene) -> Result<void> {
-    const std::lock_guard lock(mutex);
-    if (!can_keep) return Error{ErrorCode::failed, "no", {}};
-    kept = scene.names.empty() ? "" : scene.names.back().name;
-    return {};
-  };
-  const auto kept_now = [&] {
-    const std::lock_guard lock(mutex);
-    return std::exchange(kept, {});
-  };
-  host = std::make_unique<TouchHost>(*session, options);
-  protocol::Name name;
-  name.name = "summit";
-  host->name(name);
-  std::string said;
-  EXPECT_TRUE(comes_true([&] {
-    while (const auto notice = host->next_notice()) said += notice->text;
-    return said.find("summit") != std::string::npos;
-  }));
-  EXPECT_EQ(kept_now(), "summit") << "it is kept before it is said to be named";
-  EXPECT_FALSE(std::filesystem::exists(copy));
-  better = cone_scene();
-  EXPECT_TRUE(comes_true([&] { return kept_now() == "summit"; })) << "with the finer scene again";
-  {
-    const std::lock_guard lock(mutex);
-    can_keep = false;
-  }
-  name.name = "slope";
-  name.x_m = 0.005;
-  host->name(name);
-  EXPECT_TRUE(comes_true([&] { return formats::read_scene(copy).has_value(); })) << "nothing is lost";
-  host.reset();
-  std::filesystem::remove(copy);
 }
 
 TEST_F(HostOnATouch, KeepsValuesThatAnEditDoesNotName) {
@@ -417,19 +275,6 @@ TEST_F(HostOnATouch, RefusesAnUnknownMaterial) {
   const auto notice = host->next_notice();
   ASSERT_TRUE(notice);
   EXPECT_EQ(notice->level, "warning");
-}
-
-TEST_F(HostOnATouch, SavesTheSceneWithItsEditedMaterials) {
-  host->edit(edit(6, 320.0));
-  host->save();
-  std::optional<protocol::Notice> notice;
-  EXPECT_TRUE(comes_true([&] { return (notice = host->next_notice()).has_value(); }));
-  EXPECT_EQ(notice->text, "The scene is saved as " + file.string());
-  const auto read = formats::read_scene(file);
-  std::filesystem::remove(file);
-  ASSERT_TRUE(read);
-  EXPECT_EQ(read->scene.materials.front().stiffness_N_per_m, 320.0);
-  EXPECT_EQ(read->scene.materials.front().texture.kind, models::TouchTexture::Kind::ridges);
 }
 
 TEST_F(HostOnATouch, ReportsAFinerSceneOnce) {

@@ -157,21 +157,21 @@ struct Solution {
   Matrix6 information;
 };
 
-/// `off`: from the pose of the equations to the expected one. Directions of which no more is known than the
-/// noise of normals feigns are left to that.
+/// `off`: from the pose of the equations to the expected one. Directions of which the picture says no more
+/// than the noise of normals would are left to the expected pose.
 Solution solution_of(const Equations& e, const Matrix6& root, const Vector6& off) {
   const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(root.transpose() * e.a * root);
   const Matrix6 noise = root.transpose() * e.noise * root;
   const Matrix6 back = root.triangularView<Eigen::Lower>().solve(Matrix6::Identity());
   const Vector6 b = root.transpose() * e.b, expected = back * off;
-  constexpr double kTrue = 3.0;
+  constexpr double kAboveNoise = 3.0;
   Solution solution{Vector6::Zero(), Matrix6::Zero()};
   for (Eigen::Index i = 0; i < 6; ++i) {
     const Vector6 v = eigen.eigenvectors().col(i);
-    const double feigned = v.dot(noise * v);
-    const bool is_true = eigen.eigenvalues()[i] > kTrue * feigned;
-    const double known = is_true ? eigen.eigenvalues()[i] - feigned : 0.0;
-    solution.step += v.dot(is_true ? Vector6(b + expected) : expected) / (known + 1.0) * v;
+    const double by_noise = v.dot(noise * v);
+    const bool is_known = eigen.eigenvalues()[i] > kAboveNoise * by_noise;
+    const double known = is_known ? eigen.eigenvalues()[i] - by_noise : 0.0;
+    solution.step += v.dot(is_known ? Vector6(b + expected) : expected) / (known + 1.0) * v;
     const Vector6 along = back.transpose() * v;
     solution.information += known * along * along.transpose();
   }

@@ -24,11 +24,12 @@ inline PoseMatrix matrix_of(const PoseMatrix6& matrix) {
   return values;
 }
 
-/// What becomes of a pose's error when the camera moves on by `way`, in the axes of the world: a turn moves
-/// what is ahead.
-inline PoseMatrix6 carried_by(Vec3 way_m) {
+/// How the error of a pose continues in that of the next one, `moved_m` farther along the axes of the world:
+/// an error of the turn adds one of the position.
+inline PoseMatrix6 carried_by(Vec3 moved_m) {
   PoseMatrix6 carry = PoseMatrix6::Identity();
-  carry.block<3, 3>(3, 0) << 0.0, way_m.z, -way_m.y, -way_m.z, 0.0, way_m.x, way_m.y, -way_m.x, 0.0;
+  carry.block<3, 3>(3, 0) << 0.0, moved_m.z, -moved_m.y, -moved_m.z, 0.0, moved_m.x, moved_m.y, -moved_m.x,
+      0.0;
   return carry;
 }
 
