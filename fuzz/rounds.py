@@ -101,8 +101,9 @@ class Fuzzer:
                 process.wait()
         text = self.log.read_text(errors="replace")
         runs = re.findall(r"stat::number_of_executed_units: (\d+)", text) or re.findall(r"^#(\d+)", text, re.MULTILINE)
-        found = [file for file in self.artifacts() if file not in before and self.is_fault(file)]
-        if not found and process.returncode != 0 and not set(self.artifacts()) - before:
+        kept = [file for file in self.artifacts() if file not in before]
+        found = [file for file in kept if self.is_fault(file)]
+        if not kept and process.returncode != 0:
             found = [self.log]
         return int(runs[-1]) if runs else 0, found
 

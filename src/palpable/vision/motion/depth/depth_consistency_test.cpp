@@ -66,6 +66,48 @@ TEST(DepthConsistency, KeepsWhatOneMapAgreesWithWhereNoneContradicts) {
   }
 }
 
+/// Sets columns [from, to) of rows 9 and 10, counted in the first map, to a depth of 1.9 in map k.
+void put_patch(std::vector<PosedDepthMap>& maps, int k, int from, int to) {
+  // 0.02 to the side moves it by 1.05 pixels.
+  const int moved = static_cast<int>(std::lround(1.05 * k));
+  for (const int y : {9, 10})
+    for (int x = from - moved; x < to - moved; ++x)
+      maps[static_cast<std::size_t>(k)].depth.depth_m(x, y) = 1.9F;
+}
+
+// As beside a nearer surface, which neighbouring maps continue into the strip that it hides from others.
+TEST(DepthConsistency, RemovesWhatManyMapsSeePast) {
+  for (const int agreeing : {3, 7}) {
+    auto maps = wall_from(9);
+    for (int k = 0; k < agreeing; ++k) put_patch(maps, k, 18, 24);
+    const auto out = consistent_depth(maps, {}, {});
+    ASSERT_TRUE(out);
+    const float found = (*out)[0].depth.depth_m(21, 10);
+    // 2 agree and 6 see past it; 6 agree and 2 see past it.
+    if (agreeing == 3)
+      EXPECT_TRUE(std::isnan(found));
+    else
+      EXPECT_NEAR(found, 1.9, 1e-5);
+  }
+}
+
+TEST(DepthConsistency, ChecksAgainWithWhatIsLeft) {
+  auto maps = wall_from(3);
+  put_patch(maps, 0, 15, 21);
+  put_patch(maps, 1, 15, 18);
+  put_patch(maps, 2, 18, 21);
+  // 12 pixels in the first map; the two patches of 6 that agree with it are too small to stay.
+  ConsistencyOptions options{.least_agreeing = 1, .most_through = 16, .passes = 1, .least_patch = 0.009};
+  const auto once = consistent_depth(maps, options, {});
+  ASSERT_TRUE(once);
+  EXPECT_NEAR((*once)[0].depth.depth_m(16, 10), 1.9, 1e-5);
+  EXPECT_TRUE(std::isnan((*once)[1].depth.depth_m(15, 10)));
+  options.passes = 2;
+  const auto twice = consistent_depth(maps, options, {});
+  ASSERT_TRUE(twice);
+  EXPECT_TRUE(std::isnan((*twice)[0].depth.depth_m(16, 10)));
+}
+
 TEST(DepthConsistency, NeedsSoManyMapsThatSeeThePlace) {
   const auto maps = wall_from(3);
   const auto out = consistent_depth(maps, {.tolerance = 0.01, .least_agreeing = 2}, {});

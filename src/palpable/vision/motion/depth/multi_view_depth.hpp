@@ -70,6 +70,12 @@ struct ConsistencyOptions {
   /// The same where no other map has another depth, as at the borders of the pictures, which few maps show, 0
   /// … 16.
   int least_uncontested = 1;
+  /// Greatest number of maps that see something farther through a pixel, for each that agrees, 0 … 16: an
+  /// occluded strip beside a nearer surface continues it in neighbouring maps, and others see past it.
+  double most_through = 1.0;
+  /// Times that the maps are checked, 1 … 4: each pass with what the one before has kept, so that errors
+  /// which agreed with each other are fewer.
+  int passes = 2;
   /// Surfaces of fewer pixels than this share of the picture become unknown, 0 … 0.01: in plain surroundings
   /// a few pixels agree by chance. Neighbours belong to one surface if their depths agree.
   double least_patch = 0.0003;
@@ -77,8 +83,8 @@ struct ConsistencyOptions {
 std::vector<Parameter> parameters_of(ConsistencyOptions& options);
 
 /// Keeps only the pixels on which enough other maps agree, with the mean of the agreeing depths, and which
-/// are no small patches (Hirschmüller 2008, "peak filtering"); all others become unknown. Errors: usage for
-/// options out of range; interrupted.
+/// are no small patches (Hirschmüller 2008, "peak filtering"), and through which not too many see something
+/// farther; all others become unknown. Errors: usage for options out of range; interrupted.
 Result<std::vector<PosedDepthMap>> consistent_depth(std::span<const PosedDepthMap> maps,
                                                     const ConsistencyOptions& options, const Work& work);
 
