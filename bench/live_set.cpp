@@ -1,127 +1,30 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Live surfaces under resting hands, in simulated time: palpable_live_set [HANDS [FIRST]]. A still scene with
-// a depth camera's noise, and a plate that comes at the hand at 0.1 m/s in the room, stays, and goes away: in
-// the usual size of a relief, and in its true size. A line for each, with the figures of all hands.
+// Live surfaces under hands, in simulated time: palpable_live_set [HANDS [FIRST [all|resting|swings]]]. Under
+// resting hands a still scene with a depth camera's noise, and a plate that comes at 0.1 m/s in the room,
+// stays, and goes away; under hands that rest, push and swing a plate that swings, in touches that begin in
+// the air and in contact. In the usual size of a relief, and in its true size. A line for each, with the
+// figures of all hands.
 #include "palpable/core/numbers/quantile.hpp"
 #include "palpable/core/text/number_text.hpp"
-#include "palpable/haptics/tick/counted_hand.hpp"
-#include "palpable/haptics/tick/tick.hpp"
-#include "palpable/sculpt/relief/relief_in_window.hpp"
-#include "palpable/session/touch/haptic_scene.hpp"
-#include "palpable/session/touch/rising_surface.hpp"
-#include "palpable/vision/depth_camera/clean_depth.hpp"
-#include "palpable/vision/depth_camera/steady_depth.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <list>
-#include <memory>
 #include <optional>
-#include <random>
-#include <utility>
+#include <string_view>
 #include <vector>
 
+#include "live_swings.hpp"
+#include "live_touch.hpp"
 #include <fmt/format.h>
 
 namespace palpable::bench {
 namespace {
 
-constexpr int kFramePeriod = 33;  // ticks of 1 ms
-constexpr double kFade = 30.0;
-/// From when a frame is taken to when its surface is handed over, ticks.
-constexpr int kDelay = 20;
 constexpr double kPlate_m_per_s = 0.1;
-/// Of the touching ball: that of the laws unless another is chosen.
-constexpr double kRadius_m = 0.001;
-
-/// How depths become the relief: what a metre of depth is in the scene.
-struct Scale {
-  vision::DepthRange range;
-  sculpt::WindowedReliefOptions relief;
-
-  double per_m() const { return relief.size_m.z / (range.far_m - range.near_m); }
-  double height_m(double depth_m) const { return (range.far_m - depth_m) * per_m(); }
-  double depth_m(double height_m) const { return range.far_m - height_m / per_m(); }
-};
-
-Scale usual_scale() { return {{0.5, 1.0}, {}}; }
-Scale true_scale() {
-  Scale scale{{0.6, 0.7}, {}};
-  scale.relief.size_m.z = 0.1;
-  return scale;
-}
-
-/// A touch of live frames, as LiveFeed and the servo make it.
-class LiveTouch {
- public:
-  LiveTouch(const Scale& scale, const device::HandOptions& hand, const Raster<float>& first)
-      : scale_(scale), hand_(hand), tick_(hand_, prepared(relief_of(first)), options(), events_) {}
-  /// Before the first step().
-  void place(Vec3 hand_m) { hand_.place(hand_m); }
-
-  /// 1 ms; the surface that was handed over last comes as soon as no other fades in.
-  const haptics::TouchSample& step(Vec3 goal_m) {
-    hand_.set_goal(goal_m);
-    if (coming_ && !tick_.fading()) {
-      tick_.change(prepared(std::exchange(coming_, nullptr)));
-      static_cast<void>(tick_.take_retired());
-      // One is felt, one comes.
-      while (scenes_.size() > 3) scenes_.pop_front();
-    }
-    sample_ = &tick_.step(0.001 * static_cast<double>(n_++), 0.001);
-    while (events_.take()) {
-    }
-    return *sample_;
-  }
-  void hand_over(const Raster<float>& depth_m) {
-    const std::array hands{sample_->position};
-    coming_ = session::risen_surface(*shown_, relief_of(depth_m), hands, kRadius_m, 0.001 * kFramePeriod);
-  }
-  double made_J() const { return tick_.counts().made_max_without_controller_J; }
-  double stiffness_N_per_m() const { return stiffness_N_per_m_; }
-  /// Of the surface that came last.
-  double height_m(double x_m, double y_m) const { return shown_->sample(x_m, y_m).z_m; }
-
- private:
-  static haptics::TickOptions options() {
-    haptics::TickOptions options;
-    options.fade_s = 0.001 * kFade;
-    return options;
-  }
-  std::shared_ptr<const models::Relief> relief_of(const Raster<float>& depth_m) {
-    const vision::DepthNoise noise;
-    const auto& steady = steady_.add(vision::clean_depth(depth_m, noise), 0.001 * kFramePeriod);
-    return std::make_shared<const models::Relief>(
-        *sculpt::relief_in_window(steady, scale_.range, scale_.relief));
-  }
-  const haptics::HapticScene& prepared(std::shared_ptr<const models::Relief> relief) {
-    shown_ = relief;
-    models::Scene scene;
-    scene.model = std::move(relief);
-    auto made = session::prepare_scene(scene, {}, hand_.traits(), 1000.0, {}, kept_);
-    stiffness_N_per_m_ = made->materials.front().stiffness_N_per_m;
-    made->scene.id = ++id_;
-    made->scene.succession = haptics::Succession::moves;
-    return scenes_.emplace_back(std::move(made->scene));
-  }
-
-  Scale scale_;
-  vision::SteadyDepth steady_{{}};
-  session::KeptSurfaces kept_;
-  std::list<haptics::HapticScene> scenes_;
-  std::uint32_t id_ = 0;
-  double stiffness_N_per_m_ = 0.0;
-  std::shared_ptr<const models::Relief> shown_, coming_;
-  Ring<haptics::TouchEvent> events_{1024};
-  haptics::CountedHand hand_;
-  haptics::TickPipeline tick_;
-  const haptics::TouchSample* sample_ = nullptr;
-  std::int64_t n_ = 0;
-};
 
 /// What happened to one hand.
 struct Outcome {
@@ -134,38 +37,6 @@ struct Outcome {
   /// the hand was lifted as slowly as it may, and before.
   double error = 0.0, limited_error = 0.0;
   double made_J = 0.0;
-};
-
-class Hands {
- public:
-  explicit Hands(std::uint64_t seed) : random_(seed) {}
-
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(random_() >> 11U) * 0x1p-53;
-  }
-  device::HandOptions hand() {
-    device::HandOptions hand;
-    hand.arm_stiffness_N_per_m = between(60.0, 300.0);
-    hand.arm_mass_kg = between(0.2, 0.7);
-    hand.max_force_N = 8.0;
-    hand.script.kind = device::HandScriptOptions::Kind::hold;
-    return hand;
-  }
-  /// A frame of 40 x 30 pixels with the camera's noise. `depth`: of a pixel, m.
-  template <class Depth>
-  Raster<float> frame(const Depth& depth) {
-    Raster<float> depth_m(40, 30);
-    for (int v = 0; v < 30; ++v)
-      for (int u = 0; u < 40; ++u) {
-        const auto z = static_cast<float>(depth(u, v));
-        depth_m(u, v) = z + vision::DepthNoise{}.deviation_m(z) * static_cast<float>(normal_(random_));
-      }
-    return depth_m;
-  }
-
- private:
-  std::mt19937_64 random_;
-  std::normal_distribution<double> normal_;
 };
 
 /// A slope with a box on it, and a hand that rests on it for 4 s with 0.5 to 2 N.
@@ -198,7 +69,7 @@ Outcome still_scene(std::uint64_t seed) {
     if (n > kSettle + kFramePeriod) out.update_N = std::max(out.update_N, norm(force - at_frame_N));
     at_frame_N = force;
   }
-  out.made_J = touch.made_J();
+  out.made_J = touch.counts().made_max_without_controller_J;
   return out;
 }
 
@@ -258,23 +129,52 @@ Outcome plate(std::uint64_t seed, const Scale& scale) {
     error = std::max(error, std::abs(force.z - due_N) / due_N);
   }
   out.mean_N = before_N.z;
-  out.made_J = touch.made_J();
+  out.made_J = touch.counts().made_max_without_controller_J;
   return out;
 }
 
-template <class Value>
-void print(const char* what, const std::vector<Outcome>& all, const Value& value, double factor) {
+template <class Of, class Value>
+void print(const char* what, const std::vector<Of>& all, const Value& value, double factor) {
   std::vector<double> values;
-  for (const Outcome& out : all) values.push_back(factor * value(out));
+  for (const Of& out : all) values.push_back(factor * static_cast<double>(value(out)));
   const double middle = quantile_of(values, 0.5), late = quantile_of(values, 0.99);
   fmt::print(" | {} {:.3f} {:.3f} {:.3f}", what, middle, late, quantile_of(values, 1.0));
 }
 
+/// The outcomes of so many hands.
 template <class Run>
-void print_all(const char* name, std::uint64_t first, int count, const Run& run) {
-  std::vector<Outcome> all;
+auto all_of(const char* name, std::uint64_t first, int count, const Run& run) {
+  std::vector<decltype(run(first))> all;
   for (int k = 0; k < count; ++k) all.push_back(run(first + static_cast<std::uint64_t>(k)));
   fmt::print("{} ({} hands; median, 99 %, greatest)", name, count);
+  return all;
+}
+
+void print_swings(const char* name, std::uint64_t first, int count, SwingSize size, SwingBegins begins) {
+  const auto all = all_of(name, first, count, [&](std::uint64_t seed) { return swing(seed, size, begins); });
+  const auto figure = [&](const char* what, auto Swung::*value, double factor) {
+    print(
+        what, all, [&](const Swung& s) { return s.*value; }, factor);
+  };
+  figure("change in a tick, N", &Swung::tick_N, 1.0);
+  figure("beyond stiffness x movement, N", &Swung::step_N, 1.0);
+  figure("received beyond what it brings, uJ", &Swung::beyond_J, 1e6);
+  figure("made, without controller, uJ", &Swung::said_J, 1e6);
+  figure("made, uJ", &Swung::said_with_J, 1e6);
+  figure("brought, mJ", &Swung::brought_J, 1e3);
+  figure("ticks through", &Swung::through, 1.0);
+  figure("ticks in contact", &Swung::in_contact, 1.0);
+  const auto over = [&](double Swung::*value, double most) {
+    return std::count_if(all.begin(), all.end(), [&](const Swung& s) { return s.*value > most; });
+  };
+  fmt::print(" | steps over 0.05 N: {}, over 1 uJ beyond: {}, said: {}\n", over(&Swung::step_N, 0.05),
+             over(&Swung::beyond_J, 1e-6), over(&Swung::said_J, 1e-6));
+  std::fflush(stdout);
+}
+
+template <class Run>
+void print_all(const char* name, std::uint64_t first, int count, const Run& run) {
+  const std::vector<Outcome> all = all_of(name, first, count, run);
   print(
       "change in a tick, N", all, [](const Outcome& o) { return o.tick_N; }, 1.0);
   print(
@@ -302,15 +202,25 @@ void print_all(const char* name, std::uint64_t first, int count, const Run& run)
 int run(int count, const char* const* words) {
   const auto hands = whole_number(count > 1 ? words[1] : "1000"),
              first = whole_number(count > 2 ? words[2] : "1");
+  const std::string_view cases = count > 3 ? words[3] : "all";
   if (!hands || !first || *hands < 1 || *first < 0) {
-    fmt::print(stderr, "palpable_live_set [HANDS [FIRST]]\n");
+    fmt::print(stderr, "palpable_live_set [HANDS [FIRST [all|resting|swings]]]\n");
     return 2;
   }
   const int most = static_cast<int>(*hands);
   const auto from = static_cast<std::uint64_t>(*first);
-  print_all("still", from, std::min(most, 200), still_scene);
-  print_all("plate", from, most, [](std::uint64_t seed) { return plate(seed, usual_scale()); });
-  print_all("plate, true size", from, most, [](std::uint64_t seed) { return plate(seed, true_scale()); });
+  if (cases != "swings") {
+    print_all("still", from, std::min(most, 200), still_scene);
+    print_all("plate", from, most, [](std::uint64_t seed) { return plate(seed, usual_scale()); });
+    print_all("plate, true size", from, most, [](std::uint64_t seed) { return plate(seed, true_scale()); });
+  }
+  if (cases == "resting") return 0;
+  using enum SwingSize;
+  using enum SwingBegins;
+  print_swings("swings, begins in the air", from, most, usual, in_air);
+  print_swings("swings, begins in contact", from, most, usual, in_contact);
+  print_swings("swings, true size, begins in the air", from, most, true_size, in_air);
+  print_swings("swings, true size, begins in contact", from, most, true_size, in_contact);
   return 0;
 }
 

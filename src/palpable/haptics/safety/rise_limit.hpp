@@ -16,7 +16,8 @@ namespace palpable::haptics {
 /// moves out meets, after a twentieth of the depth, a spring that begins deeper, with the potential V =
 /// (sqrt(U) - c)^2 = P and the share dV/dU = 1 - c / sqrt(U) of the law's force; docs/real-time.md ("Rise
 /// limit") derives it. From then on V follows P. Damping and friction, which are not the spring's, stay
-/// whole. A tick is account(), then take_back(), then limit(). Tick path; no allocation.
+/// whole. Where the ramp of a touch that begins in contact loads the spring, the hand gets back what the ramp
+/// brought (Input::loads). A tick is account(), then take_back(), then limit(). Tick path; no allocation.
 class RiseLimit {
  public:
   struct Input {
@@ -24,8 +25,12 @@ class RiseLimit {
     /// the force follows the ramp, and nothing is counted.
     double stored_J = 0.0;
     Vector<DeviceFrame> spring_N;
-    /// What a change of scene added to stored_J since the last call.
+    /// What a change of scene added to stored_J since the last call. `moves`: because the surface moves,
+    /// which loads a spring that is held back, too, by its share; and what its dampers and friction brought
+    /// then.
     double changed_J = 0.0;
+    double damped_J = 0.0;
+    bool moves = false;
     /// What the hand received since the last call, of force and torque, J, and how far that may be wrong by
     /// the sensor's step; what the forces that are on their way will give it; and how far it moved in the
     /// sense of the spring's force, m.
@@ -36,6 +41,9 @@ class RiseLimit {
     /// The ramp, 0 ... 1, and by how much it may rise in this tick.
     double gain = 1.0;
     double gain_rise = 1.0;
+    /// The ramp rises under a hand that was in contact when its touch, or its force after a pause, began: it
+    /// loads the spring as a surface does that comes up under the hand.
+    bool loads = false;
   };
 
   /// The movement since the last call.
@@ -44,16 +52,25 @@ class RiseLimit {
     falls_ = in.gain < gain_;
     gain_ = in.gain;
     has_spring_ = in.stored_J > 0.0 && norm(in.spring_N) > 0.0;
+    loads_ = in.loads && has_spring_;
+    brought_J_ = added_J_ = 0.0;
     spring_N_ = in.spring_N;
     stored_J_ = has_spring_ ? in.stored_J : 0.0;
     root_ = std::sqrt(stored_J_);
     if (!has_spring_) {
       begins_ = false;
       release_left_ = spring_offset_ = rendered_J_ = surplus_J_ = input_energy_J_ = unsure_J_ = 0.0;
+      added_J_ = in.changed_J;
       return;
     }
     unsure_J_ = std::max(unsure_J_, in.unsure_J);
-    input_energy_J_ = std::clamp(input_before_J - in.received_J, 0.0, stored_J_);
+    change(in);
+    const double moved_J = in.damped_J + (in.moves ? added_J_ : 0.0);
+    input_energy_J_ = std::clamp(input_before_J - in.received_J + moved_J, 0.0, stored_J_);
+    if (loads_) {
+      load();
+      return;
+    }
     // While the force went to zero the hand may have received energy, but it put in none.
     if (begins_) begin_release(std::min(input_before_J, input_energy_J_));
     begins_ = false;
@@ -61,13 +78,12 @@ class RiseLimit {
       release(in);
       return;
     }
-    // The surface of another scene that comes up under a hand begins where the hand is.
-    if (spring_offset_ > 0.0)
-      spring_offset_ =
-          std::max(0.0, spring_offset_ + root_ - std::sqrt(std::max(0.0, stored_J_ - in.changed_J)));
     set_offset(spring_offset_);
     follow(in);
   }
+
+  /// No account() follows in this tick: nothing was brought or added.
+  void hold() noexcept { brought_J_ = added_J_ = 0.0; }
 
   /// The force of this tick, of the one that the law wants after the cap; `rest_N` of it is not the spring's.
   /// `velocity_m_per_s`: of the hand; `most_lost`: see cap_rise().
@@ -122,6 +138,10 @@ class RiseLimit {
   }
   /// Whether the rendered spring returns less energy than the law's spring stores.
   bool is_weaker() const noexcept { return has_spring_ && (release_left_ > 0.0 || spring_offset_ > 0.0); }
+  /// What a ramp that loads the spring (Input::loads) brought since the account() before, beyond what the
+  /// hand put in; and what a change of scene added to the rendered spring. J.
+  double brought_J() const noexcept { return brought_J_; }
+  double added_J() const noexcept { return added_J_; }
   double withheld_J() const noexcept { return std::max(0.0, stored_J_ - input_energy_J()); }
   /// The energy that the hand put in and may get back, P.
   double input_energy_J() const noexcept {
@@ -137,6 +157,34 @@ class RiseLimit {
   void begin_release(double input_energy_J) noexcept {
     input_energy_J_ = input_energy_J;
     release_left_ = 1.0;
+  }
+
+  /// What a change of scene adds at the hand's place. A surface that moves takes a spring that is held back
+  /// with it; another scene's, which comes up under the hand, begins where the hand is.
+  void change(const Input& in) noexcept {
+    added_J_ = in.changed_J;
+    if (spring_offset_ <= 0.0 || in.changed_J == 0.0) return;
+    const double before = std::sqrt(std::max(0.0, stored_J_ - in.changed_J));
+    const double kept = std::max(0.0, before - spring_offset_);
+    if (in.moves && (loads_ || release_left_ > 0.0)) {
+      added_J_ = before > 0.0 ? kept / before * in.changed_J : 0.0;
+      return;
+    }
+    if (!in.moves) spring_offset_ = std::max(0.0, spring_offset_ + root_ - before);
+    const double now = std::max(0.0, root_ - spring_offset_);
+    added_J_ = release_left_ > 0.0 ? 0.0 : now * now - kept * kept;
+  }
+
+  /// The law's spring with the ramp's share of its stiffness, which stores that share of U. What the hand has
+  /// not put in of that is brought: the ramp's part, and what a held force gave too much meanwhile.
+  void load() noexcept {
+    begins_ = false;
+    release_left_ = 0.0;
+    set_offset(root_ * (1.0 - gain_));
+    rendered_J_ = gain_ * stored_J_;
+    brought_J_ = std::max(0.0, rendered_J_ - input_energy_J_);
+    input_energy_J_ += brought_J_;
+    surplus_J_ = input_energy_J_ - rendered_J_;
   }
 
   void release(const Input& in) noexcept {
@@ -201,6 +249,9 @@ class RiseLimit {
   bool falls_ = false;
   bool has_spring_ = false;
   bool begins_ = true;
+  bool loads_ = false;
+  double brought_J_ = 0.0;
+  double added_J_ = 0.0;
   /// U, the energy that the law's spring stores.
   double stored_J_ = 0.0;
   /// sqrt(U).

@@ -185,9 +185,9 @@ double most_N_at(double dt_s) {
   Ring<TouchEvent> events(64);
   TickPipeline tick(device, scene, {}, events);
   device.reading.position.v = {0.0, 0.0, -0.02};
-  for (int n = 0; n < 400; ++n) tick.step(0.001 * n, 0.001);
+  for (int n = 0; n < 1100; ++n) tick.step(0.001 * n, 0.001);
   device.written.clear();
-  for (int n = 0; n < 100; ++n) tick.step(0.4, dt_s);
+  for (int n = 0; n < 100; ++n) tick.step(1.1, dt_s);
   double most_N = 0.0;
   for (const Vec3& force : device.written) most_N = std::max(most_N, norm(force));
   return most_N;

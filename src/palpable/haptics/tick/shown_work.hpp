@@ -57,7 +57,11 @@ class ShownWork {
     const bool stalled = (tick.flags & flag::kStalled) != 0 && tick.dt_s > stall_s_;
     step.moved_m = stalled ? (stall_s_ / tick.dt_s) * moved_m : moved_m;
     // A change of scene or a new touch starts a new balance, as in the servo's own observer. A new touch
-    // starts without force, so a hand cannot receive energy that it did not deliver.
+    // starts without force, so a hand cannot receive energy that it did not deliver, unless a ramp loads the
+    // spring in which it is; after a pause, too.
+    const bool is_ramping = (tick.flags & flag::kRamping) != 0;
+    loads_ = (loads_ || (tick.flags & (flag::kNewTouch | flag::kPaused)) != 0) && is_ramping;
+    const bool is_loaded = loads_ && tick.has_spring && (tick.flags & flag::kContact) != 0;
     const bool is_new = (tick.flags & flag::kNewTouch) != 0;
     step.held_force_N = held.force_N;
     step.guide_N = held.guide_N;
@@ -71,9 +75,9 @@ class ShownWork {
     if (is_new && !tick.is_contact_law)
       jump_max_J_ = std::max(jump_max_J_, dot(held.force_N - held.guide_N, step.moved_m));
     const bool is_fading = (tick.flags & flag::kFading) != 0;
-    if (!tick.is_contact_law || is_new || is_fading) {
+    if (!tick.is_contact_law || is_new || is_fading || is_loaded) {
       using Beginning = PassivityObserver::Beginning;
-      observer_.begin(0.0, is_new ? Beginning::from_no_force : Beginning::in_contact);
+      observer_.begin(0.0, is_new && !is_loaded ? Beginning::from_no_force : Beginning::in_contact);
       // The plain sum leaves out nothing: also what the hand receives during a change of scene.
       if (tick.is_contact_law && !is_new)
         count_since_zero(held, moved_m, step);
@@ -137,6 +141,7 @@ class ShownWork {
   FinePosition fine_;
   std::size_t delay_;
   bool counts_ = false;
+  bool loads_ = false;
   bool knows_place_ = false;
   /// The most that a force which is no contact's gave over a jump.
   double jump_max_J_ = 0.0;

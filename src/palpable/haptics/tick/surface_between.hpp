@@ -54,11 +54,13 @@ inline SurfaceAtHand surface_at_hand(const Touchable& touchable, const Hand& han
 
 /// A surface on its way from where it was to where it is seen now, at the hand. Its depth there, not its
 /// force, is the mean of both, so that it meets and leaves the hand when a surface that moves does. Its
-/// spring stores what one spring of its depth stores.
+/// spring stores what one spring of its depth stores, and its damper is a whole one.
 struct SurfaceBetween {
   bool contact = false;
   /// The share of the mean of both laws' forces that acts: less than 1 where the hand is above one of both.
   double share = 1.0;
+  /// The part of both that is in contact, by their weights in the mean, 0 ... 1: a damper belongs to it.
+  double touched = 1.0;
   Vector<SceneFrame> spring_N;
   double stored_J = 0.0;
   /// How deep the hand is in it, as in SurfaceAtHand.
@@ -79,6 +81,7 @@ inline SurfaceBetween surface_between(const SurfaceAtHand& from, const SurfaceAt
   between.contact = has_spring || only_force;
   between.share = only_force ? 1.0 : has_spring ? std::min(1.0, between.depth_m / deep_m) : 0.0;
   if (!has_spring) return between;
+  between.touched = (from.contact ? 1.0 - moved : 0.0) + (to.contact ? moved : 0.0);
   between.spring_N = between.share * (from.spring_N + moved * (to.spring_N - from.spring_N));
   const double stiffness =
       !from.contact ? to.stiffness_N_per_m

@@ -126,6 +126,9 @@ ReadingUse TickPipeline::accept(const device::Reading& reading, double dt_s) noe
   moved_ = {};
   surface_moved_m_ = {};
   rotated_ = {};
+  changed_J_ = damped_J_ = 0.0;
+  rise_.hold();
+  uncontrolled_rise_.hold();
   const JudgedReading judged = readings_.judge(reading, dt_s);
   if (judged.implausible) flags_ |= flag::kImplausible;
   if (judged.use == ReadingUse::repeated) flags_ |= flag::kRepeated;
@@ -212,6 +215,7 @@ void TickPipeline::begin_touch() noexcept {
   // The force has been zero for some time and the hand may have moved anywhere: the law's state is obsolete.
   now_.state = {};
   coming_.state = {};
+  loads_ = true;
   rise_.reset();
   uncontrolled_rise_.reset();
   begin_returns();

@@ -100,11 +100,15 @@ class TickPipeline {
   bool is_accounted() const noexcept;
   /// `faded`: the part of the scene that fades in.
   Potential potential(double faded) const noexcept;
-  /// What of it the hand gave.
+  /// What of it the hand gave, or a ramp that loaded it brought.
   double given_J(const RiseLimit& rise) const noexcept;
   /// What a change of parameters on the same surface added to it in this tick.
   double changed_J(const RiseLimit& rise) const noexcept;
   Vector<DeviceFrame> damper_N() const noexcept;
+  /// How far a surface that moves between two pictures came in this tick.
+  Vector<DeviceFrame> way_of_surface() const noexcept;
+  /// By how much the ramp rises in a tick in which it loads a spring: it lifts the hand slowly.
+  double loading_s(const Potential& p, double dt_s) const noexcept;
   void account_spring(double dt_s, bool wanted) noexcept;
   void account_stall(RiseLimit::Input in, double dt_s) noexcept;
   void make_torque(double risen_s) noexcept;
@@ -149,6 +153,7 @@ class TickPipeline {
   double moved_by(double dt_s) const noexcept;
   SurfaceAtHand surface_of(const Side& side) const noexcept;
   void meet_moving_surface(double dt_s) noexcept;
+  void take_force_between() noexcept;
   /// What the law or, between two pictures, the moving surface is to the hand.
   bool is_in_contact() const noexcept { return moves_ ? between_.contact : now_.output.contact; }
   /// Fading to a scene that feels otherwise here. An equal surface, as a live source sends it, changes
@@ -222,6 +227,8 @@ class TickPipeline {
   Vector<DeviceFrame> rotated_;
 
   Ramp ramp_;
+  /// The ramp loads the spring (RiseLimit::Input::loads) when it rises.
+  bool loads_ = true;
   /// For the written force, and for the force as it would be without the controller.
   RiseLimit rise_;
   RiseLimit uncontrolled_rise_;
@@ -237,6 +244,8 @@ class TickPipeline {
   double change_brought_J_ = 0.0;
   /// What the current change of scene added to the stored energy in this tick.
   double changed_J_ = 0.0;
+  /// What the dampers and the friction of a surface that moves brought in it.
+  double damped_J_ = 0.0;
   /// What the law stores, as of the last account.
   double stored_J_ = 0.0;
   /// And its spring's force.

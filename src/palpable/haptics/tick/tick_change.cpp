@@ -20,8 +20,6 @@ bool is_same(const LawOutput& a, const LawOutput& b) {
          a.spring_N == b.spring_N && a.spring_torque_Nm == b.spring_torque_Nm && a.guide_N == b.guide_N;
 }
 
-/// No surface takes longer to rise under a hand.
-constexpr double kLongest_s = 1.0;
 /// Pictures lift a hand by kLift_m_per_s (session/touch/rising_surface.hpp). Between two of them it is a
 /// little faster, so that it has arrived when the next one comes.
 constexpr double kMoves_m_per_s = 1.1 * kLift_m_per_s;
@@ -59,6 +57,24 @@ SurfaceAtHand TickPipeline::surface_of(const Side& side) const noexcept {
   return surface_at_hand(*side.scene->touchable, hand, side.state, side.output);
 }
 
+/// The spring of the surface between both, with the mean of the dampers of those that the hand touches: their
+/// share of the mean would leave the spring with a part of its damper. It never pulls.
+void TickPipeline::take_force_between() noexcept {
+  const double share = between_.share;
+  if (share > 0.0 && share < 1.0) {
+    const Vector<SceneFrame> springs_N = from_.spring_N + faded_ * (to_.spring_N - from_.spring_N);
+    const Vector<DeviceFrame> mean_N = device_force_N(now_, springs_N);
+    const Vector<DeviceFrame> spring_N = share * mean_N;
+    const Vector<DeviceFrame> rest_N = (1.0 / between_.touched) * (law_force_N_ - guide_N_ - mean_N);
+    law_force_N_ = spring_N + rest_N;
+    if (dot(law_force_N_, spring_N) <= 0.0) law_force_N_ = {};
+    law_force_N_ += share * guide_N_;
+  } else {
+    law_force_N_ = share * law_force_N_;
+  }
+  guide_N_ = share * guide_N_;
+}
+
 /// The force is that of the surface between both. Its velocity, for the next tick, is that of the places
 /// which the springs pull to: of a height map that rises they go up where friction holds them; where the hand
 /// slides, only what they move along the normal is known.
@@ -69,12 +85,12 @@ void TickPipeline::meet_moving_surface(double dt_s) noexcept {
     const bool touches = now_.output.contact || coming_.output.contact;
     from_ = touches ? surface_of(now_) : SurfaceAtHand{};
     to_ = touches ? surface_of(coming_) : SurfaceAtHand{};
+    // On its way to the hand it may be faster than it lifts it.
+    const bool meets = !between_.contact;
     between_ = surface_between(from_, to_, faded_);
-    law_force_N_ = between_.share * law_force_N_;
-    guide_N_ = between_.share * guide_N_;
+    take_force_between();
     law_torque_Nm_ = between_.share * law_torque_Nm_;
-    velocity_m_per_s = ((faded_ - faded_before_) / dt_s) *
-                       (now_.device_from_scene * (to_.to_surface_m - from_.to_surface_m));
+    if (!meets) velocity_m_per_s = (1.0 / dt_s) * way_of_surface();
   }
   if (!is_in_contact()) {
     surface_m_per_s_ = {};
@@ -100,8 +116,9 @@ void TickPipeline::fade(double dt_s) noexcept {
                : 0.0;
   };
   // In the first tick, the surface that comes has not been evaluated.
-  const double rises_s =
-      faded_ > 0.0 ? std::min((depth_m(coming_) - depth_m(now_)) / kLift_m_per_s, kLongest_s) : kLongest_s;
+  const double rises_s = faded_ > 0.0
+                             ? std::min((depth_m(coming_) - depth_m(now_)) / kLift_m_per_s, kLongestLift_s)
+                             : kLongestLift_s;
   faded_ = std::min(1.0, faded_ + dt_s / std::max(options_.fade_s, rises_s));
 }
 
@@ -113,7 +130,7 @@ double TickPipeline::moved_by(double dt_s) const noexcept {
   // left of that time is for the way to the hand.
   const double meets = std::clamp(-from_.depth_m / rises_m, 0.0, 1.0);
   const double lifts_s = (1.0 - meets) * rises_m / (scale * kMoves_m_per_s);
-  const double under_s = std::clamp(lifts_s, (1.0 - meets) * options_.fade_s, kLongest_s);
+  const double under_s = std::clamp(lifts_s, (1.0 - meets) * options_.fade_s, kLongestLift_s);
   const double above_s = std::max(options_.fade_s - under_s, dt_s);
   const double comes = faded_ < meets ? std::min(meets, faded_ + meets * dt_s / above_s) : faded_;
   return comes < meets ? comes : std::min(1.0, comes + (1.0 - meets) * dt_s / std::max(under_s, dt_s));

@@ -61,9 +61,20 @@ TickPipeline::Potential TickPipeline::potential(double faded) const noexcept {
   return p;
 }
 
+Vector<DeviceFrame> TickPipeline::way_of_surface() const noexcept {
+  return (faded_ - faded_before_) * (now_.device_from_scene * (to_.to_surface_m - from_.to_surface_m));
+}
+
+double TickPipeline::loading_s(const Potential& p, double dt_s) const noexcept {
+  const double spring_N = norm(p.spring_N);
+  if (!is_accounted() || !(spring_N > 0.0) || !(p.stored_J > 0.0)) return dt_s;
+  // A spring that stores U at a force f is 2 U / f deep.
+  const double lift_s = std::min(2.0 * p.stored_J / (spring_N * kLift_m_per_s), kLongestLift_s);
+  return dt_s * std::min(1.0, ramp_.up_s() / lift_s);
+}
+
 void TickPipeline::account_spring(double dt_s, bool wanted) noexcept {
-  // A spring that is ramped up under a pressing hand would return energy that the hand did not deliver. So
-  // the ramp is only used for hands that are in contact when their touch begins.
+  // The ramp is only used for hands that are in contact when their touch begins.
   if (wanted && is_free()) ramp_.finish();
   // After a stall the ramp starts as usual: it did not rise while no tick was executed.
   const double risen_s = std::min(dt_s, options_.max_rise_time_s);
@@ -71,11 +82,17 @@ void TickPipeline::account_spring(double dt_s, bool wanted) noexcept {
   stored_J_ = p.stored_J;
   spring_N_ = p.uncapped_N;
   RiseLimit::Input in;
-  in.gain = ramp_.step(wanted, wanted ? risen_s : dt_s);
+  in.loads = loads_ && wanted;
+  in.gain = ramp_.step(wanted, wanted ? (in.loads ? loading_s(p, risen_s) : risen_s) : dt_s);
+  // A stall leaves a spring that was loaded before it.
+  loads_ = in.gain < 1.0 && (loads_ || in.gain <= 0.0);
   in.gain_rise = risen_s / ramp_.up_s();
   in.spring_N = p.spring_N;
   in.stored_J = is_accounted() ? p.stored_J : std::numeric_limits<double>::quiet_NaN();
   in.changed_J = changed_J_ = fading() ? p.stored_J - potential(faded_before_).stored_J : 0.0;
+  in.moves = goes_on_;
+  // What the surface's dampers and friction brought since the previous reading.
+  in.damped_J = damped_J_ = dot(held().damper_N, surface_moved_m_);
   const double spring_N = norm(p.spring_N);
   in.unsure_J = unsure_J(p.spring_N);
   if (spring_N > 0.0) in.moved_out_m = dot(p.spring_N, moved_) / spring_N;
@@ -94,8 +111,9 @@ void TickPipeline::account_spring(double dt_s, bool wanted) noexcept {
 
 /// Of the written force what is not the spring's, while the surface moves.
 Vector<DeviceFrame> TickPipeline::damper_N() const noexcept {
-  // A spring that is held back begins where the hand is: what the surface brings is not counted.
-  if (surface_m_per_s_ == Vector<DeviceFrame>{} || rise_.is_weaker()) return {};
+  if (surface_m_per_s_ == Vector<DeviceFrame>{}) return {};
+  if (rise_.is_weaker())
+    return written_N_ - guide_N_ - rise_.share() * cap_force(spring_N_, heat_.cap_N()).force_N;
   const double law_N = norm(law_force_N_);
   if (!(law_N > 0.0)) return {};
   return std::min(1.0, norm(written_N_) / law_N) * (law_force_N_ - guide_N_ - spring_N_);
@@ -133,7 +151,10 @@ double TickPipeline::given_J(const RiseLimit& rise) const noexcept {
 }
 
 void TickPipeline::count_scene_change() noexcept {
-  if ((flags_ & flag::kFading) == 0) return;
+  if ((flags_ & flag::kFading) == 0) {
+    counts_.scene_change_J += rise_.brought_J();
+    return;
+  }
   // What a change brings. On the same surface that is what its parameters add to the spring; otherwise the
   // work during it, and what the springs store more than before it.
   const double given = given_J(rise_);
@@ -146,12 +167,9 @@ void TickPipeline::count_scene_change() noexcept {
 }
 
 double TickPipeline::changed_J(const RiseLimit& rise) const noexcept {
-  // What the surface's dampers and friction brought since the previous reading.
-  const double damped_J = dot(held().damper_N, surface_moved_m_);
-  // A spring that is held back begins where the hand is: a change adds nothing to it.
-  const bool adds =
-      (same_surface_ || goes_on_) && std::isfinite(changed_J_) && !(is_accounted() && rise.is_weaker());
-  return (adds ? changed_J_ : 0.0) + damped_J;
+  const double added_J = is_accounted() ? rise.added_J() : changed_J_;
+  const bool adds = (same_surface_ || goes_on_) && std::isfinite(added_J);
+  return (adds ? added_J : 0.0) + rise.brought_J() + damped_J_;
 }
 
 void TickPipeline::observe() noexcept {
@@ -177,9 +195,10 @@ void TickPipeline::observe() noexcept {
       (flags_ & flag::kNewTouch) != 0 || ((flags_ & flag::kFading) != 0 && !same_surface_ && !goes_on_);
   if (new_account) {
     using Beginning = PassivityObserver::Beginning;
-    // A potential that is defined everywhere may be high where the touch begins.
-    const bool from_no_force =
-        (flags_ & flag::kNewTouch) != 0 && now_.energy != EnergyModel::weight && device_.traits().pushes_back;
+    // A potential that is defined everywhere may be high where the touch begins: no beginning without energy.
+    // Nor is one without force in which the ramp has loaded the spring already.
+    const bool from_no_force = (flags_ & flag::kNewTouch) != 0 && now_.energy != EnergyModel::weight &&
+                               device_.traits().pushes_back && !(rise_.brought_J() > 0.0);
     const Beginning beginning = from_no_force ? Beginning::from_no_force : Beginning::in_contact;
     observer_.begin(given_J(rise_), beginning);
     without_controller_.begin(given_J(uncontrolled_rise_), beginning);

@@ -57,8 +57,10 @@ struct TickOptions {
 /// The shortest window of an estimated velocity, s: three quarters of a period.
 inline double shortest_window_s(const TickOptions& options) { return 0.5 * options.max_rise_time_s; }
 
-/// How fast a surface that changes lifts a hand, m/s at the device.
+/// How fast a surface that changes, or comes under a hand by its ramp, lifts the hand, m/s at the device; no
+/// change takes longer.
 inline constexpr double kLift_m_per_s = 0.03;
+inline constexpr double kLongestLift_s = 1.0;
 
 /// Errors: usage for the first value that is not above 0, is NaN, or is far beyond what any device and hand
 /// need (a finite force above 250 N, a time above 60 s).

@@ -76,11 +76,11 @@ TEST(Tick, RampsTheForceUpAtTheStart) {
 TEST(Tick, CapsTheForceAtTheDevicesGreatestAndCountsIt) {
   Loop loop(plane());
   loop.device.reading.position.v = {0.0, 0.0, -0.02};
-  const auto& sample = loop.run(400);
+  const auto& sample = loop.run(1100);
   EXPECT_NEAR(loop.written().z, 3.0, 1e-12);
   EXPECT_TRUE(sample.has(flag::kForceCapped));
   EXPECT_NEAR(sample.raw_force_N.v.z, 10.0, 1e-9);
-  EXPECT_EQ(loop.tick->counts().force_capped_ticks, 400U);
+  EXPECT_EQ(loop.tick->counts().force_capped_ticks, 1100U);
 }
 
 TEST(Tick, LimitsTheForcesRiseButNotItsRelease) {
