@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/arguments/number_list.hpp"
 #include "palpable/cli/command.hpp"
+#include "palpable/cli/hints.hpp"
 #include "palpable/core/text/number_text.hpp"
 #include "palpable/formats/picture/picture.hpp"
 #include "palpable/sources/picture/picture.hpp"
@@ -26,25 +27,31 @@ vision::PictureLine line_at(const std::vector<double>& numbers, std::size_t i) {
   return {{numbers[4 * i], numbers[4 * i + 1]}, {numbers[4 * i + 2], numbers[4 * i + 3]}};
 }
 
-Result<vision::PlaneLines> lines_of(const RectifyArguments& arguments, const Image& picture,
-                                    const Work& work) {
-  vision::PlaneLines lines;
-  if (arguments.lines.empty()) {
-    auto found = vision::find_plane_lines(picture, work);
-    if (!found) return Error{found.error().code, found.error().message, arguments.picture};
-    lines = *found;
-  } else {
-    const auto given = numbers_of(arguments.lines, 16, "--lines", "x1,y1,x2,y2 for each of four lines");
-    if (!given) return given.error();
-    lines.along = {line_at(*given, 0), line_at(*given, 1)};
-    lines.across = {line_at(*given, 2), line_at(*given, 3)};
-  }
-  if (arguments.orthogonal.empty()) return lines;
-  const auto given =
-      numbers_of(arguments.orthogonal, 16, "--orthogonal", "x1,y1,x2,y2 for each of four lines");
+Result<vision::RectifiedPlane> rectified_by_lines(const RectifyArguments& arguments, const Image& picture) {
+  const auto given = numbers_of(arguments.lines, 16, "--lines", "x1,y1,x2,y2 for each of four lines");
   if (!given) return given.error();
-  lines.orthogonal = {{line_at(*given, 0), line_at(*given, 1)}, {line_at(*given, 2), line_at(*given, 3)}};
-  return lines;
+  vision::PlaneLines lines{
+      {line_at(*given, 0), line_at(*given, 1)}, {line_at(*given, 2), line_at(*given, 3)}, {}};
+  if (!arguments.orthogonal.empty()) {
+    const auto pairs =
+        numbers_of(arguments.orthogonal, 16, "--orthogonal", "x1,y1,x2,y2 for each of four lines");
+    if (!pairs) return pairs.error();
+    lines.orthogonal = {{line_at(*pairs, 0), line_at(*pairs, 1)}, {line_at(*pairs, 2), line_at(*pairs, 3)}};
+  }
+  return vision::rectify_plane(picture, lines);
+}
+
+// By what the picture shows; as it is where that does not tell how it is tilted.
+Result<vision::RectifiedPlane> rectified_by_tilt(const Image& picture, const Work& work) {
+  const auto tilt = vision::find_plane_tilt(picture, work);
+  if (!tilt) return tilt.error();
+  if (*tilt) return vision::rectify_tilt(picture, **tilt);
+  return vision::RectifiedPlane{picture,
+                                vision::kIdentity3,
+                                {{"The picture is unchanged: it looks straight, or shows too few right "
+                                  "angles to tell how it is tilted; "
+                                  "if it is tilted, mark something rectangular on it.",
+                                  Reason::needs_plane_marks}}};
 }
 
 Result<vision::RectifiedPlane> rectified_by_corners(const RectifyArguments& arguments, const Image& picture) {
@@ -68,19 +75,20 @@ Result<Answer> rectify(const RectifyArguments& arguments, Console& console) {
     return Error{ErrorCode::usage, "the rectified picture is written as .png", arguments.output};
   if (!arguments.corners.empty() && !(arguments.lines.empty() && arguments.orthogonal.empty()))
     return Error{ErrorCode::usage, "give the corners or the lines, not both", "--corners"};
+  if (arguments.lines.empty() && !arguments.orthogonal.empty())
+    return Error{ErrorCode::usage, "is stated together with --lines", "--orthogonal"};
   const auto picture = sources::read_picture(arguments.picture);
   if (!picture) return picture.error();
   auto plane = [&]() -> Result<vision::RectifiedPlane> {
     if (!arguments.corners.empty()) return rectified_by_corners(arguments, *picture);
-    const auto lines = lines_of(arguments, *picture, console.work());
-    if (!lines) return lines.error();
-    return vision::rectify_plane(*picture, *lines);
+    if (!arguments.lines.empty()) return rectified_by_lines(arguments, *picture);
+    return rectified_by_tilt(*picture, console.work());
   }();
   if (!plane) {
     if (plane.error().place.empty()) plane.error().place = arguments.picture;
     return plane.error();
   }
-  for (const std::string& note : plane->notes) console.note(note);
+  for (const Note& note : plane->notes) console.note(note);
   if (const auto written = formats::write_png(arguments.output, plane->picture); !written)
     return written.error();
   Answer answer;
@@ -88,7 +96,7 @@ Result<Answer> rectify(const RectifyArguments& arguments, Console& console) {
                  {"width", plane->picture.width},
                  {"height", plane->picture.height},
                  {"output_from_input", plane->picture_from_input},
-                 {"notes", plane->notes}};
+                 {"notes", sentences_of(plane->notes)}};
   answer.text =
       fmt::format("{}: {} x {} pixels\n", arguments.output, plane->picture.width, plane->picture.height);
   return answer;
@@ -109,8 +117,9 @@ void add_rectify(Program& program) {
   options.text("--corners", arguments->corners,
                "Corners of a rectangle on it: four x,y in pixels, from the upper left clockwise");
   options.text("--aspect", arguments->aspect, "That rectangle's WIDTH:HEIGHT; default: from the perspective");
-  options.text("--lines", arguments->lines,
-               "Four lines x1,y1,x2,y2: two that are parallel on it, and two across; default: found");
+  options.text(
+      "--lines", arguments->lines,
+      "Four lines x1,y1,x2,y2: two that are parallel on it, and two across; default: by its right angles");
   options.text("--orthogonal", arguments->orthogonal,
                "Four lines: two pairs at right angles, for the proportions; default: from the perspective");
 }

@@ -3,6 +3,7 @@
 #include "palpable/vision/rectification/plane_rectification.hpp"
 
 #include "palpable/vision/image/opencv_image.hpp"
+#include "palpable/vision/rectification/half_diagonals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,13 +20,6 @@ using Line = cv::Vec3d;
 using HomogeneousPoint = cv::Vec3d;
 /// A direction in the affine picture, which equals the plane up to a linear map.
 using Direction = cv::Vec2d;
-
-/// Normalises the picture's middle to 0 and its half diagonal to 1, for well-conditioned products of
-/// coordinates.
-cv::Matx33d normalising(const Image& picture) {
-  const double s = 2.0 / std::hypot(picture.width, picture.height);
-  return {s, 0, -s * 0.5 * (picture.width - 1), 0, s, -s * 0.5 * (picture.height - 1), 0, 0, 1};
-}
 
 HomogeneousPoint place_of(const PicturePoint& p, const cv::Matx33d& n) {
   return n * HomogeneousPoint(p.x, p.y, 1.0);
@@ -116,7 +110,7 @@ double usual_focal(const Image& picture) {
 
 /// Adds orthogonal pairs from the camera model if there are too few.
 void complete(Geometry& geometry, const HomogeneousPoint& across, const Image& picture,
-              const PlaneRectificationOptions& options, std::vector<std::string>& notes) {
+              const PlaneRectificationOptions& options, std::vector<Note>& notes) {
   if (geometry.orthogonal.size() >= 2) return;
   const auto focal = focal_of(geometry.along, across, options);
   if (!focal)
@@ -218,7 +212,7 @@ Result<RectifiedPlane> rectify_plane(const Image& picture, const PlaneLines& lin
                                      const PlaneRectificationOptions& options) {
   if (auto in_range = check_ranges(options); !in_range) return in_range.error();
   try {
-    const cv::Matx33d n = normalising(picture);
+    const cv::Matx33d n = half_diagonals_from_pixels(picture);
     const HomogeneousPoint along = meeting(line_of(lines.along[0], n), line_of(lines.along[1], n)),
                            across = meeting(line_of(lines.across[0], n), line_of(lines.across[1], n));
     Geometry geometry{along.cross(across), {}, along};
@@ -228,7 +222,7 @@ Result<RectifiedPlane> rectify_plane(const Image& picture, const PlaneLines& lin
     for (const auto& [a, b] : lines.orthogonal)
       geometry.orthogonal.push_back(
           {meeting(line_of(a, n), geometry.vanishing), meeting(line_of(b, n), geometry.vanishing)});
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     complete(geometry, across, picture, options, notes);
     const auto plane = plane_from(geometry);
     if (!plane) return no_plane();
@@ -247,13 +241,13 @@ Result<RectifiedPlane> rectify_rectangle(const Image& picture, const PlaneRectan
   if (auto in_range = check_ranges(options); !in_range) return in_range.error();
   try {
     const auto& c = rectangle.corners;
-    const cv::Matx33d n = normalising(picture);
+    const cv::Matx33d n = half_diagonals_from_pixels(picture);
     std::vector<cv::Point2f> from, to{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     for (const PicturePoint& p : c) from.emplace_back(static_cast<float>(p.x), static_cast<float>(p.y));
     if (!cv::isContourConvex(from) || cv::contourArea(from) < 16.0)
       return invalid_input(
           "the four corners are not those of a rectangle, from the upper left one clockwise");
-    std::vector<std::string> notes;
+    std::vector<Note> notes;
     double aspect = rectangle.aspect.value_or(0.0);
     const HomogeneousPoint along = meeting(line_of({c[0], c[1]}, n), line_of({c[3], c[2]}, n)),
                            across = meeting(line_of({c[0], c[3]}, n), line_of({c[1], c[2]}, n));
@@ -273,6 +267,17 @@ Result<RectifiedPlane> rectify_rectangle(const Image& picture, const PlaneRectan
     RectifiedPlane out = drawn(picture, wide * unit, box, options);
     out.notes = std::move(notes);
     return out;
+  } catch (const cv::Exception& e) {
+    return failure(e);
+  }
+}
+
+Result<RectifiedPlane> rectify_tilt(const Image& picture, const PlaneTilt& tilt,
+                                    const PlaneRectificationOptions& options) {
+  if (auto in_range = check_ranges(options); !in_range) return in_range.error();
+  try {
+    const cv::Matx33d from_pixel(tilt.plane_from_pixel.data());
+    return drawn(picture, from_pixel, box_of(from_pixel, picture, options.least_nearness), options);
   } catch (const cv::Exception& e) {
     return failure(e);
   }

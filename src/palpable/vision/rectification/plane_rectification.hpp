@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/note.hpp"
 #include "palpable/core/parameters.hpp"
 #include "palpable/core/picture/image.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/vision/rectification/lens_camera.hpp"
+#include "palpable/vision/rectification/plane_tilt.hpp"
 
 #include <array>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace palpable::vision {
@@ -45,7 +46,7 @@ struct RectifiedPlane {
   Image picture;
   /// Row-major homography from a pixel of the input to a pixel of `picture`.
   Matrix3 picture_from_input = kIdentity3;
-  std::vector<std::string> notes;
+  std::vector<Note> notes;
 };
 
 struct PlaneRectificationOptions {
@@ -61,26 +62,6 @@ struct PlaneRectificationOptions {
 };
 std::vector<Parameter> parameters_of(PlaneRectificationOptions& options);
 
-struct PlaneLineOptions {
-  /// Shortest edge, share of the picture's diagonal. 0.001 … 0.5.
-  double shortest_share = 0.025;
-  /// An edge supports a vanishing point that its extension passes within this angle (its sine), as seen from
-  /// the edge's middle. 0.001 … 0.5.
-  double aim_sine = 0.035;
-  /// Number of random pairs of edges (RANSAC). 10 … 100000.
-  int trials = 1500;
-  /// Vanishing points lie at least this far from the picture's centre, in half diagonals. 0 … 100.
-  double least_distance = 1.2;
-  /// The second direction makes at least an angle of this cosine with the first, as seen in the centre. 0
-  /// … 1.
-  double most_cosine = 0.64;
-  /// Total length of the supporting edges, in half diagonals, and number of edges that a first direction
-  /// needs (a second one needs half). 0 … 100; 2 … 1000.
-  double least_support = 0.4;
-  int least_edges = 8;
-};
-std::vector<Parameter> parameters_of(PlaneLineOptions& options);
-
 /// Metric rectification of a plane (Gomez 2012; Hartley & Zisserman 2004, 2.7). The vanishing line is mapped
 /// to infinity, which gives an affine picture; then the conic dual to the circular points, from two
 /// orthogonal pairs, restores angles and proportions. The `along` lines become horizontal. Errors:
@@ -91,10 +72,8 @@ Result<RectifiedPlane> rectify_plane(const Image& picture, const PlaneLines& lin
 /// The same from a rectangle; the result is cropped to it.
 Result<RectifiedPlane> rectify_rectangle(const Image& picture, const PlaneRectangle& rectangle,
                                          const PlaneRectificationOptions& options = {});
-
-/// The two dominant directions of the picture's straight edges, as lines of a plane. Errors: invalid_input if
-/// there are no two roughly orthogonal ones.
-Result<PlaneLines> find_plane_lines(const Image& picture, const Work& work,
-                                    const PlaneLineOptions& options = {});
+/// The same from the tilt.
+Result<RectifiedPlane> rectify_tilt(const Image& picture, const PlaneTilt& tilt,
+                                    const PlaneRectificationOptions& options = {});
 
 }  // namespace palpable::vision

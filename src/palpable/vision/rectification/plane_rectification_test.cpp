@@ -116,16 +116,24 @@ Image photographed_map() {
   return picture;
 }
 
-TEST(FindPlaneLines, FindsTheLinesOfAPhotographedMap) {
+TEST(PlaneTilt, IsFoundByTheRightAnglesOfAPhotographedMap) {
   const Image picture = photographed_map();
-  const auto lines = find_plane_lines(picture, Work{});
-  ASSERT_TRUE(lines) << lines.error().sentence();
-  const auto plane = rectify_plane(picture, *lines);
+  const auto tilt = find_plane_tilt(picture, Work{});
+  ASSERT_TRUE(tilt && *tilt);
+  const auto plane = rectify_tilt(picture, **tilt);
   ASSERT_TRUE(plane);
   expect_metric(*plane, 0.03);
+  // What was straightened is straight.
+  const auto again = find_plane_tilt(plane->picture, Work{});
+  ASSERT_TRUE(again);
+  EXPECT_FALSE(*again);
 }
 
-TEST(FindPlaneLines, RefusesAPlainPicture) { EXPECT_FALSE(find_plane_lines(grey_picture(), Work{})); }
+TEST(PlaneTilt, IsNotFoundInAPlainPicture) {
+  const auto tilt = find_plane_tilt(grey_picture(), Work{});
+  ASSERT_TRUE(tilt);
+  EXPECT_FALSE(*tilt);
+}
 
 }  // namespace
 }  // namespace palpable::vision

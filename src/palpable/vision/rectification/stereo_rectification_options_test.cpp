@@ -28,7 +28,7 @@ void expect_described() {
 TEST(RectificationOptions, AreDescribedAndAcceptTheirDefaults) {
   expect_described<StereoRectificationOptions>();
   expect_described<PlaneRectificationOptions>();
-  expect_described<PlaneLineOptions>();
+  expect_described<PlaneTiltOptions>();
   expect_described<ChessboardOptions>();
 }
 
