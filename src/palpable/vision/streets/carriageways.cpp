@@ -3,6 +3,7 @@
 #include "palpable/vision/streets/carriageways.hpp"
 
 #include "palpable/vision/streets/border_distance.hpp"
+#include "palpable/vision/streets/carriageway_sides.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +14,7 @@
 namespace palpable::vision {
 namespace {
 
-struct Width {
-  double radius = 0.0;
-  double length = 0.0;
-};
+using Width = MeasuredRadius;
 
 /// Radii of the lines of nearly constant width, with their lengths.
 std::vector<Width> widths_of(const CentreLines& graph, const CarriagewayOptions& options) {
@@ -32,31 +30,6 @@ std::vector<Width> widths_of(const CentreLines& graph, const CarriagewayOptions&
 double length_of(const std::vector<Width>& widths) {
   return std::accumulate(widths.begin(), widths.end(), 0.0,
                          [](double sum, const Width& w) { return sum + w.length; });
-}
-
-/// The common radii of a colour, that of the longest streets first.
-std::vector<double> common_radii(std::vector<Width> widths, const CarriagewayOptions& options) {
-  const double all = length_of(widths);
-  std::vector<double> out;
-  while (!widths.empty()) {
-    Width best;
-    for (const Width& middle : widths) {
-      Width sum;
-      for (const Width& w : widths)
-        if (std::abs(w.radius - middle.radius) <= options.same_width * middle.radius) {
-          sum.radius += w.length * w.radius;
-          sum.length += w.length;
-        }
-      if (sum.length > best.length) best = {sum.radius / sum.length, sum.length};
-    }
-    if (best.length == 0.0) break;
-    if (best.length >= std::min(options.common_part * all, options.common_widths * 2.0 * best.radius))
-      out.push_back(best.radius);
-    std::erase_if(widths, [&](const Width& w) {
-      return std::abs(w.radius - best.radius) <= 2.0 * options.same_width * best.radius;
-    });
-  }
-  return out;
 }
 
 /// The widest single carriageway among common radii; 0 if there are none. The main colour shows streets of
@@ -95,6 +68,30 @@ void remove_short_pieces(cv::Mat& mask, double least_px) {
 
 }  // namespace
 
+std::vector<double> common_radii(std::vector<MeasuredRadius> widths, const CarriagewayOptions& options) {
+  const double all = length_of(widths);
+  std::vector<double> out;
+  while (!widths.empty()) {
+    Width best;
+    for (const Width& middle : widths) {
+      Width sum;
+      for (const Width& w : widths)
+        if (std::abs(w.radius - middle.radius) <= options.same_width * middle.radius) {
+          sum.radius += w.length * w.radius;
+          sum.length += w.length;
+        }
+      if (sum.length > best.length) best = {sum.radius / sum.length, sum.length};
+    }
+    if (best.length == 0.0) break;
+    if (best.length >= std::min(options.common_part * all, options.common_widths * 2.0 * best.radius))
+      out.push_back(best.radius);
+    std::erase_if(widths, [&](const Width& w) {
+      return std::abs(w.radius - best.radius) <= 2.0 * options.same_width * best.radius;
+    });
+  }
+  return out;
+}
+
 std::vector<double> carriageway_radii(std::span<const CentreLines* const> colours,
                                       const CarriagewayOptions& options) {
   std::vector<double> radii, lengths;
@@ -122,9 +119,9 @@ std::vector<double> carriageway_radii(std::span<const CentreLines* const> colour
 
 ThinningGuide carriageways_in(const Raster<std::uint8_t>& mask, double radius_px,
                               const CarriagewayOptions& options) {
-  ThinningGuide guide{Raster<std::uint8_t>(mask.width(), mask.height()),
-                      Raster<std::uint8_t>(mask.width(), mask.height())};
-  if (radius_px <= 0.0) return guide;
+  if (radius_px <= 0.0)
+    return {Raster<std::uint8_t>(mask.width(), mask.height()),
+            Raster<std::uint8_t>(mask.width(), mask.height())};
   const cv::Mat distance = border_distance(mask);
   // All places where a carriageway's middle can be; where that is a strip, its sides are two middles.
   cv::Mat places = distance >= radius_px;
@@ -133,13 +130,7 @@ ThinningGuide carriageways_in(const Raster<std::uint8_t>& mask, double radius_px
   places.setTo(0, square);
   cv::morphologyEx(places, places, cv::MORPH_OPEN, disc(0.5 * options.least_apart_px));
   remove_short_pieces(places, options.least_length_widths * 2.0 * radius_px);
-  cv::Mat inner;
-  cv::erode(places, inner, cv::getStructuringElement(cv::MORPH_CROSS, {3, 3}), {-1, -1}, 1,
-            cv::BORDER_REPLICATE);
-  inner.copyTo(cv::Mat(mask.height(), mask.width(), CV_8U, guide.outside.data()));
-  const cv::Mat sides = places & ~inner;
-  sides.copyTo(cv::Mat(mask.height(), mask.width(), CV_8U, guide.kept.data()));
-  return guide;
+  return carriageway_sides(mask, places, radius_px, options);
 }
 
 ThinningGuide carriageways_in(const Raster<std::uint8_t>& mask, const CentreLines& lines,

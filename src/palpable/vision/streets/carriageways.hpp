@@ -28,15 +28,34 @@ struct CarriagewayOptions {
   /// shows only streets with two. 1 ... 10.
   double width_ratio = 1.7;
   /// Two carriageways whose middles are nearer to each other than this are one street, pixels. 0 ... 50.
-  double least_apart_px = 5.0;
+  double least_apart_px = 4.0;
   /// Where a street is more than this many times as wide as a carriageway, it is a square, 1 ... 10, and so
   /// is what is nearer to that than this many of a carriageway's radius, 0 ... 10.
   double most_widths = 2.5;
   double square_margin = 1.5;
   /// Two carriageways run beside each other for at least this many of their widths. 0 ... 20.
   double least_length_widths = 1.2;
+  /// Their middles follow the border of the streets: over this many of a carriageway's radius to both sides,
+  /// 0.1 ... 5, the nearest places of the border are at least this part as far from each other, 0 ... 1.
+  double side_window = 0.5;
+  double least_side_ratio = 0.5;
+  /// All of them do so for at least this many of a carriageway's widths: where two streets cross, only
+  /// corners are near. 0 ... 20.
+  double least_side_widths = 1.2;
+  /// Behind a corner of the border, as where a street joins, a side goes on if it does not turn by more than
+  /// this, degrees. 0 ... 90.
+  double side_angle_deg = 35.0;
 };
 std::vector<Parameter> parameters_of(CarriagewayOptions& options);
+
+/// Half the width of a street, and how long the street is, pixels.
+struct MeasuredRadius {
+  double radius = 0.0;
+  double length = 0.0;
+};
+
+/// The common radii of streets of one colour, that of the longest ones first. Any thread.
+std::vector<double> common_radii(std::vector<MeasuredRadius> radii, const CarriagewayOptions& options = {});
 
 /// Radius of a single carriageway in each colour of streets: its widest common one, unless that is so wide
 /// that it shows two. 0 for a colour without lines. Any thread.

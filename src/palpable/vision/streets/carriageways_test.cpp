@@ -85,6 +85,37 @@ TEST(Carriageways, TwoThatTouchAreTwoLines) {
   EXPECT_LT(least[1], 1.0);
 }
 
+TEST(Carriageways, TwoEndsBesideEachOtherAreNotJoined) {
+  Raster<std::uint8_t> mask(400, 100);
+  for (int y = 0; y < 100; ++y)
+    for (int x = 0; x < 400; ++x) {
+      const double beyond = x - std::clamp(x, 80, 320);
+      mask(x, y) = std::min(std::hypot(beyond, y - 40.0), std::hypot(beyond, y - 60.0)) <= 13.0 ? 1 : 0;
+    }
+  for (const CentreLine& line : centre_lines_of(mask, carriageways_in(mask, 13.5)).lines)
+    for (const MapPoint p : line.points) EXPECT_GT(std::abs(p.y - 50.0), 2.5) << p.x;
+}
+
+TEST(Carriageways, ASmallRoundaboutIsARing) {
+  Raster<std::uint8_t> mask(100, 100);
+  for (int y = 0; y < 100; ++y)
+    for (int x = 0; x < 100; ++x) {
+      const bool is_street = std::abs(y - 50.0) <= 5.0;
+      mask(x, y) = is_street || std::hypot(x - 50.0, y - 50.0) <= 12.0 ? 1 : 0;
+    }
+  // The island is covered by a symbol: the ring's middle is 7 pixels from its own.
+  const CentreLines lines = centre_lines_of(mask, carriageways_in(mask, 5.5));
+  double above = 1e9;
+  double below = 1e9;
+  for (const CentreLine& line : lines.lines)
+    for (const MapPoint p : line.points) {
+      above = std::min(above, std::hypot(p.x - 50.0, p.y - 43.0));
+      below = std::min(below, std::hypot(p.x - 50.0, p.y - 57.0));
+    }
+  EXPECT_LT(above, 1.6);
+  EXPECT_LT(below, 1.6);
+}
+
 TEST(Carriageways, ASingleStreetStaysOneLine) {
   for (const double apart : {0.0, 2.0}) {
     const Raster<std::uint8_t> mask = two_streets(apart);

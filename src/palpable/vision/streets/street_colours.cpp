@@ -229,6 +229,19 @@ std::vector<double> radii_of(const std::vector<LayerOfColour>& layers, const Str
   return out;
 }
 
+/// The streets of all colours but one.
+Raster<std::uint8_t> other_streets(const MapColours& colours, const std::vector<LayerOfColour>& layers,
+                                   std::size_t k) {
+  Raster<std::uint8_t> out(colours.of_pixel.width(), colours.of_pixel.height());
+  std::transform(colours.of_pixel.values().begin(), colours.of_pixel.values().end(), out.values().begin(),
+                 [&](std::uint8_t c) {
+                   const bool is_other =
+                       c != k && c != MapColours::kNone && layers[c].layer == MapLayer::street;
+                   return static_cast<std::uint8_t>(is_other ? 1 : 0);
+                 });
+  return out;
+}
+
 /// Streets with two carriageways that the map draws as one area become two lines. `radii`: of a single
 /// carriageway, for each colour; `rims`: lines that are no streets.
 void divide_carriageways(const MapColours& colours, std::size_t land, std::vector<LayerOfColour>& layers,
@@ -245,10 +258,37 @@ void divide_carriageways(const MapColours& colours, std::size_t land, std::vecto
     const ThinningGuide guide = carriageways_in(
         mask, lines, radii_by_arrows(mask, lines, arrows, radius, options.arrows), options.carriageways);
     const auto& kept = guide.kept.values();
-    if (std::none_of(kept.begin(), kept.end(), [](std::uint8_t v) { return v != 0; })) continue;
-    lines = centre_lines_of(mask, guide, options.lines);
-    remove_unseen(lines, colours, options);
+    if (std::any_of(kept.begin(), kept.end(), [](std::uint8_t v) { return v != 0; })) {
+      lines = centre_lines_of(mask, guide, options.lines);
+      remove_unseen(lines, colours, options);
+    }
+    centre_hidden_sides(lines, mask, other_streets(colours, layers, k), options.hidden_sides,
+                        options.carriageways);
   }
+}
+
+/// Colours that mostly show areas, but streets of a common width as well. `refused`: their lines.
+void accept_even_ribbons(const MapColours& colours, std::size_t land, const std::vector<CentreLines>& refused,
+                         std::vector<LayerOfColour>& layers, const StreetColourOptions& options) {
+  std::vector<MeasuredRadius> measured;
+  for (const LayerOfColour& layer : layers)
+    for (const CentreLine& line : layer.lines.lines)
+      measured.push_back({line.radius_px, length_px(line.points)});
+  const std::vector<double> radii = common_radii(std::move(measured), options.carriageways);
+  const double least =
+      options.least_total_part * std::min(colours.of_pixel.width(), colours.of_pixel.height());
+  std::vector<std::size_t> accepted;
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    if (k == land || (layers[k].layer != MapLayer::land && layers[k].layer != MapLayer::building)) continue;
+    CentreLines lines = even_ribbons(colours.picture, refused[k], other_streets(colours, layers, k), radii,
+                                     options.even_ribbons, options.casings);
+    double length = 0.0;
+    for (const CentreLine& line : lines.lines) length += length_px(line.points);
+    if (length < least) continue;
+    layers[k].lines = std::move(lines);
+    accepted.push_back(k);
+  }
+  for (const std::size_t k : accepted) layers[k].layer = MapLayer::street;
 }
 
 }  // namespace
@@ -292,11 +332,13 @@ std::vector<LayerOfColour> layers_of(const MapColours& colours, const StreetColo
       layer.layer = MapLayer::building;
   }
   accept_tunnels(colours, background, out, options);
-  for (LayerOfColour& layer : out)
-    if (layer.layer != MapLayer::street) layer.lines = {};
+  std::vector<CentreLines> refused(out.size());
+  for (std::size_t k = 0; k < out.size(); ++k)
+    if (out[k].layer != MapLayer::street) refused[k] = std::exchange(out[k].lines, {});
   const std::vector<double> radii = radii_of(out, options);
   const auto rims = remove_uncased(colours, out, options);
   divide_carriageways(colours, background, out, radii, rims, options);
+  accept_even_ribbons(colours, background, refused, out, options);
   return out;
 }
 

@@ -6,6 +6,8 @@
 #include "palpable/vision/streets/carriageways.hpp"
 #include "palpable/vision/streets/casings.hpp"
 #include "palpable/vision/streets/centre_lines.hpp"
+#include "palpable/vision/streets/even_ribbons.hpp"
+#include "palpable/vision/streets/hidden_sides.hpp"
 #include "palpable/vision/streets/map_colours.hpp"
 
 #include <cstdint>
@@ -66,6 +68,8 @@ struct StreetColourOptions {
   CarriagewayOptions carriageways;
   ArrowOptions arrows;
   CasingOptions casings;
+  HiddenSideOptions hidden_sides;
+  EvenRibbonOptions even_ribbons;
 };
 std::vector<Parameter> parameters_of(StreetColourOptions& options);
 

@@ -61,7 +61,11 @@ std::vector<Parameter> parameters_of(CarriagewayOptions& o) {
           {"least_apart_px", &o.least_apart_px, {0, 50}, "px", "distance of two carriageways' middles"},
           {"most_widths", &o.most_widths, {1, 10}, "widths", "wider places are squares"},
           {"square_margin", &o.square_margin, {0, 10}, "radii", "what is so near to a square belongs to it"},
-          {"least_length_widths", &o.least_length_widths, {0, 20}, "widths", "shortest two carriageways"}};
+          {"least_length_widths", &o.least_length_widths, {0, 20}, "widths", "shortest two carriageways"},
+          {"side_window", &o.side_window, {0.1, 5}, "radii", "how far to both sides a side is looked at"},
+          {"least_side_ratio", &o.least_side_ratio, {0, 1}, "", "how far the border goes on along it"},
+          {"least_side_widths", &o.least_side_widths, {0, 20}, "widths", "least length of all sides"},
+          {"side_angle_deg", &o.side_angle_deg, {0, 90}, "degrees", "of a side that goes on"}};
 }
 
 std::vector<Parameter> parameters_of(ArrowOptions& o) {
@@ -127,6 +131,8 @@ std::vector<Parameter> parameters_of(StreetColourOptions& o) {
   append_parameters(all, "carriageways", parameters_of(o.carriageways));
   append_parameters(all, "arrows", parameters_of(o.arrows));
   append_parameters(all, "casings", parameters_of(o.casings));
+  append_parameters(all, "hidden_sides", parameters_of(o.hidden_sides));
+  append_parameters(all, "even_ribbons", parameters_of(o.even_ribbons));
   return all;
 }
 
