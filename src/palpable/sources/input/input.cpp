@@ -178,24 +178,6 @@ Result<Input> recognise_folder(const fs::path& folder, std::optional<InputKind> 
 
 bool holds_a_picture(InputKind kind) { return kind == InputKind::picture || kind == InputKind::stereo; }
 
-Result<Input> recognise_two(std::span<const fs::path> paths, std::optional<InputKind> wanted) {
-  Input input{InputKind::stereo, {paths.begin(), paths.end()}, {}};
-  std::array<InputKind, 2> kinds{};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const auto kind = kind_of_file(paths[i]);
-    if (!kind) return kind.error();
-    kinds[i] = *kind;
-    if (!holds_a_picture(*kind) && *kind != InputKind::depth)
-      return invalid_input("is not a picture, so the two are not a stereo pair", paths[i].string());
-  }
-  if (!holds_a_picture(kinds[0]) && holds_a_picture(kinds[1])) std::swap(input.files[0], input.files[1]);
-  const bool numbers = kinds[0] == InputKind::depth || kinds[1] == InputKind::depth;
-  input.kind = wanted.value_or(numbers ? InputKind::depth : InputKind::stereo);
-  if (input.kind != InputKind::stereo && input.kind != InputKind::depth)
-    return Error{ErrorCode::usage, "two files are a stereo pair, or a picture with its depth", {}};
-  return input;
-}
-
 /// Whether 16-bit samples are 8-bit ones times 257, as an image editor converts a grey picture.
 bool is_stretched_from_8_bits(const Image& image) {
   return image.bits == 16 && std::all_of(image.samples.begin(), image.samples.end(),
@@ -222,17 +204,58 @@ Result<Input> recognise_grey(const fs::path& path, const Image& image) {
                  Reason::photo_depth_used}}};
 }
 
+/// A file's picture if it has one channel. An error of decoding is reported when the file is read.
+std::optional<Image> grey_in(Bytes file) {
+  const auto format = picture_format_of(file);
+  if (format != PictureFormat::png && format != PictureFormat::tiff && format != PictureFormat::pnm)
+    return std::nullopt;
+  auto image = decode_picture(file);
+  return image && image->channels == 1 ? std::optional(*std::move(image)) : std::nullopt;
+}
+
+/// A picture of one channel that alone would be taken as depth; false for one that cannot be read.
+bool holds_grey_depth(const fs::path& path) {
+  const auto file = read_file(path);
+  const auto image = file ? grey_in(*file) : std::nullopt;
+  if (!image) return false;
+  const auto input = recognise_grey(path, *image);
+  return input && input->kind == InputKind::depth;
+}
+
+Result<Input> recognise_two(std::span<const fs::path> paths, std::optional<InputKind> wanted) {
+  Input input{InputKind::stereo, {paths.begin(), paths.end()}, {}};
+  std::array<InputKind, 2> kinds{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto kind = kind_of_file(paths[i]);
+    if (!kind) return kind.error();
+    kinds[i] = *kind;
+    if (!holds_a_picture(*kind) && *kind != InputKind::depth)
+      return invalid_input("is not a picture, so the two are not a stereo pair", paths[i].string());
+  }
+  // A depth camera's file beside its colours; two that look like depth are a pair of grey pictures.
+  if (kinds == std::array{InputKind::picture, InputKind::picture} && wanted != InputKind::stereo) {
+    const std::array depth{holds_grey_depth(paths[0]), holds_grey_depth(paths[1])};
+    if (depth[0] != depth[1]) {
+      kinds[depth[0] ? 0 : 1] = InputKind::depth;
+      input.notes.emplace_back(
+          "One picture has one channel and 16 bits: it was taken as the other one's depth.",
+          Reason::unexpected_input_kind);
+    }
+  }
+  if (!holds_a_picture(kinds[0]) && holds_a_picture(kinds[1])) std::swap(input.files[0], input.files[1]);
+  const bool numbers = kinds[0] == InputKind::depth || kinds[1] == InputKind::depth;
+  input.kind = wanted.value_or(numbers ? InputKind::depth : InputKind::stereo);
+  if (input.kind != InputKind::stereo && input.kind != InputKind::depth)
+    return Error{ErrorCode::usage, "two files are a stereo pair, or a picture with its depth", {}};
+  return input;
+}
+
 /// A single picture is a picture, unless it is a photograph with depth inside or its pixels are depth.
 Result<Input> recognise_one_picture(const fs::path& path) {
   const auto file = read_file(path);
   if (!file) return file.error();
   if (!announces_depth(*file)) {
-    const auto format = picture_format_of(*file);
-    const bool may_be_grey =
-        format == PictureFormat::png || format == PictureFormat::tiff || format == PictureFormat::pnm;
-    // An error of decoding is reported when the file is read.
-    const auto image = may_be_grey ? decode_picture(*file) : invalid_input("is in colour");
-    if (image && image->channels == 1) return recognise_grey(path, *image);
+    if (const auto image = grey_in(*file)) return recognise_grey(path, *image);
     return Input{InputKind::picture, {path}, {}};
   }
   return Input{InputKind::depth,

@@ -122,6 +122,21 @@ TEST_F(AnInput, OfAPictureAndNumbersIsDepthWithThePictureFirst) {
   EXPECT_EQ(kind({colour, colour}, InputKind::depth), "depth");
 }
 
+TEST_F(AnInput, OfAPictureAndAGreyOneOfSixteenBitsIsDepthWithThePictureFirst) {
+  const fs::path colour = picture("colour.png"), depth = folder_ / "depth.png", other = folder_ / "other.png";
+  ASSERT_TRUE(formats::write_png(depth, slope()));
+  ASSERT_TRUE(formats::write_png(other, slope()));
+  for (const std::vector<fs::path>& files : {std::vector{colour, depth}, std::vector{depth, colour}}) {
+    const auto input = recognise_input(files);
+    ASSERT_TRUE(input) << input.error().sentence();
+    EXPECT_EQ(input->kind, InputKind::depth);
+    EXPECT_EQ(input->files, (std::vector{colour, depth}));
+    EXPECT_EQ(input->notes.size(), 1U);
+  }
+  EXPECT_EQ(kind({depth, other}), "stereo");
+  EXPECT_EQ(kind({colour, depth}, InputKind::stereo), "stereo");
+}
+
 TEST_F(AnInput, OfAFolderIsASequenceInTheOrderOfItsNumbers) {
   for (const char* name : {"f10.png", "f9.png", "f001.png"}) picture(name);
   text("readme.txt", "not a frame");
