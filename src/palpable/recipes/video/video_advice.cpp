@@ -75,12 +75,17 @@ std::vector<int> shared_points(std::span<const vision::PointTrack> tracks, int f
   return out;
 }
 
-std::vector<int> cuts_in(std::span<const vision::PointTrack> tracks, int frame_count,
+std::vector<int> cuts_in(std::span<const vision::PointTrack> tracks,
+                         std::span<const std::optional<vision::CameraPose>> poses,
                          const VideoAdviceOptions& options) {
-  const std::vector<int> shared = shared_points(tracks, frame_count);
+  const std::vector<int> shared = shared_points(tracks, static_cast<int>(poses.size()));
+  const auto any_of = [](std::span<const std::optional<vision::CameraPose>> part) {
+    return std::any_of(part.begin(), part.end(), [](const auto& pose) { return pose.has_value(); });
+  };
   std::vector<int> out;
   for (std::size_t i = 1; i + 1 < shared.size(); ++i)
-    if (shared[i] < options.cut_share * std::min(shared[i - 1], shared[i + 1]))
+    if (shared[i] < options.cut_share * std::min(shared[i - 1], shared[i + 1]) &&
+        !(any_of(poses.first(i + 1)) && any_of(poses.subspan(i + 1))))
       out.push_back(static_cast<int>(i) + 1);
   return out;
 }

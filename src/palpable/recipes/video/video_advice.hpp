@@ -8,6 +8,7 @@
 #include "palpable/vision/motion/structure/camera_motion.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -75,8 +76,10 @@ std::vector<Parameter> parameters_of(VideoAdviceOptions& options);
 std::vector<int> shared_points(std::span<const vision::PointTrack> tracks, int frame_count);
 
 /// The frames that begin after a cut: indices of frames that share hardly any point with the one before,
-/// although both neighbours share many with theirs.
-std::vector<int> cuts_in(std::span<const vision::PointTrack> tracks, int frame_count,
+/// although both neighbours share many with theirs, and beyond which the camera's path does not go on.
+/// `poses`: of each frame; nullopt where none was found.
+std::vector<int> cuts_in(std::span<const vision::PointTrack> tracks,
+                         std::span<const std::optional<vision::CameraPose>> poses,
                          const VideoAdviceOptions& options);
 
 /// Which sides of a model at `centre` the cameras at `positions` saw. Axes: x right, y to the back, z up.

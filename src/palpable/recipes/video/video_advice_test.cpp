@@ -75,9 +75,15 @@ TEST(CutsInAVideo, AreWhereHardlyAnyPointStays) {
   std::vector<vision::PointTrack> tracks(200, track(0, 10));
   tracks.insert(tracks.end(), 150, track(10, 10));
   tracks.insert(tracks.end(), 3, track(0, 20));
-  EXPECT_EQ(cuts_in(tracks, 20, {}), std::vector<int>{10});
+  std::vector<std::optional<vision::CameraPose>> poses(20);
+  std::fill_n(poses.begin(), 10, vision::CameraPose());
+  EXPECT_EQ(cuts_in(tracks, poses, {}), std::vector<int>{10});
+  // Photographs whose points are matched with others than their neighbours, too.
+  poses[12] = vision::CameraPose();
+  EXPECT_TRUE(cuts_in(tracks, poses, {}).empty());
+  poses[12].reset();
   tracks.insert(tracks.end(), 80, track(5, 10));
-  EXPECT_TRUE(cuts_in(tracks, 20, {}).empty());
+  EXPECT_TRUE(cuts_in(tracks, poses, {}).empty());
 }
 
 }  // namespace

@@ -302,8 +302,6 @@ Result<CameraMotion> motion_of(Frames& frames, const vision::VideoCamera& camera
         "Points could not be followed, since pictures were taken far apart or are blurred: "
         "they were matched, which takes longer.");
   const int count = static_cast<int>(frames.greys.size());
-  for (const int cut : cuts_in(tracks, count, recipe.advice))
-    frames.figures.cuts.push_back(frames.frames[static_cast<std::size_t>(cut)]->number);
   std::vector<int> shared = shared_points(tracks, count);
   frames.figures.followed_points = quantile_of(shared, 0.5);
   vision::BatchMotionOptions batch = recipe.motion;
@@ -313,6 +311,8 @@ Result<CameraMotion> motion_of(Frames& frames, const vision::VideoCamera& camera
                     ? vision::motion_by_filter(tracks, count, camera, recipe.filter, work)
                     : vision::motion_from_tracks(tracks, numbers, camera, batch, work);
   if (!motion) return motion;
+  for (const int cut : cuts_in(tracks, motion->poses, recipe.advice))
+    frames.figures.cuts.push_back(frames.frames[static_cast<std::size_t>(cut)]->number);
   const auto& size = frames.greys.front();
   const auto seen =
       vision::without_rolling_shutter(tracks, motion->readout, size.width(), size.height(), numbers);

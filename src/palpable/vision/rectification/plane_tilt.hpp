@@ -24,8 +24,8 @@ struct PlaneTiltOptions {
   double deviation_deg = 4.0;
   double right_share = 0.35;
   /// Least gain of the corners' log-likelihood, natural logarithm, beside the picture as it is. 0 … 10000.
-  /// Straight drawn maps gain up to 28 by chance (docs/history/2026-11-28-straight-maps.md).
-  double least_gain = 40.0;
+  /// Straight drawn maps gain up to 63 by chance (docs/history/2026-11-28-straight-maps.md).
+  double least_gain = 80.0;
 };
 std::vector<Parameter> parameters_of(PlaneTiltOptions& options);
 
