@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/tick/tick.hpp"
 
+#include "palpable/device/hand_account.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -47,6 +49,7 @@ TickPipeline::TickPipeline(device::Device& device, const HapticScene& scene, con
                            Ring<TouchEvent>& events, std::uint8_t probe)
     : device_(device),
       takes_surface_(dynamic_cast<device::TakesLocalSurface*>(&device)),
+      may_load_(takes_surface_ == nullptr && dynamic_cast<device::CountsWork*>(&device) == nullptr),
       events_(events),
       options_(options),
       max_force_N_(max_force_N_of(options, device.traits())),
