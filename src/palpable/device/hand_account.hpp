@@ -57,10 +57,4 @@ class HandAccount {
   double reserve_J_ = kReserve_J;
 };
 
-/// An additional interface of devices that end their forces by such an account, of whoever makes them.
-class CountsWork {
- public:
-  virtual ~CountsWork() = default;
-};
-
 }  // namespace palpable::device

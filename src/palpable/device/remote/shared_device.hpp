@@ -4,7 +4,6 @@
 
 #include "palpable/core/system/hand_off.hpp"
 #include "palpable/device/device.hpp"
-#include "palpable/device/hand_account.hpp"
 #include "palpable/device/local_surface.hpp"
 #include "palpable/device/remote/remote_wire.hpp"
 #include "palpable/device/zero_write.hpp"
@@ -37,7 +36,7 @@ struct SharedExchange {
 /// surface has come for kSilent_s, when the newest is of a reading that is older than kOldest_s, or when it
 /// wants no force; not ready without a client. It counts the work of the device's force on the hand
 /// (CurrentSurface::account), also while surfaces are too old. Everything else is the device's own.
-class SharedDevice final : public Device, public Guardable, public CountsWork {
+class SharedDevice final : public Device, public Guardable {
  public:
   static constexpr double kSilent_s = 0.1;
   static constexpr double kOldest_s = 0.3;

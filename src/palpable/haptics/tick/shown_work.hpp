@@ -42,6 +42,7 @@ class ShownWork {
 
   ShownWork(const device::Traits& device, const TickOptions& options)
       : stall_s_(options.stall_s),
+        ramp_loads_(options.ramp_loads),
         fine_(std::isfinite(device.position_resolution_m) ? device.position_resolution_m : 0.0),
         delay_(static_cast<std::size_t>(std::clamp(device.delay_samples, 0, static_cast<int>(kSent) - 1))) {}
 
@@ -60,7 +61,7 @@ class ShownWork {
     // starts without force, so a hand cannot receive energy that it did not deliver, unless a ramp loads the
     // spring in which it is; after a pause, too.
     const bool is_ramping = (tick.flags & flag::kRamping) != 0;
-    loads_ = (loads_ || (tick.flags & (flag::kNewTouch | flag::kPaused)) != 0) && is_ramping;
+    loads_ = ramp_loads_ && is_ramping && (loads_ || (tick.flags & (flag::kNewTouch | flag::kPaused)) != 0);
     const bool is_loaded = loads_ && tick.has_spring && (tick.flags & flag::kContact) != 0;
     const bool is_new = (tick.flags & flag::kNewTouch) != 0;
     step.held_force_N = held.force_N;
@@ -135,6 +136,7 @@ class ShownWork {
   }
 
   double stall_s_;
+  bool ramp_loads_;
   std::array<Sent, kSent> sent_{};
   std::size_t newest_ = 0;
   PassivityObserver observer_;

@@ -183,9 +183,6 @@ class TickPipeline {
   device::Device& device_;
   /// The device, if it computes forces itself; else null.
   device::TakesLocalSurface* takes_surface_;
-  /// No ramp loads a spring at either end of a link: the shared device counts what its forces give, and what
-  /// a ramp brought would end them.
-  bool may_load_;
   device::LocalSurface surface_;
   Ring<TouchEvent>& events_;
   TickOptions options_;

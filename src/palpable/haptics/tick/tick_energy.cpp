@@ -82,7 +82,7 @@ void TickPipeline::account_spring(double dt_s, bool wanted) noexcept {
   stored_J_ = p.stored_J;
   spring_N_ = p.uncapped_N;
   RiseLimit::Input in;
-  in.loads = loads_ && wanted && may_load_;
+  in.loads = loads_ && wanted && options_.ramp_loads;
   in.gain = ramp_.step(wanted, wanted ? (in.loads ? loading_s(p, risen_s) : risen_s) : dt_s);
   // A stall leaves a spring that was loaded before it.
   loads_ = in.gain < 1.0 && (loads_ || in.gain <= 0.0);

@@ -36,6 +36,9 @@ struct TickOptions {
   /// Ramp times: to zero at a fault or pause, and back afterwards.
   double ramp_down_s = 0.02;
   double ramp_up_s = 0.25;
+  /// The ramp of a touch that begins in contact loads the spring (RiseLimit::Input::loads). Not at either end
+  /// of a link: a shared device counts what its forces give, and what a ramp brought would end them.
+  bool ramp_loads = true;
   /// A faster movement since the last valid reading is not a hand's: the reading is not rendered, and if it
   /// persists a new touch begins. The second value is for devices without motors, whose probe may jump.
   double max_speed_m_per_s = 2.5;

@@ -49,8 +49,9 @@ class RemoteBench {
                                                     events_);
     client_ = std::make_unique<device::RemoteDevice>(traits_, remote_, 1.0 / kTick_s, nullptr);
     far_scene_ = std::move(prepared->scene);
-    far_ =
-        std::make_unique<haptics::TickPipeline>(*client_, far_scene_, haptics::tick_options({}), far_events_);
+    haptics::TickOptions far = haptics::tick_options({});
+    far.ramp_loads = false;
+    far_ = std::make_unique<haptics::TickPipeline>(*client_, far_scene_, far, far_events_);
   }
 
   /// One tick of both.

@@ -34,6 +34,7 @@ device::LocalSurface limited_surface(const device::LocalSurface& surface, const 
 
 haptics::ServoOptions shared_servo(haptics::ServoOptions servo) {
   servo.tick.ramp_down_s = kSharedRampDown_s;
+  servo.tick.ramp_loads = false;
   return servo;
 }
 

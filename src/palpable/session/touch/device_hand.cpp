@@ -159,8 +159,10 @@ Result<std::unique_ptr<DeviceHand>> DeviceHand::open(const Begin& begin, SceneCa
   for (auto& sample : hand->latest_) sample.status = device::Status::not_ready;
   auto device = opened_device(begin, hand->options_, hand->workspace_);
   if (!device) return std::move(device).error();
-  if (auto* takes = dynamic_cast<device::TakesLocalSurface*>(device->get()); takes != nullptr)
+  if (auto* takes = dynamic_cast<device::TakesLocalSurface*>(device->get()); takes != nullptr) {
     hand->sent_textures_ = takes->textures();
+    hand->options_.servo.tick.ramp_loads = false;
+  }
   const auto place = placed(*begin.scene, (*device)->traits(), hand->options_);
   auto prepared = hand->prepared_for((*device)->traits(), begin.scene, begin.settings, place, caches);
   if (!prepared) return std::move(prepared).error();

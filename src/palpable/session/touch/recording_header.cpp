@@ -50,6 +50,7 @@ HeaderJson tick_to_json(const haptics::TickOptions& tick) {
     json[std::string(number.name)] = std::isfinite(value) ? HeaderJson(value) : HeaderJson(nullptr);
   }
   json["glitch_readings"] = tick.glitch_readings;
+  json["ramp_loads"] = tick.ramp_loads;
   json["passivity"] = tick.passivity == haptics::Passivity::control ? "control" : "observe";
   return json;
 }
@@ -63,6 +64,8 @@ haptics::TickOptions tick_from_json(const HeaderJson& json) {
     tick.*number.value = value->is_null() ? std::numeric_limits<double>::infinity() : value->get<double>();
   }
   tick.glitch_readings = integer_from<int>(json.at("glitch_readings"));
+  // No ramp of an older program did.
+  tick.ramp_loads = json.value("ramp_loads", false);
   tick.passivity = json.at("passivity").get<std::string>() == "observe" ? haptics::Passivity::observe
                                                                         : haptics::Passivity::control;
   return tick;

@@ -237,9 +237,10 @@ Result<Input> recognise_two(std::span<const fs::path> paths, std::optional<Input
     const std::array depth{holds_grey_depth(paths[0]), holds_grey_depth(paths[1])};
     if (depth[0] != depth[1]) {
       kinds[depth[0] ? 0 : 1] = InputKind::depth;
-      input.notes.emplace_back(
-          "One picture has one channel and 16 bits: it was taken as the other one's depth.",
-          Reason::unexpected_input_kind);
+      if (!wanted)
+        input.notes.emplace_back(
+            "One picture has one channel and 16 bits: it was taken as the other one's depth.",
+            Reason::unexpected_input_kind);
     }
   }
   if (!holds_a_picture(kinds[0]) && holds_a_picture(kinds[1])) std::swap(input.files[0], input.files[1]);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
@@ -85,14 +86,42 @@ bool goes_on(const Contour& contour, const Run& run, double radius_px, const Car
   return is_along(before, gap) && is_along(gap, after) && is_along(before, after);
 }
 
+/// What is drawn of a strip's sides: middles, and where no carriageway is shown.
+struct Drawn {
+  cv::Mat kept, outside;
+};
+
+void draw_run(const Contour& contour, const Run& run, const Feet& feet, bool is_continued, Drawn& drawn) {
+  if (run.follows) {
+    for (int i = 0; i < run.count; ++i) drawn.kept.at<std::uint8_t>(at(contour, run.first + i)) = 1;
+    return;
+  }
+  if (is_continued) {
+    cv::line(drawn.kept, at(contour, run.first - 1), at(contour, run.first + run.count), cv::Scalar(1));
+    return;
+  }
+  for (int i = 0; i < run.count; ++i) {
+    const cv::Point p = at(contour, run.first + i);
+    cv::line(drawn.outside, p, feet.of(p), cv::Scalar(1), 2);
+  }
+}
+
+/// An outer contour and its holes, by their numbers.
+std::vector<std::size_t> contours_of_strip(const std::vector<cv::Vec4i>& tree, std::size_t outer) {
+  std::vector<std::size_t> out{outer};
+  for (int hole = tree[outer][2]; hole >= 0; hole = tree[static_cast<std::size_t>(hole)][0])
+    out.push_back(static_cast<std::size_t>(hole));
+  return out;
+}
+
 }  // namespace
 
 ThinningGuide carriageway_sides(const Raster<std::uint8_t>& mask, const cv::Mat& places, double radius_px,
                                 const CarriagewayOptions& options) {
   ThinningGuide guide{Raster<std::uint8_t>(mask.width(), mask.height()),
                       Raster<std::uint8_t>(mask.width(), mask.height())};
-  cv::Mat kept(mask.height(), mask.width(), CV_8U, guide.kept.data());
-  cv::Mat outside(mask.height(), mask.width(), CV_8U, guide.outside.data());
+  Drawn drawn{{mask.height(), mask.width(), CV_8U, guide.kept.data()},
+              {mask.height(), mask.width(), CV_8U, guide.outside.data()}};
   std::vector<Contour> contours;
   std::vector<cv::Vec4i> tree;
   cv::findContours(places, contours, tree, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
@@ -100,32 +129,18 @@ ThinningGuide carriageway_sides(const Raster<std::uint8_t>& mask, const cv::Mat&
   const Feet feet(mask);
   for (std::size_t outer = 0; outer < contours.size(); ++outer) {
     if (tree[outer][3] >= 0) continue;
-    std::vector<std::size_t> numbers{outer};
-    for (int hole = tree[outer][2]; hole >= 0; hole = tree[static_cast<std::size_t>(hole)][0])
-      numbers.push_back(static_cast<std::size_t>(hole));
-    std::vector<std::vector<Run>> runs;
+    std::vector<std::pair<const Contour*, Run>> runs;
     int following = 0;
-    for (const std::size_t i : numbers) {
-      runs.push_back(runs_of(contours[i], feet, radius_px, options));
-      for (const Run& run : runs.back()) following += run.follows ? run.count : 0;
-    }
-    if (following < options.least_side_widths * 2.0 * radius_px) continue;
-    cv::drawContours(outside, contours, static_cast<int>(outer), cv::Scalar(1), cv::FILLED, 8, tree, 1);
-    for (std::size_t k = 0; k < numbers.size(); ++k) {
-      const Contour& contour = contours[numbers[k]];
-      for (const Run& run : runs[k]) {
-        if (run.follows)
-          for (int i = 0; i < run.count; ++i) kept.at<std::uint8_t>(at(contour, run.first + i)) = 1;
-        else if (goes_on(contour, run, radius_px, options))
-          cv::line(kept, at(contour, run.first - 1), at(contour, run.first + run.count), cv::Scalar(1));
-        else
-          for (int i = 0; i < run.count; ++i) {
-            const cv::Point p = at(contour, run.first + i);
-            cv::line(outside, p, feet.of(p), cv::Scalar(1), 2);
-          }
+    for (const std::size_t i : contours_of_strip(tree, outer))
+      for (const Run& run : runs_of(contours[i], feet, radius_px, options)) {
+        runs.emplace_back(&contours[i], run);
+        following += run.follows ? run.count : 0;
       }
-    }
-    outside.setTo(0, kept);
+    if (following < options.least_side_widths * 2.0 * radius_px) continue;
+    cv::drawContours(drawn.outside, contours, static_cast<int>(outer), cv::Scalar(1), cv::FILLED, 8, tree, 1);
+    for (const auto& [contour, run] : runs)
+      draw_run(*contour, run, feet, !run.follows && goes_on(*contour, run, radius_px, options), drawn);
+    drawn.outside.setTo(0, drawn.kept);
   }
   return guide;
 }

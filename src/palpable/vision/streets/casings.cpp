@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/streets/casings.hpp"
 
+#include "palpable/vision/streets/beside_line.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,10 +31,7 @@ CasedParts cased_parts(const Raster<Rgb8>& picture, const CentreLine& line, cons
   const auto step = static_cast<std::size_t>(options.step_points);
   const auto reach = static_cast<std::size_t>(options.direction_points);
   for (std::size_t i = 0; i < p.size(); i += step) {
-    const MapPoint before = p[i - std::min(i, reach)];
-    const MapPoint after = p[std::min(p.size() - 1, i + reach)];
-    const double length = std::max(1e-9, std::hypot(after.x - before.x, after.y - before.y));
-    const MapPoint across{(before.y - after.y) / length, (after.x - before.x) / length};
+    const MapPoint across = normal_at(p, i, reach);
     const auto at = [&](double v) { return luma_at(picture, p[i].x + v * across.x, p[i].y + v * across.y); };
     bool is_cased = false;
     for (const double side : {-1.0, 1.0}) {

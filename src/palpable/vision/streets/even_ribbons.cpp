@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/streets/even_ribbons.hpp"
 
+#include "palpable/vision/streets/beside_line.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,23 +15,17 @@ namespace {
 double part_beside(const CentreLine& line, const Raster<std::uint8_t>& streets, double beside_px) {
   constexpr std::size_t kAround = 3;
   const auto& p = line.points;
-  std::array<int, 2> beside{};
+  std::array<int, 2> seen{};
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const MapPoint before = p[i - std::min(i, kAround)];
-    const MapPoint after = p[std::min(p.size() - 1, i + kAround)];
-    const double length = std::max(1e-9, std::hypot(after.x - before.x, after.y - before.y));
+    const MapPoint normal = normal_at(p, i, kAround);
     for (std::size_t side = 0; side < 2; ++side) {
       bool is_street = false;
-      for (double d = line.radius_px; d <= line.radius_px + beside_px && !is_street; d += 1.0) {
-        const double v = (side == 0 ? d : -d) / length;
-        const int x = static_cast<int>(std::lround(p[i].x + v * (before.y - after.y)));
-        const int y = static_cast<int>(std::lround(p[i].y + v * (after.x - before.x)));
-        is_street = streets.contains(x, y) && streets(x, y) != 0;
-      }
-      beside[side] += is_street ? 1 : 0;
+      for (double d = line.radius_px; d <= line.radius_px + beside_px && !is_street; d += 1.0)
+        is_street = value_at(streets, beside(p[i], normal, side == 0 ? d : -d)) != 0;
+      seen[side] += is_street ? 1 : 0;
     }
   }
-  return std::max(beside[0], beside[1]) / static_cast<double>(p.size());
+  return std::max(seen[0], seen[1]) / static_cast<double>(p.size());
 }
 
 bool is_ribbon(const Raster<Rgb8>& picture, const CentreLine& line, const EvenRibbonOptions& options,

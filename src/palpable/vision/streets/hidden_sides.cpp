@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/streets/hidden_sides.hpp"
 
+#include "palpable/core/numbers/quantile.hpp"
+#include "palpable/vision/streets/beside_line.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,19 +12,6 @@
 
 namespace palpable::vision {
 namespace {
-
-template <class T>
-T median_of(std::vector<T> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-bool is_set(const Raster<std::uint8_t>& mask, MapPoint p) {
-  const int x = static_cast<int>(std::lround(p.x));
-  const int y = static_cast<int>(std::lround(p.y));
-  return mask.contains(x, y) && mask(x, y) != 0;
-}
 
 /// The border of a street on one side of its line.
 struct Side {
@@ -36,26 +26,19 @@ struct Profile {
   bool is_known = false;
 };
 
-MapPoint beside(MapPoint p, MapPoint normal, double distance) {
-  return {p.x + distance * normal.x, p.y + distance * normal.y};
-}
-
 Profile profile_at(const CentreLine& line, std::size_t i, const Raster<std::uint8_t>& mask,
                    const Raster<std::uint8_t>& others, double reach_px, const HiddenSideOptions& options) {
   const auto around = static_cast<std::size_t>(options.direction_points);
   const auto& p = line.points;
-  const MapPoint before = p[i - std::min(i, around)];
-  const MapPoint after = p[std::min(p.size() - 1, i + around)];
-  const double length = std::max(1e-9, std::hypot(after.x - before.x, after.y - before.y));
-  Profile out{{(before.y - after.y) / length, (after.x - before.x) / length}, {}, is_set(mask, p[i])};
+  Profile out{normal_at(p, i, around), {}, value_at(mask, p[i]) != 0};
   for (std::size_t k = 0; k < 2 && out.is_known; ++k) {
     const double sign = k == 0 ? 1.0 : -1.0;
     double d = 0.0;
-    while (d <= reach_px && is_set(mask, beside(p[i], out.normal, sign * d))) d += options.step_px;
+    while (d <= reach_px && value_at(mask, beside(p[i], out.normal, sign * d)) != 0) d += options.step_px;
     out.is_known = d <= reach_px;
     bool is_hidden = false;
     for (double v = d; v <= d + options.casing_px; v += options.step_px)
-      is_hidden = is_hidden || is_set(others, beside(p[i], out.normal, sign * v));
+      is_hidden = is_hidden || value_at(others, beside(p[i], out.normal, sign * v)) != 0;
     out.sides[k] = {d, is_hidden};
   }
   return out;
@@ -95,7 +78,7 @@ double radius_of(const std::vector<Profile>& profiles, bool hidden, const Hidden
     if (is_in_middle(at, options) && (at.sides[0].is_hidden != at.sides[1].is_hidden) == hidden &&
         !(at.sides[0].is_hidden && at.sides[1].is_hidden))
       radii.push_back(0.5 * (at.sides[0].distance_px + at.sides[1].distance_px));
-  return radii.size() < static_cast<std::size_t>(options.fewest_points) ? 0.0 : median_of(std::move(radii));
+  return radii.size() < static_cast<std::size_t>(options.fewest_points) ? 0.0 : quantile_of(radii, 0.5);
 }
 
 /// The shifts of all points: the median of those around each; 0 where none is known.
@@ -109,7 +92,7 @@ std::vector<double> shifts_of(const std::vector<Profile>& profiles, double radiu
     std::vector<double> near;
     for (std::size_t k = i - std::min(i, reach); k < std::min(out.size(), i + reach + 1); ++k)
       if (known[k]) near.push_back(*known[k]);
-    if (!near.empty()) out[i] = median_of(std::move(near));
+    if (!near.empty()) out[i] = quantile_of(near, 0.5);
   }
   return out;
 }

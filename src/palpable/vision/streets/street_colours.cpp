@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/streets/street_colours.hpp"
 
+#include "palpable/vision/streets/beside_line.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -72,18 +74,11 @@ double seen_part(const CentreLine& line, const MapColours& colours, const Street
   const auto& p = line.points;
   int seen = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const MapPoint before = p[i - std::min(i, around)];
-    const MapPoint after = p[std::min(p.size() - 1, i + around)];
-    const double length = std::max(1e-9, std::hypot(after.x - before.x, after.y - before.y));
-    const double nx = (before.y - after.y) / length;
-    const double ny = (after.x - before.x) / length;
+    const MapPoint normal = normal_at(p, i, around);
     const int reach = static_cast<int>(line.radius_px);
     bool is_seen = false;
-    for (int k = -reach; k <= reach && !is_seen; ++k) {
-      const int x = static_cast<int>(std::lround(p[i].x + k * nx));
-      const int y = static_cast<int>(std::lround(p[i].y + k * ny));
-      is_seen = colours.seen.contains(x, y) && colours.seen(x, y) >= least;
-    }
+    for (int k = -reach; k <= reach && !is_seen; ++k)
+      is_seen = value_at(colours.seen, beside(p[i], normal, k)) >= least;
     seen += is_seen ? 1 : 0;
   }
   return seen / static_cast<double>(p.size());
