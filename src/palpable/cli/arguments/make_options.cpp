@@ -68,6 +68,7 @@ Result<session::InputOptions> input_options(const MakeArguments& arguments) {
   input.layout = layout_of(arguments.stereo);
   input.rectification = rectification_of(arguments.stereo);
   input.moved_m = moved_m_of(arguments.stereo);
+  input.most_pair_pixels = most_pixels_of(arguments.stereo);
   const auto window = window_of(arguments.map);
   if (!window) return window.error();
   input.window = *window;

@@ -47,6 +47,8 @@ void add_pair_options(Options& options, StereoArguments& arguments) {
                  "Warp the pictures so that matching points lie on the same row");
   options.number("--moved", arguments.moved_mm, {0.1, 1e6},
                  "Distance that one camera was moved sideways between the pictures, mm");
+  options.number("--megapixels", arguments.megapixels, {0.01, 1000.0},
+                 "Larger pictures are reduced to so many million pixels before they are matched");
   options.choice("--layout", arguments.layout,
                  {"side-by-side", "side-by-side-crossed", "over-under", "over-under-crossed"},
                  "How one picture holds a pair; crossed = the right eye's first");
@@ -67,6 +69,10 @@ session::Rectification rectification_of(const StereoArguments& arguments) {
 std::optional<double> moved_m_of(const StereoArguments& arguments) {
   if (!arguments.moved_mm) return std::nullopt;
   return *arguments.moved_mm / 1000.0;
+}
+
+std::size_t most_pixels_of(const StereoArguments& arguments) {
+  return static_cast<std::size_t>(1e6 * arguments.megapixels);
 }
 
 sources::StereoLayout layout_of(const StereoArguments& arguments) {
@@ -95,6 +101,7 @@ Result<session::ReadyPair> read_pair(const StereoArguments& arguments, const Wor
   input.layout = layout_of(arguments);
   input.rectification = rectification_of(arguments);
   input.moved_m = moved_m_of(arguments);
+  input.most_pixels = most_pixels_of(arguments);
   return session::read_stereo_pair(input, work);
 }
 

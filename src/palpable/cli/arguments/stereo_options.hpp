@@ -7,6 +7,7 @@
 #include "palpable/session/make/stereo_input.hpp"
 #include "palpable/vision/stereo/methods/stereo_options.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -28,12 +29,14 @@ struct StereoArguments {
   std::string calibration;
   std::string rectify = "auto";
   std::optional<double> moved_mm;
+  /// Millions of pixels above which the pictures are reduced.
+  double megapixels = 1e-6 * static_cast<double>(session::kMostPairPixels);
 };
 
 /// Adds LEFT and the optional RIGHT. `arguments` must outlive the parsing.
 void add_pair_arguments(Options& options, StereoArguments& arguments);
 
-/// Adds --method, --max-disparity, --calibration, --rectify, --moved and --layout.
+/// Adds --method, --max-disparity, --calibration, --rectify, --moved, --megapixels and --layout.
 void add_stereo_options(Options& options, StereoArguments& arguments);
 
 /// Adds --set.
@@ -54,6 +57,8 @@ sources::StereoLayout layout_of(const StereoArguments& arguments);
 session::Rectification rectification_of(const StereoArguments& arguments);
 /// The value of --moved, in metres.
 std::optional<double> moved_m_of(const StereoArguments& arguments);
+/// The value of --megapixels, in pixels.
+std::size_t most_pixels_of(const StereoArguments& arguments);
 
 /// How the pair was rectified: `by`, `residual_before_px`, `residual_px` (null where not measured),
 /// `features`.

@@ -64,6 +64,7 @@ const std::vector<Effect>& effects() {
                                          {"--max-disparity", pair, all},
                                          {"--rectify", pair, all},
                                          {"--moved", pair, all},
+                                         {"--megapixels", pair, all},
                                          {"--center", {InputKind::map}, all},
                                          {"--width", {InputKind::map}, all},
                                          {"--layers", {InputKind::map}, all},

@@ -36,8 +36,9 @@ Result<ReadInput> read_depth(const sources::Input& input, const InputOptions& op
 }
 
 Result<ReadInput> read_pair(const InputOptions& options, const Work& work) {
-  auto pair = read_stereo_pair(
-      {options.files, options.calibration, options.layout, options.rectification, options.moved_m}, work);
+  auto pair = read_stereo_pair({options.files, options.calibration, options.layout, options.rectification,
+                                options.moved_m, options.most_pair_pixels},
+                               work);
   if (!pair) return pair.error();
   std::vector<Note> notes = pair->notes;
   return ReadInput{std::move(*pair), std::move(notes)};

@@ -21,6 +21,7 @@
 #include "palpable/sources/map/extract_window.hpp"
 #include "palpable/sources/solid/mesh_file.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <variant>
@@ -48,6 +49,8 @@ struct InputOptions {
   /// For a pair: whether to rectify it, and the distance in metres by which one camera was moved.
   Rectification rectification = Rectification::automatic;
   std::optional<double> moved_m;
+  /// For a pair: as StereoInput::most_pixels.
+  std::size_t most_pair_pixels = kMostPairPixels;
   /// For an OpenStreetMap extract: the part that is shown.
   sources::ExtractWindow window;
 };

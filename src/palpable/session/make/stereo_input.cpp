@@ -4,6 +4,7 @@
 
 #include "palpable/session/make/places.hpp"
 #include "palpable/sources/calibration/calibration.hpp"
+#include "palpable/vision/image/reduced_picture.hpp"
 #include "palpable/vision/rectification/stereo_rectification.hpp"
 #include "palpable/vision/stereo/methods/match.hpp"
 
@@ -27,6 +28,25 @@ Result<std::optional<sources::Calibration>> calibration_of(const StereoInput& in
   auto fitted = sources::calibration_for(std::move(*calibration), picture.width, picture.height);
   if (!fitted) return at_place(fitted.error(), input.calibration);
   return Found(std::move(*fitted));
+}
+
+/// Reduces a pair that is too large, and its calibration, which fits its present size.
+Result<void> reduce(const StereoInput& input, ReadyPair& ready,
+                    std::optional<sources::Calibration>& calibration) {
+  auto left = vision::reduced(ready.pair.left, input.most_pixels);
+  if (!left) return {};
+  ready.notes.emplace_back(fmt::format(
+      "The pictures were reduced from {} to {} pixels each: a finger feels no difference, and matching is "
+      "possible in little memory.",
+      size_text(ready.pair.left.width, ready.pair.left.height), size_text(left->width, left->height)));
+  ready.pair.right = *vision::reduced(ready.pair.right, input.most_pixels);
+  ready.pair.left = *std::move(left);
+  if (!calibration) return {};
+  auto scaled =
+      sources::calibration_for(*std::move(calibration), ready.pair.left.width, ready.pair.left.height);
+  if (!scaled) return at_place(scaled.error(), input.calibration);
+  calibration = *std::move(scaled);
+  return {};
 }
 
 void take(ReadyPair& ready, vision::RectifiedPair rectified, RectifiedBy rectified_by) {
@@ -110,11 +130,12 @@ Result<ReadyPair> read_stereo_pair(const StereoInput& input, const Work& work) {
     return Error{ErrorCode::usage, "a stereo pair is two pictures, or one that holds both side by side", {}};
   auto two = sources::read_stereo(input.pictures, input.layout);
   if (!two) return two.error();
-  const auto calibration = calibration_of(input, two->left);
+  auto calibration = calibration_of(input, two->left);
   if (!calibration) return calibration.error();
   ReadyPair ready;
   ready.pair = {std::move(two->left), std::move(two->right), {}};
   ready.notes.assign(two->notes.begin(), two->notes.end());
+  if (const auto done = reduce(input, ready, *calibration); !done) return done.error();
   ready.residual_before_px = ready.residual_px = std::numeric_limits<double>::quiet_NaN();
   if (*calibration)
     ready.notes.insert(ready.notes.end(), (*calibration)->notes.begin(), (*calibration)->notes.end());

@@ -8,6 +8,7 @@
 #include "palpable/sources/stereo/stereo_file.hpp"
 #include "palpable/vision/stereo/problem/stereo.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -24,6 +25,9 @@ enum class Rectification {
   never
 };
 
+/// Pixels of a picture above which a pair is reduced, unless chosen otherwise.
+inline constexpr std::size_t kMostPairPixels = 4'000'000;
+
 /// The files of a pair and what is known about its cameras.
 struct StereoInput {
   /// Two pictures, left first, or one that holds both.
@@ -34,6 +38,9 @@ struct StereoInput {
   Rectification rectification = Rectification::automatic;
   /// The distance in metres by which a single camera was moved sideways between the pictures.
   std::optional<double> moved_m;
+  /// Pictures with more pixels than this are reduced to it, and their calibration with them, with a note: a
+  /// finger feels no difference, and matching takes memory and time with the 1.5th power of the pixels. > 0.
+  std::size_t most_pixels = kMostPairPixels;
 };
 
 /// How a pair was rectified.

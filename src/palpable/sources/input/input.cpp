@@ -9,6 +9,7 @@
 #include "palpable/formats/vdb/vdb.hpp"
 #include "palpable/sources/city_json.hpp"
 #include "palpable/sources/depth/depth_picture.hpp"
+#include "palpable/sources/picture/file_marks.hpp"
 #include "palpable/sources/picture/photo_depth.hpp"
 #include "palpable/sources/picture/picture.hpp"
 #include "palpable/sources/solid/mesh_check.hpp"
@@ -256,8 +257,12 @@ Result<Input> recognise_one_picture(const fs::path& path) {
   const auto file = read_file(path);
   if (!file) return file.error();
   if (!announces_depth(*file)) {
-    if (const auto image = grey_in(*file)) return recognise_grey(path, *image);
-    return Input{InputKind::picture, {path}, {}};
+    const auto grey = grey_in(*file);
+    auto input = grey ? recognise_grey(path, *grey) : Result(Input{InputKind::picture, {path}, {}});
+    if (input && is_animated_png(*file))
+      input->notes.emplace_back("This PNG holds several pictures that are shown in turn: the first was used.",
+                                Reason::unspecified);
+    return input;
   }
   return Input{InputKind::depth,
                {path},

@@ -4,6 +4,7 @@
 
 #include "palpable/core/files/atomic_file.hpp"
 #include "palpable/core/files/byte_reader.hpp"
+#include "palpable/core/files/read_file.hpp"
 #include "palpable/formats/packing/npz.hpp"
 #include "palpable/formats/packing/zip.hpp"
 #include "palpable/formats/picture/picture.hpp"
@@ -35,6 +36,10 @@ class AnInput : public testing::Test {
   fs::path picture(const std::string& name) {
     EXPECT_TRUE(formats::write_png(folder_ / name, Raster<Rgb8>(4, 4)));
     return folder_ / name;
+  }
+  static std::string content(const fs::path& file) {
+    const auto bytes = read_file(file);
+    return bytes ? std::string(as_text(*bytes)) : std::string();
   }
   static std::string kind(std::vector<fs::path> paths, std::optional<InputKind> wanted = std::nullopt) {
     const auto input = recognise_input(paths, wanted);
@@ -70,6 +75,28 @@ TEST_F(AnInput, OfSixteenBitsThatWereEightIsAPictureAndSaysSo) {
   EXPECT_EQ(input->kind, InputKind::picture);
   ASSERT_EQ(input->notes.size(), 1U);
   EXPECT_EQ(input->notes[0].reason, Reason::unexpected_input_kind);
+}
+
+TEST_F(AnInput, ThatIsAnAnimatedPngSaysThatItsFirstPictureIsUsed) {
+  const std::string still = content(picture("still.png"));
+  // Signature and header, then acTL: two pictures, for ever. Its checksum (PNG, annex D) is that of an
+  // encoder.
+  constexpr std::size_t kHeaderEnd = 8 + 25;
+  const std::string animation(
+      "\0\0\0\x08"
+      "acTL"
+      "\0\0\0\x02"
+      "\0\0\0\0"
+      "\xF3\x8D\x93\x70",
+      20);
+  const fs::path moving =
+      text("moving.png", still.substr(0, kHeaderEnd) + animation + still.substr(kHeaderEnd));
+  const auto input = recognise_input(std::vector<fs::path>{moving});
+  ASSERT_TRUE(input) << input.error().sentence();
+  EXPECT_EQ(input->kind, InputKind::picture);
+  ASSERT_EQ(input->notes.size(), 1U);
+  EXPECT_NE(input->notes[0].sentence.find("the first was used"), std::string::npos);
+  EXPECT_TRUE(recognise_input(std::vector<fs::path>{folder_ / "still.png"})->notes.empty());
 }
 
 TEST_F(AnInput, IsDepthWhereItsSidecarSaysSo) {

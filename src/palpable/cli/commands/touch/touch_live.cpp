@@ -20,10 +20,10 @@ namespace {
 
 /// Options of `make` for depth that a live source does not have.
 constexpr std::array kWithoutEffect{
-    "--kind",      "--as",      "--poses",   "--depth-scale", "--depth-as",   "--near-plane",
-    "--far-plane", "--detail",  "--smooth",  "--compression", "--height-of",  "--resample",
-    "--samples",   "--engrave", "--texture", "--ground",      "--background", "--method",
-    "--rectify",   "--moved",   "--up",      "--lay",         "--resolution", "--max-error"};
+    "--kind",    "--as",     "--poses",       "--depth-scale", "--depth-as", "--near-plane", "--far-plane",
+    "--detail",  "--smooth", "--compression", "--height-of",   "--resample", "--samples",    "--engrave",
+    "--texture", "--ground", "--background",  "--method",      "--rectify",  "--moved",      "--megapixels",
+    "--up",      "--lay",    "--resolution",  "--max-error"};
 
 void note_on_options(const MakeArguments& arguments, const Notes& notes) {
   const auto given = arguments.given ? arguments.given() : std::vector<std::string>();

@@ -4,6 +4,7 @@
 
 #include "palpable/core/system/memory.hpp"
 #include "palpable/vision/stereo/methods/matching_memory.hpp"
+#include "palpable/vision/stereo/occlusion/left_right_check.hpp"
 #include "palpable/vision/stereo/problem/epipolar_pictures.hpp"
 #include "palpable/vision/stereo/problem/match_input.hpp"
 #include "palpable/vision/stereo/problem/prepare_pictures.hpp"
@@ -129,6 +130,14 @@ double measured_share(const Raster<float>& confidence) {
   return static_cast<double>(measured) / static_cast<double>(values.size());
 }
 
+/// From the 5th to the 95th percentile of the disparities that are no guess.
+double measured_spread_px(const StereoMatch& match) {
+  Raster<float> measured = match.confidence;
+  for (float& c : measured.values()) c = c >= kGuessedBelow ? 1.0F : 0.0F;
+  const Raster<float>& d = match.disparity.disparity_px;
+  return static_cast<double>(quantile_where(d, measured, 0.95) - quantile_where(d, measured, 0.05));
+}
+
 Result<StereoMatch> match_prepared(const StereoPair& pair, const MethodEntry& method,
                                    const StereoOptions& options, const Work& work) {
   Exposure exposure;
@@ -159,8 +168,11 @@ Result<StereoMatch> match_prepared(const StereoPair& pair, const MethodEntry& me
   found->disparity.rig = pair.rig;
   const double measured = measured_share(found->confidence);
   found->notes = pair_notes(searched, range, offset, contrast, measured, options.pair_check);
-  if (exposure.differs && agree(searched, measured, options.pair_check))
-    found->notes.push_back(sentence_of(exposure));
+  if (agree(searched, measured, options.pair_check)) {
+    if (exposure.differs) found->notes.push_back(sentence_of(exposure));
+    if (auto flat = flat_note(measured_spread_px(*found), options.pair_check))
+      found->notes.push_back(*std::move(flat));
+  }
   forget_undefined(pair, *found);
   return found;
 }

@@ -55,6 +55,14 @@ TEST_P(EveryMethod, FindsABoxBeforeASlantedGround) {
   EXPECT_TRUE(found->notes.empty()) << found->notes.front();
 }
 
+TEST_P(EveryMethod, SaysThatOnePictureGivenTwiceIsFlat) {
+  StereoPair pair = render(slanted_scene());
+  pair.right = pair.left;
+  const auto found = match(pair, GetParam(), {}, {});
+  ASSERT_TRUE(found) << found.error().sentence();
+  EXPECT_TRUE(has_note(*found, "the two pictures are the same"));
+}
+
 TEST_P(EveryMethod, IsIndependentOfTheNumberOfThreads) {
   const StereoPair pair = render({});
   Work one;

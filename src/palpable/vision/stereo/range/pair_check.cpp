@@ -95,7 +95,8 @@ std::vector<Parameter> parameters_of(PairCheckOptions& o) {
           {"most_guessed", &o.most_guessed, {0, 1}, "", "Share of guessed depth that is reported"},
           {"only_grain", &o.only_grain, {0, 10}, "", "Contrast of a reduced copy below which it is noise"},
           {"least_found", &o.least_found, {1, 200}, "px", "Matched pixels that an offset needs"},
-          {"misaligned_px", &o.misaligned_px, {0, 100}, "px", "Spread of the offset that is reported"}};
+          {"misaligned_px", &o.misaligned_px, {0, 100}, "px", "Spread of the offset that is reported"},
+          {"flat_px", &o.flat_px, {0, 100}, "px", "Range of measured disparities that feels flat"}};
 }
 
 bool agree(const DisparityRange& range, double measured, const PairCheckOptions& options) {
@@ -169,6 +170,15 @@ std::vector<std::string> pair_notes(const DisparityRange& range, const Disparity
                     "something patterned there.",
                     100.0 * (1.0 - measured), matched.min_px, matched.max_px));
   return notes;
+}
+
+std::optional<std::string> flat_note(double spread_px, const PairCheckOptions& options) {
+  if (spread_px >= options.flat_px) return std::nullopt;
+  return fmt::format(
+      "Near and far differ by only {:.1f} pixels, so the scene is flat: the two pictures are the same, or "
+      "the "
+      "camera was turned or zoomed instead of moved.",
+      spread_px);
 }
 
 }  // namespace palpable::vision

@@ -5,6 +5,7 @@
 #include "palpable/core/parameters.hpp"
 #include "palpable/vision/stereo/range/disparity_range.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,8 @@ struct PairCheckOptions {
   /// 1 … 200; 0 … 100 px.
   int least_found = 15;
   double misaligned_px = 2.0;
+  /// Measured disparities that differ by less feel flat. 0 … 100 px.
+  double flat_px = 1.0;
 };
 
 std::vector<Parameter> parameters_of(PairCheckOptions& options);
@@ -64,5 +67,9 @@ double contrast_beyond_grain(const Raster<std::uint8_t>& grey);
 std::vector<std::string> pair_notes(const DisparityRange& range, const DisparityRange& matched,
                                     const VerticalOffset& offset, double contrast, double measured,
                                     const PairCheckOptions& options = {});
+
+/// A sentence for a pair whose measured disparities differ by only `spread_px` (5th to 95th percentile): one
+/// picture given twice, or a camera that was not moved; nullopt if they differ enough.
+std::optional<std::string> flat_note(double spread_px, const PairCheckOptions& options = {});
 
 }  // namespace palpable::vision

@@ -83,5 +83,12 @@ TEST(ContrastBeyondGrain, IsLowForNoiseAndHighForAPicture) {
   EXPECT_GT(contrast_beyond_grain(smooth), 1.0);
 }
 
+TEST(PairCheck, SaysThatAPairIsFlat) {
+  EXPECT_FALSE(flat_note(1.5));
+  const auto note = flat_note(0.04);
+  ASSERT_TRUE(note);
+  EXPECT_NE(note->find("only 0.0 pixels"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace palpable::vision
