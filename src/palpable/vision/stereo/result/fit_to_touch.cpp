@@ -195,6 +195,7 @@ std::vector<Parameter> parameters_of(FitWordsOptions& o) {
           {"wrong_share", &o.wrong_share, {0, 1}, "", "share of a ninth that is named as wrong"},
           {"flat_px", &o.flat_px, {0, 100}, "px", "range of disparities that feels flat"},
           {"dark_level", &o.dark_level, {0, 1}, "", "median level below which the picture is dark"},
+          {"black_level", &o.black_level, {0, 1}, "", "median level below which the picture is black"},
           {"textured_share", &o.textured_share, {0, 1}, "", "texture with which only geometry is named"},
           {"guessed_share", &o.guessed_share, {0, 1}, "", "share of guessed depth that is said"}};
 }
@@ -292,6 +293,9 @@ std::string sentence_of(const FitToTouch& fit, const FitWordsOptions& options) {
                         : fit.confidence >= options.doubtful_confidence
                             ? "This pair can be touched, with doubt"
                             : "This pair is hardly fit to touch";
+  if (!fit.fit && fit.brightness < options.black_level)
+    return fmt::format("{}: the left picture is almost black: take the cap off the lens, or give more light.",
+                       verdict);
   const bool geometry_fails =
       fit.reason == FitReason::different_places || fit.reason == FitReason::no_parallax;
   if (geometry_fails && fit.textured >= options.textured_share) {

@@ -49,6 +49,8 @@ struct FitWordsOptions {
   double flat_px = 3.0;
   /// A median level of the left picture below this is dark. 0 … 1.
   double dark_level = 0.2;
+  /// Below this one that is not fit is called black. 0 … 1.
+  double black_level = 0.04;
   /// If at least this share of the picture has texture, wrong geometry is the only reason that is named.
   /// 0 … 1.
   double textured_share = 0.3;

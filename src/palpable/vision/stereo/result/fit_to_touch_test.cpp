@@ -6,6 +6,7 @@
 #include "palpable/vision/stereo/problem/centred_box.hpp"
 
 #include <algorithm>
+#include <random>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -41,6 +42,15 @@ TEST(FitToTouch, ReportsMissingTextureWithItsPlace) {
   EXPECT_LT(fit.textured, 0.8);
   EXPECT_THAT(sentence_of(fit), HasSubstr("no texture"));
   EXPECT_THAT(sentence_of(fit), HasSubstr("at the bottom"));
+}
+
+TEST(FitToTouch, SaysThatTheLensIsCovered) {
+  StereoPair pair = render(scene());
+  std::mt19937 random(4);
+  std::normal_distribution<float> noise(0.02F, 0.01F);
+  for (Image* picture : {&pair.left, &pair.right})
+    for (float& v : picture->samples) v = std::clamp(noise(random), 0.0F, 1.0F);
+  EXPECT_THAT(sentence_of(judged(pair)), HasSubstr("take the cap off the lens"));
 }
 
 TEST(FitToTouch, DoesNotCountGuessesAsCovered) {
