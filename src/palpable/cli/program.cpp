@@ -16,8 +16,8 @@ void add_common(Options& options, CommonOptions& common) {
   options.flag("--quiet", common.quiet, "No notes and no progress");
   options.integer("--threads", common.threads, {0.0, 256.0}, "Number of threads; 0 = one per processor");
   options.count("--seed", common.seed,
-                "Seed of the random numbers: the same seed gives the same result, except in a live touch, "
-                "which also follows the clock");
+                "Seed of the random numbers: the same seed gives the same result, except in a touch with a "
+                "device or a live source, which also follows the clock");
   options.integer("--progress-to", common.progress_to, {-1.0, 1023.0},
                   "Progress, notes and the error as lines of JSON on this open file descriptor; -1 = none");
   options.under("Options");

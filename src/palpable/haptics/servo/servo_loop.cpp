@@ -92,6 +92,7 @@ struct ServoLoop::Impl {
   /// Whether the hand or a further probe is between two scenes.
   bool any_fades() const;
   bool may_rest() const;
+  bool is_complete() const { return options.most_ticks > 0 && counts.touch.ticks >= options.most_ticks; }
   void swap_scenes();
   void run_maintenance();
   /// Takes what the servo handed over, under the mutex. The caller frees the old scenes without it: their
@@ -159,7 +160,7 @@ Result<void> ServoLoop::Impl::start_guardian() {
 }
 
 void ServoLoop::Impl::start_threads() {
-  if (device->traits().pushes_back) {
+  if (device->traits().pushes_back && !options.time_by_ticks) {
     watchdog.emplace(*device, 1.0 / options.rate_hz, options.realtime_priority);
     tick.watch_cuts(watchdog->cut_flag());
   }
@@ -183,7 +184,7 @@ void ServoLoop::Impl::serve() {
   begin_ns = monotonic_ns();
   std::int64_t before_ns = begin_ns;
   // From here to the end of the loop nothing may allocate; allocations are counted per tick and reported.
-  while (!ending.load(std::memory_order_relaxed) && !self.must_end()) {
+  while (!ending.load(std::memory_order_relaxed) && !self.must_end() && !is_complete()) {
     const bool resting = may_rest();
     if (!resting && pacer.sleep()) rehearse(nominal_s);
     const Pacer::Wake wake = resting ? pacer.rest(options.rest_period_s) : pacer.wait();
@@ -192,7 +193,7 @@ void ServoLoop::Impl::serve() {
     before_ns = wake.now_ns;
     if (wake.periods > 1) note_missed(wake);
     swap_scenes();
-    const double dt_s = 1e-9 * static_cast<double>(period_ns);
+    const double dt_s = options.time_by_ticks ? nominal_s : 1e-9 * static_cast<double>(period_ns);
     counts.rested_s += resting ? dt_s : 0.0;
     counts.rest_ticks += resting ? 1 : 0;
     // Nothing moved during a rest: its tick continues the previous one.
@@ -213,7 +214,8 @@ void ServoLoop::Impl::tick_once(const Pacer::Wake& wake, double dt_s) {
   // After a late wake the next one may follow almost immediately. Laws do not support such a short step.
   const double shortest_s = 0.1 / options.rate_hz;
   tick.set_paused(paused.load(std::memory_order_relaxed) || unguarded.load(std::memory_order_relaxed));
-  counts.ran_s = 1e-9 * static_cast<double>(wake.now_ns - begin_ns);
+  counts.ran_s = options.time_by_ticks ? static_cast<double>(counts.touch.ticks + 1) / options.rate_hz
+                                       : 1e-9 * static_cast<double>(wake.now_ns - begin_ns);
   const TouchSample& sample = tick.step(counts.ran_s, std::max(dt_s, shortest_s));
   rest.update(sample, dt_s);
   counts.touch = tick.counts();

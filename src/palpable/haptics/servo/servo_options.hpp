@@ -7,6 +7,7 @@
 #include "palpable/haptics/tick/tick_options.hpp"
 
 #include <cstddef>
+#include <cstdint>
 
 namespace palpable::haptics {
 
@@ -34,6 +35,11 @@ struct ServoOptions {
   std::size_t recording_capacity = 16384;
   /// On from the first tick, or later by record().
   Recording recording = Recording::off;
+  /// Only for a simulated device: a tick's time is its number divided by the rate, however late it came, and
+  /// no watchdog takes the force away, so that the same device gives the same session again.
+  bool time_by_ticks = false;
+  /// After so many ticks the loop ends, with zero force, as by stop(); 0 = never.
+  std::uint64_t most_ticks = 0;
 };
 
 /// The tick's options for a loop with this rate: the fields that depend on the rate are set.

@@ -54,6 +54,20 @@ Result<std::shared_ptr<const models::Scene>> MakerThread::first_scene(const Work
   return Work::interrupted();
 }
 
+Result<std::shared_ptr<const models::Scene>> MakerThread::last_scene(const Work& work) {
+  auto last = first_scene(work);
+  if (!last) return last;
+  constexpr std::chrono::milliseconds kLook(20);
+  while (!work.cancelled()) {
+    const auto ended = outcome();
+    while (auto better = take(kLook)) last = std::move(better);
+    if (!ended) continue;
+    if (!*ended) return ended->error();
+    return last;
+  }
+  return Work::interrupted();
+}
+
 void MakerThread::deliver(std::shared_ptr<const models::Scene> scene) {
   const std::lock_guard lock(mutex_);
   scenes_.push_back(std::move(scene));

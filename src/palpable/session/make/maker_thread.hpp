@@ -39,6 +39,9 @@ class MakerThread {
   std::optional<Result<void>> outcome();
   /// Waits for the first scene. Errors: those of the maker; interrupted if work is cancelled first.
   Result<std::shared_ptr<const models::Scene>> first_scene(const Work& work);
+  /// Waits until the maker has ended; its last scene, the best one. Errors: as first_scene(); the maker's,
+  /// even if there was a scene.
+  Result<std::shared_ptr<const models::Scene>> last_scene(const Work& work);
 
  private:
   void deliver(std::shared_ptr<const models::Scene> scene);

@@ -6,7 +6,9 @@
 #include "palpable/haptics/servo/pacing.hpp"
 #include "palpable/session/touch/outage.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -62,6 +64,20 @@ class DeviceNews {
   std::vector<Outage> outages_;
 };
 
+void make_repeatable(haptics::ServoOptions& servo, double seconds) {
+  servo.time_by_ticks = true;
+  servo.most_ticks =
+      std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(seconds * servo.rate_hz)));
+}
+
+/// Whether every hand has made all of its ticks.
+bool is_complete(const TouchSession& session, std::uint64_t most_ticks) {
+  const TouchStatistics so_far = session.statistics();
+  return so_far.servo.touch.ticks >= most_ticks &&
+         std::all_of(so_far.further_hands.begin(), so_far.further_hands.end(),
+                     [&](const auto& hand) { return hand.servo.touch.ticks >= most_ticks; });
+}
+
 std::optional<std::size_t> failed_hand(const TouchSession& session) {
   for (std::size_t hand = 0; hand < session.hands(); ++hand)
     if (session.latest(hand).status == device::Status::fault) return hand;
@@ -74,9 +90,10 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
                                        const Work& work) {
   const std::int64_t begin_ns = options.begin_ns != 0 ? options.begin_ns : haptics::monotonic_ns();
   MakerThread maker(make, work);
-  auto scene = maker.first_scene(work);
+  auto scene = options.repeatable ? maker.last_scene(work) : maker.first_scene(work);
   if (!scene) return std::move(scene).error();
   SessionOptions session_options = options.session;
+  if (options.repeatable) make_repeatable(session_options.servo, options.seconds);
   session_options.recording = options.recording;
   auto opened =
       TouchSession::open(std::move(*scene), options.settings, options.device_url, session_options, begin_ns);
@@ -103,7 +120,10 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
   std::size_t next_step = 0;
   std::optional<std::size_t> failed;
   DeviceNews news(session);
-  while (Clock::now() < end && !work.cancelled()) {
+  const auto is_over = [&] {
+    return options.repeatable ? is_complete(session, session_options.servo.most_ticks) : Clock::now() >= end;
+  };
+  while (!is_over() && !work.cancelled()) {
     const auto before = Clock::now();
     const double t_s = std::chrono::duration<double>(before - start).count();
     if (auto walked = walk_on(session, options, t_s, next_step); !walked) return std::move(walked).error();

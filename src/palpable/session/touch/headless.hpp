@@ -23,6 +23,10 @@ struct HeadlessOptions {
   double seconds = 10.0;
   /// Empty = no recording.
   std::filesystem::path recording;
+  /// For simulated devices alone: the best scene is waited for, ticks count as time
+  /// (haptics::ServoOptions::time_by_ticks), and the touch has as many as `seconds` hold, so that the same
+  /// seed gives the same touch. Not with `live` or a walk, which follow the clock.
+  bool repeatable = false;
   /// CLOCK_MONOTONIC at the user's request, ns; 0 = now.
   std::int64_t begin_ns = 0;
   /// Feeds the touch with the frames of a live source; not owned, null = none.

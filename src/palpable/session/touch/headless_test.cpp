@@ -37,6 +37,37 @@ Result<void> two_scenes(const DeliverScene& deliver, const Work&) {
   return {};
 }
 
+TEST(TouchHeadless, IsTheSameAgainWhereTicksCountAsTime) {
+  const auto touched = [](const char* name, std::uint64_t seed) {
+    auto options = unprivileged(1.5);
+    options.repeatable = true;
+    options.session.seed = seed;
+    options.recording = std::filesystem::path(testing::TempDir()) / name;
+    EXPECT_TRUE(touch_headless(two_scenes, options, {}));
+    const auto recording = device::read_recording(options.recording);
+    EXPECT_TRUE(recording && recording->complete);
+    return recording ? recording->ticks : std::vector<device::TouchSample>();
+  };
+  const auto same = [](const device::TouchSample& a, const device::TouchSample& b) {
+    return a.t_s == b.t_s && a.dt_s == b.dt_s && a.device_position == b.device_position &&
+           a.raw_force_N == b.raw_force_N && a.written_force_N == b.written_force_N && a.flags == b.flags &&
+           a.energy_J == b.energy_J;
+  };
+  const auto once = touched("repeated-1.rec", 3), again = touched("repeated-2.rec", 3);
+  ASSERT_EQ(once.size(), 1500U);
+  ASSERT_EQ(again.size(), once.size());
+  double most_N = 0.0;
+  for (std::size_t i = 0; i < once.size(); ++i) {
+    ASSERT_TRUE(same(once[i], again[i])) << "tick " << i;
+    EXPECT_DOUBLE_EQ(once[i].dt_s, 0.001);
+    most_N = std::max(most_N, norm(once[i].written_force_N));
+  }
+  EXPECT_GT(most_N, 0.2);
+  const auto other = touched("repeated-3.rec", 4);
+  ASSERT_EQ(other.size(), once.size());
+  EXPECT_FALSE(std::equal(other.begin(), other.end(), once.begin(), same));
+}
+
 TEST(TouchHeadless, ReplacesTheSceneByABetterOneDuringTheTouch) {
   auto options = unprivileged(2.0);
   options.recording = std::filesystem::path(testing::TempDir()) / "headless.rec";

@@ -7,6 +7,7 @@
 #include "palpable/cli/say_aloud.hpp"
 #include "palpable/voice/voice.hpp"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <utility>
@@ -53,6 +54,15 @@ void let_speak(session::HeadlessOptions& headless, Console& console) {
   };
 }
 
+/// With a seed that was chosen, simulated hands on a scene that does not change by the clock.
+bool is_repeatable(const TouchArguments& arguments, const TouchPlan& plan) {
+  const auto given = arguments.scene.make.given ? arguments.scene.make.given() : std::vector<std::string>();
+  return std::find(given.begin(), given.end(), "--seed") != given.end() && plan.live == nullptr &&
+         plan.walk.empty() &&
+         std::all_of(arguments.devices.begin(), arguments.devices.end(),
+                     [](const std::string& url) { return url == "sim" || url.starts_with("sim:"); });
+}
+
 }  // namespace
 
 Result<Answer> touch_without_page(const TouchArguments& arguments, const TouchPlan& plan, Console& console) {
@@ -60,6 +70,7 @@ Result<Answer> touch_without_page(const TouchArguments& arguments, const TouchPl
   headless.settings = plan.settings;
   headless.session = plan.options;
   headless.seconds = arguments.seconds;
+  headless.repeatable = is_repeatable(arguments, plan);
   headless.recording = arguments.recording;
   headless.begin_ns = plan.begin_ns;
   headless.walk = plan.walk;
