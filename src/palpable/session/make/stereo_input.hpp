@@ -26,7 +26,7 @@ enum class Rectification {
 };
 
 /// Pixels of a picture above which a pair is reduced, unless chosen otherwise.
-inline constexpr std::size_t kMostPairPixels = 4'000'000;
+inline constexpr std::size_t kMostPairPixels = 2'000'000;
 
 /// The files of a pair and what is known about its cameras.
 struct StereoInput {

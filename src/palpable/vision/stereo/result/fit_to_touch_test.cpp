@@ -104,6 +104,7 @@ TEST(FitToTouch, IsTrueOnlyWithParallaxAlongTheRows) {
 TEST(FitToTouch, NamesPlainThingsBeforeAWallAsAReasonWhereOnlyTheWallHasPoints) {
   FitToTouch fit;
   fit.textured = 1.0;
+  fit.brightness = 0.5;
   fit.reason = FitReason::no_parallax;
   fit.depth_range_px = 0.2;
   EXPECT_THAT(sentence_of(fit), ::testing::Not(HasSubstr("one colour")));
