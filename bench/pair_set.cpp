@@ -9,13 +9,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
-#include <numeric>
 #include <optional>
 #include <random>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "depth_rank.hpp"
 #include "stereo_scenes.hpp"
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
@@ -109,41 +109,6 @@ std::vector<Case> cases_of(const StereoScene& scene, const StereoScene& other, s
   return cases;
 }
 
-std::vector<double> ranks_of(const std::vector<float>& values) {
-  std::vector<std::size_t> order(values.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
-  std::vector<double> ranks(values.size());
-  for (std::size_t i = 0; i < order.size();) {
-    std::size_t j = i;
-    while (j < order.size() && values[order[j]] == values[order[i]]) ++j;
-    for (std::size_t k = i; k < j; ++k) ranks[order[k]] = 0.5 * static_cast<double>(i + j);
-    i = j;
-  }
-  return ranks;
-}
-
-/// Spearman's rank correlation; 0 where either is constant.
-double rank_correlation(const Raster<float>& found, const Raster<float>& truth) {
-  if (found.width() != truth.width() || found.height() != truth.height()) return 0.0;
-  std::vector<float> a, b;
-  for (std::size_t i = 0; i < found.count(); ++i)
-    if (std::isfinite(found.values()[i]) && truth.values()[i] > 0.0F) {
-      a.push_back(found.values()[i]);
-      b.push_back(truth.values()[i]);
-    }
-  if (a.size() < 10) return 0.0;
-  const std::vector<double> ra = ranks_of(a), rb = ranks_of(b);
-  const double middle = 0.5 * static_cast<double>(a.size());
-  double ab = 0.0, aa = 0.0, bb = 0.0;
-  for (std::size_t i = 0; i < ra.size(); ++i) {
-    ab += (ra[i] - middle) * (rb[i] - middle);
-    aa += (ra[i] - middle) * (ra[i] - middle);
-    bb += (rb[i] - middle) * (rb[i] - middle);
-  }
-  return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : 0.0;
-}
-
 void judge(const StereoScene& scene, const Case& c) {
   Work work;
   work.threads = 1;
@@ -155,7 +120,7 @@ void judge(const StereoScene& scene, const Case& c) {
     return;
   }
   const vision::FitToTouch fit = vision::fit_to_touch(rectified->pair, *match, work);
-  const double rank = c.truth_px.empty() ? 0.0 : rank_correlation(match->disparity.disparity_px, c.truth_px);
+  const double rank = c.truth_px.empty() ? 0.0 : depth_rank(match->disparity.disparity_px, c.truth_px);
   fmt::print(
       "{},{},{:.3f},{},{:.3f},{:.3f},{:.3f},{:.3f},{:.2f},{:.3f},{},{:.3f},{:.3f},{:.2f},{:.3f},{:.2f},{:.2f}"
       "\n",

@@ -72,7 +72,10 @@ Result<Answer> fit(const FitArguments& arguments, Console& console) {
                   {{"matched", fit.points.count},
                    {"on_rows", fit.points.on_rows},
                    {"confirmed", fit.points.confirmed},
-                   {"off_plane", fit.points.off_plane}}},
+                   {"off_plane", fit.points.off_plane},
+                   {"beyond_turn", fit.points.beyond_turn},
+                   {"certainty", fit.points.certainty},
+                   {"depth_order", fit.points.depth_order}}},
                  {"rectification", rectification_json(*ready)},
                  {"notes", sentences_of(notes)}};
   answer.text = sentence + "\n";

@@ -53,7 +53,8 @@ Result<TreatedPair> treated_pair(const vision::StereoPair& given, const StereoRe
   vision::StereoPair pair = given;
   // Between cameras that were not beside each other there is no view by half a disparity.
   if (recipe.texture == Texture::front && given.frame)
-    notes.emplace_back("The camera was not moved to the side: the texture is the left picture.");
+    notes.emplace_back(
+        "The pictures were matched along the movement of the camera: the texture is the left picture.");
   else if (recipe.texture == Texture::front)
     if (const auto moved = move_to_front_view(pair, match->disparity, work); !moved) return moved.error();
   std::shared_ptr<const models::SecondView> second;

@@ -2,85 +2,68 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/rectification/any_motion.hpp"
 
-#include "palpable/vision/rectification/rectifying_rotations.hpp"
+#include "palpable/vision/stereo/problem/matrix3.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <utility>
 
 namespace palpable::vision {
 namespace {
 
-constexpr double kPerDegree = std::numbers::pi / 180.0;
-/// A turn this near to a quarter is one, which keeps the pixels.
-constexpr double kQuarterWithin = 12.0 * kPerDegree;
 /// Radius of the polar frame's innermost pixels, as a share of the outermost's: nothing nearer to the epipole
 /// has parallax.
 constexpr double kInnermost = 0.02;
 
-/// Turns a picture's pixels about its centre, enlarges them and puts the centre at the canvas'.
-Matrix3 turn_onto(double angle, double scale, PicturePoint centre, PicturePoint canvas_centre) {
-  const double c = scale * std::cos(angle), s = scale * std::sin(angle);
-  return {c, -s, canvas_centre.x - c * centre.x + s * centre.y,
-          s, c,  canvas_centre.y - s * centre.x - c * centre.y,
-          0, 0,  1};
+cv::Matx33d camera_matrix(double focal_px, double cx, double cy) {
+  return {focal_px, 0, cx, 0, focal_px, cy, 0, 0, 1};
 }
 
-double near_quarter(double angle) {
-  const double quarter = 0.5 * std::numbers::pi * std::round(angle / (0.5 * std::numbers::pi));
-  return std::abs(angle - quarter) <= kQuarterWithin ? quarter : angle;
+/// Axes along the movement and as near to the left camera's axis as that allows: a calibrated rectification
+/// (Fusiello, Trucco & Verri 2000).
+cv::Matx33d axes_along(const cv::Vec3d& direction) {
+  const cv::Vec3d ahead(0, 0, 1), z = cv::normalize(ahead - direction[2] * direction), y = z.cross(direction);
+  return {direction[0], direction[1], direction[2], y[0], y[1], y[2], z[0], z[1], z[2]};
 }
 
-/// The angle by which the right picture is rolled beside the left one.
-double roll_of(const Matrix3& left_from_right) {
-  return std::atan2(left_from_right[3] - left_from_right[1], left_from_right[0] + left_from_right[4]);
+struct Bounds {
+  double left, right, top, bottom;
+};
+
+Bounds bounds_of(const Matrix3& homography, PicturePoint centre) {
+  Bounds box{1e30, -1e30, 1e30, -1e30};
+  for (const double x : {0.0, 2.0 * centre.x})
+    for (const double y : {0.0, 2.0 * centre.y}) {
+      const PicturePoint p = mapped(homography, {x, y});
+      box = {std::min(box.left, p.x), std::max(box.right, p.x), std::min(box.top, p.y),
+             std::max(box.bottom, p.y)};
+    }
+  return box;
 }
 
-double rms_off_rows(const EpipolarFrame& frame, const std::vector<FeatureMatch>& matches) {
-  double squares = 0.0;
-  for (const FeatureMatch& m : matches) {
-    const double off = frame_from_picture(frame, frame.transform.left, {m.left_x, m.left_y}).y -
-                       frame_from_picture(frame, frame.transform.right, {m.right_x, m.right_y}).y;
-    // Rows of a polar frame are periodic.
-    const double period =
-        frame.polar ? 2.0 * std::numbers::pi * frame.polar->scale_px : std::numeric_limits<double>::max();
-    squares += std::pow(std::remainder(off, period), 2);
-  }
-  return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, matches.size())));
-}
-
-/// Both pictures are turned until the camera moved to the right, then rectified by rotations.
-std::optional<AnyMotion> turned(const PairMotion& motion, const std::vector<FeatureMatch>& matches,
-                                PicturePoint centre, double tolerance_px, std::uint64_t seed) {
-  const double angle = near_quarter(-std::atan2(motion.direction.y, motion.direction.x));
-  const double c = std::abs(std::cos(angle)), s = std::abs(std::sin(angle));
+/// Both pictures are turned until the camera moved to the right.
+AnyMotion turned(const PairMotion& motion, PicturePoint centre) {
+  const MotionModel& model = motion.model;
+  const cv::Matx33d axes = axes_along(model.direction), seen_as = camera_matrix(model.focal_px, 0.0, 0.0),
+                    left = camera_matrix(model.focal_px, model.cx, model.cy),
+                    right = camera_matrix(model.zoom * model.focal_px, model.cx, model.cy);
   AnyMotion out;
-  out.frame.width = static_cast<int>(std::ceil(2.0 * (c * centre.x + s * centre.y) - 1e-6)) + 1;
-  out.frame.height = static_cast<int>(std::ceil(2.0 * (s * centre.x + c * centre.y) - 1e-6)) + 1;
-  const PicturePoint canvas{0.5 * (out.frame.width - 1), 0.5 * (out.frame.height - 1)};
-  const Matrix3 left = turn_onto(angle, 1.0, centre, canvas),
-                right = turn_onto(near_quarter(angle + roll_of(motion.left_from_right)), 1.0 / motion.zoom,
-                                  centre, canvas);
-  std::vector<FeatureMatch> turned;
-  for (const FeatureMatch& m : matches) {
-    const PicturePoint p = mapped(left, {m.left_x, m.left_y}), q = mapped(right, {m.right_x, m.right_y});
-    turned.push_back({p.x, p.y, q.x, q.y});
-  }
-  const RectifyingRotations found = find_rectifying_rotations(
-      turned, unknown_camera(out.frame.width, out.frame.height), tolerance_px, seed);
-  if (found.inliers.empty()) return std::nullopt;
-  // Distortion about the centre is the same before and after a turn about it.
-  out.frame.transform = {product(found.transform.left, left), product(found.transform.right, right),
-                         found.transform.distortion, centre.x, centre.y};
-  const Matrix3 left_back = inverse(left), right_back = inverse(right);
-  for (const FeatureMatch& m : found.inliers) {
-    const PicturePoint p = mapped(left_back, {m.left_x, m.left_y}),
-                       q = mapped(right_back, {m.right_x, m.right_y});
-    out.inliers.push_back({p.x, p.y, q.x, q.y});
-  }
+  RectifyingTransform& by = out.frame.transform;
+  by.left = array_of(seen_as * axes * left.inv());
+  by.right = array_of(seen_as * axes * model.left_from_right * right.inv());
+  // The canvas shows the whole left picture, and what the right one shows of it beyond its left border.
+  Bounds box = bounds_of(by.left, centre);
+  double farthest = 0.0;
+  for (const FeatureMatch& m : motion.inliers)
+    farthest = std::max(farthest,
+                        mapped(by.left, {m.left_x, m.left_y}).x - mapped(by.right, {m.right_x, m.right_y}).x);
+  box.left = std::max(box.left - farthest, std::min(box.left, bounds_of(by.right, centre).left));
+  const Matrix3 onto{1, 0, -box.left, 0, 1, -box.top, 0, 0, 1};
+  by.left = product(onto, by.left);
+  by.right = product(onto, by.right);
+  out.frame.width = static_cast<int>(std::ceil(box.right - box.left)) + 1;
+  out.frame.height = static_cast<int>(std::ceil(box.bottom - box.top)) + 1;
   return out;
 }
 
@@ -117,60 +100,66 @@ PolarAxes polar_axes(PicturePoint epipole, PicturePoint centre, bool forward, Ep
 
 /// The right picture is turned into the left one's axes; all points then move on lines through the epipole.
 AnyMotion polar(const PairMotion& motion, PicturePoint centre) {
+  const MotionModel& model = motion.model;
   AnyMotion out;
-  const Matrix3 camera{motion.focal_px, 0, centre.x, 0, motion.focal_px, centre.y, 0, 0, 1};
-  Matrix3 other = camera;
-  other[0] = other[4] = motion.zoom * motion.focal_px;
-  out.frame.transform.right = product(camera, product(motion.left_from_right, inverse(other)));
-  const Vec3& d = motion.direction;
-  const PicturePoint epipole{centre.x + motion.focal_px * d.x / d.z, centre.y + motion.focal_px * d.y / d.z};
-  out.frame.polar = polar_axes(epipole, centre, d.z > 0.0, out.frame);
-  out.inliers = motion.inliers;
+  out.frame.transform.right =
+      array_of(camera_matrix(model.focal_px, model.cx, model.cy) * model.left_from_right *
+               camera_matrix(model.zoom * model.focal_px, model.cx, model.cy).inv());
+  const cv::Vec3d& d = model.direction;
+  const PicturePoint epipole{model.cx + model.focal_px * d[0] / d[2],
+                             model.cy + model.focal_px * d[1] / d[2]};
+  out.frame.polar = polar_axes(epipole, centre, d[2] > 0.0, out.frame);
   return out;
 }
 
 /// How the camera moved, by the greatest parts of its direction.
-std::string words_of(const Vec3& d) {
+std::string words_of(const cv::Vec3d& d) {
   std::string words;
   const auto add = [&words](const char* word) {
     words += (words.empty() ? "" : " and ") + std::string(word);
   };
-  const double some = 0.35 * std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-  if (std::abs(d.z) >= some) add(d.z > 0.0 ? "forward" : "backward");
-  if (std::abs(d.y) >= some) add(d.y > 0.0 ? "down" : "up");
-  if (std::abs(d.x) >= some) add(d.x > 0.0 ? "to the right" : "to the left");
+  const double some = 0.35 * std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
+  if (std::abs(d[2]) >= some) add(d[2] > 0.0 ? "forward" : "backward");
+  if (std::abs(d[1]) >= some) add(d[1] > 0.0 ? "down" : "up");
+  if (std::abs(d[0]) >= some) add(d[0] > 0.0 ? "to the right" : "to the left");
   return words;
 }
 
 }  // namespace
 
-bool is_sideways(const PairMotion& motion, const AnyMotionOptions& options) {
-  const Vec3& d = motion.direction;
-  const double across = std::hypot(d.x, d.y);
-  return std::abs(d.y) <= std::tan(options.sideways_deg * kPerDegree) * std::abs(d.x) &&
-         std::abs(d.z) <= options.sideways_forward * across &&
-         std::abs(roll_of(motion.left_from_right)) <= options.sideways_roll_deg * kPerDegree &&
-         std::abs(std::log(motion.zoom)) <= options.sideways_zoom;
-}
-
-std::optional<PairMotion> find_any_motion(const std::vector<FeatureMatch>& matches, int width, int height,
-                                          double tolerance_px, const AnyMotionOptions& options) {
-  auto motion = find_pair_motion(matches, width, height, tolerance_px);
-  if (!motion) return motion;
-  const auto explained = static_cast<double>(motion->inliers.size());
-  if (explained < options.least_share * static_cast<double>(matches.size()) ||
-      motion->parallax_px < options.least_parallax_px || motion->same_sign < options.least_same_sign)
+std::optional<PairMotion> find_any_motion(const std::vector<FeatureMatch>& matches,
+                                          const SharedCamera& camera, double tolerance_px,
+                                          const AnyMotionOptions& options) {
+  auto motion = find_pair_motion(matches, camera, tolerance_px);
+  if (motion &&
+      static_cast<double>(motion->inliers.size()) < options.least_share * static_cast<double>(matches.size()))
     return std::nullopt;
   return motion;
 }
 
-bool explains_more(const PairMotion& motion, std::size_t on_rows, const AnyMotionOptions& options) {
-  return static_cast<double>(motion.inliers.size()) >= options.more_matches * static_cast<double>(on_rows);
+bool has_parallax(const PairMotion& motion, const AnyMotionOptions& options) {
+  return motion.beyond_turn >= options.least_beyond_turn;
 }
 
-bool explains_offsets(const PairMotion& motion, const VerticalOffsets& offsets,
-                      const std::vector<FeatureMatch>& matches, double tolerance_px,
-                      const AnyMotionOptions& options) {
+bool keeps_pictures(const PairMotion& motion, int width, int height, const AnyMotionOptions& options) {
+  const MotionModel& model = motion.model;
+  const cv::Matx33d axes = axes_along(model.direction),
+                    left = camera_matrix(model.focal_px, model.cx, model.cy),
+                    right = camera_matrix(model.zoom * model.focal_px, model.cx, model.cy);
+  const double kept_px = options.kept_px * width / 480.0;
+  for (const Matrix3& moved :
+       {array_of(left * axes * left.inv()), array_of(left * axes * model.left_from_right * right.inv())})
+    for (const double x : {0.0, width - 1.0})
+      for (const double y : {0.0, height - 1.0}) {
+        const PicturePoint p = mapped(moved, {x, y});
+        if (!(std::hypot(p.x - x, p.y - y) <= kept_px)) return false;
+      }
+  return true;
+}
+
+bool offsets_explain_more(const VerticalOffsets& offsets, const PairMotion& motion,
+                          const std::vector<FeatureMatch>& matches, double tolerance_px,
+                          const AnyMotionOptions& options) {
   std::size_t corrected = 0;
   double squares = 0.0;
   for (const FeatureMatch& m : matches) {
@@ -180,40 +169,19 @@ bool explains_offsets(const PairMotion& motion, const VerticalOffsets& offsets,
     ++corrected;
     squares += off * off;
   }
-  const double residual_px = std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, corrected)));
-  return static_cast<double>(motion.inliers.size()) >=
-             options.instead_of_offsets * static_cast<double>(corrected) &&
-         motion.residual_px <= options.as_near_as_offsets * residual_px;
+  const auto explained = static_cast<double>(corrected),
+             by_motion = static_cast<double>(motion.inliers.size());
+  const double residual_px = std::sqrt(squares / std::max(1.0, explained));
+  return explained >= options.more_by_offsets * by_motion ||
+         (explained >= by_motion && motion.residual_px > options.nearer_by_offsets * residual_px);
 }
 
-bool keeps_picture(const Matrix3& homography, int width, int height, const AnyMotionOptions& options) {
-  // The roll at the middle, by a step to the right there.
-  const PicturePoint middle{0.5 * (width - 1), 0.5 * (height - 1)};
-  const PicturePoint from = mapped(homography, middle), to = mapped(homography, {middle.x + 1.0, middle.y});
-  if (std::abs(std::atan2(to.y - from.y, to.x - from.x)) > options.most_roll_deg * kPerDegree) return false;
-  constexpr int kPlaces = 16;
-  int kept = 0;
-  for (int j = 0; j < kPlaces; ++j)
-    for (int i = 0; i < kPlaces; ++i) {
-      const PicturePoint p = mapped(homography, {(i + 0.5) / kPlaces * width, (j + 0.5) / kPlaces * height});
-      kept += p.x >= 0.0 && p.y >= 0.0 && p.x < width && p.y < height ? 1 : 0;
-    }
-  return kept >= options.least_kept * kPlaces * kPlaces;
-}
-
-std::optional<AnyMotion> frame_of_motion(const PairMotion& motion, const std::vector<FeatureMatch>& matches,
-                                         int width, int height, double tolerance_px, std::uint64_t seed,
-                                         const AnyMotionOptions& options) {
+AnyMotion frame_of_motion(const PairMotion& motion, int width, int height, const AnyMotionOptions& options) {
   const PicturePoint centre{0.5 * (width - 1), 0.5 * (height - 1)};
-  const Vec3& d = motion.direction;
-  std::optional<AnyMotion> out;
-  if (std::abs(d.z) <= options.polar_forward * std::hypot(d.x, d.y))
-    out = turned(motion, matches, centre, tolerance_px, seed);
-  else
-    out = polar(motion, centre);
-  if (!out) return out;
-  out->residual_px = rms_off_rows(out->frame, out->inliers);
-  out->words = words_of(d);
+  const cv::Vec3d& d = motion.model.direction;
+  AnyMotion out = std::abs(d[2]) <= options.polar_forward * std::hypot(d[0], d[1]) ? turned(motion, centre)
+                                                                                   : polar(motion, centre);
+  out.words = words_of(d);
   return out;
 }
 

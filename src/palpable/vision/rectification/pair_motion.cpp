@@ -2,64 +2,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/rectification/pair_motion.hpp"
 
+#include "palpable/core/numbers/median.hpp"
 #include "palpable/vision/rectification/least_squares.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <opencv2/calib3d.hpp>
 
 namespace palpable::vision {
 namespace {
 
-constexpr std::size_t kLeastMatches = 20;
-/// Weights of the priors on the logarithms of the focal length and of the zoom, px; a zoom of 1 is held.
-constexpr double kFocalPrior_px = 3.0, kZoomPrior_px = 30.0, kHeld_px = 1e6;
-/// Rotation, direction, focal length, zoom.
-constexpr int kUnknowns = 7;
-using Unknowns = cv::Vec<double, kUnknowns>;
+/// The samples' tolerance over the given one: the focal length may be far off.
+constexpr double kLoosened = 2.5;
+/// Greatest logarithm of the zoom, and least share of points before the cameras, of an estimate.
+constexpr double kMostZoom = 0.2, kLeastBefore = 0.9;
 
-/// A motion and its camera, without what follows from the matches.
-struct Estimate {
-  cv::Matx33d left_from_right;
-  cv::Vec3d direction;
-  double focal_px;
-  double zoom;
-  double cx, cy;
-
-  cv::Vec3d left_ray(const FeatureMatch& m) const {
-    return {(m.left_x - cx) / focal_px, (m.left_y - cy) / focal_px, 1.0};
-  }
-  /// In the left camera's axes.
-  cv::Vec3d right_ray(const FeatureMatch& m) const {
-    const double focal = zoom * focal_px;
-    const cv::Vec3d ray =
-        left_from_right * cv::Vec3d((m.right_x - cx) / focal, (m.right_y - cy) / focal, 1.0);
-    return ray / ray[2];
-  }
-  /// Distance of the turned right point from the left point's epipolar line, px.
-  double off_line_px(const FeatureMatch& m) const {
-    const cv::Vec3d normal = direction.cross(left_ray(m));
-    return focal_px * normal.dot(right_ray(m)) / std::max(1e-9, std::hypot(normal[0], normal[1]));
-  }
-  /// How far the point moved along its line, px: positive in a scene before the cameras.
-  double parallax_px(const FeatureMatch& m) const {
-    const cv::Vec3d left = left_ray(m), moved = right_ray(m) - left;
-    const double x = direction[2] * left[0] - direction[0], y = direction[2] * left[1] - direction[1];
-    return focal_px * (x * moved[0] + y * moved[1]) / std::max(1e-9, std::hypot(x, y));
-  }
-};
-
-std::vector<FeatureMatch> inliers_of(const Estimate& at, const std::vector<FeatureMatch>& matches,
-                                     double tolerance_px) {
-  std::vector<FeatureMatch> out;
-  for (const FeatureMatch& m : matches)
-    if (std::abs(at.off_line_px(m)) <= tolerance_px) out.push_back(m);
-  return out;
-}
-
-/// The essential matrix with these focal lengths; nothing where none is found.
-std::optional<Estimate> estimate(const std::vector<FeatureMatch>& matches, Estimate at, double tolerance_px,
-                                 double confidence) {
+/// The essential matrix with the model's focal lengths; nothing where none is found.
+std::optional<MotionModel> sampled(const std::vector<FeatureMatch>& matches, MotionModel at,
+                                   double tolerance_px, double confidence) {
   std::vector<cv::Point2d> left, right;
   const double focal = at.focal_px, other = at.zoom * at.focal_px;
   for (const FeatureMatch& m : matches) {
@@ -68,7 +30,7 @@ std::optional<Estimate> estimate(const std::vector<FeatureMatch>& matches, Estim
   }
   cv::Mat mask;
   const cv::Mat essential = cv::findEssentialMat(left, right, cv::Mat::eye(3, 3, CV_64F), cv::RANSAC,
-                                                 confidence, tolerance_px / focal, mask);
+                                                 confidence, kLoosened * tolerance_px / focal, mask);
   if (essential.rows != 3 || essential.cols != 3) return std::nullopt;
   cv::Mat turn, shift;
   cv::recoverPose(essential, left, right, turn, shift, 1.0, {0.0, 0.0}, mask);
@@ -80,89 +42,188 @@ std::optional<Estimate> estimate(const std::vector<FeatureMatch>& matches, Estim
   return at;
 }
 
-/// `from` with a small rotation, a turned direction and another focal length.
-Estimate changed(const Estimate& from, const Unknowns& by) {
-  Estimate out = from;
-  cv::Matx33d turn;
-  cv::Rodrigues(cv::Vec3d(by[0], by[1], by[2]), turn);
-  out.left_from_right = turn * from.left_from_right;
-  const cv::Vec3d aside = cv::normalize(
-      from.direction.cross(std::abs(from.direction[0]) < 0.7 ? cv::Vec3d(1, 0, 0) : cv::Vec3d(0, 1, 0)));
-  out.direction = cv::normalize(from.direction + by[3] * aside + by[4] * from.direction.cross(aside));
-  out.focal_px = from.focal_px * std::exp(by[5]);
-  if (from.zoom != 1.0) out.zoom = from.zoom * std::exp(by[6]);
-  return out;
+/// With the direction's sign that puts most points before the cameras.
+MotionModel facing(MotionModel at, const std::vector<FeatureMatch>& matches) {
+  double sum = 0.0;
+  for (const FeatureMatch& m : matches) sum += std::clamp(at.parallax_px(m), -2.0, 2.0);
+  if (sum < 0.0) at.direction = -at.direction;
+  return at;
 }
 
-Estimate refined(const Estimate& from, const std::vector<FeatureMatch>& matches) {
-  const auto residuals = [&](const Unknowns& by) {
-    const Estimate at = changed(from, by);
-    std::vector<double> out;
-    out.reserve(matches.size() + 2);
-    for (const FeatureMatch& m : matches) out.push_back(at.off_line_px(m));
-    out.push_back(kFocalPrior_px * by[5]);
-    out.push_back(from.zoom == 1.0 ? kHeld_px * by[6] : kZoomPrior_px * std::log(at.zoom));
-    return out;
-  };
-  return changed(from, least_squares<kUnknowns>(residuals, Unknowns::all(0.0)));
-}
-
-PairMotion motion_of(const Estimate& at, std::vector<FeatureMatch> inliers, double tolerance_px) {
-  PairMotion out;
-  std::copy_n(at.left_from_right.val, out.left_from_right.size(), out.left_from_right.begin());
-  out.direction = {at.direction[0], at.direction[1], at.direction[2]};
-  out.focal_px = at.focal_px;
-  out.zoom = at.zoom;
-  double squares = 0.0, off_squares = 0.0;
-  int clear = 0, same = 0;
-  for (const FeatureMatch& m : inliers) {
-    off_squares += at.off_line_px(m) * at.off_line_px(m);
+/// Share of the explained matches before the cameras, of those that moved along their lines by at least the
+/// tolerance.
+double before_cameras(const MotionModel& at, const std::vector<FeatureMatch>& matches, double tolerance_px) {
+  int clear = 0, before = 0;
+  for (const FeatureMatch& m : matches) {
+    if (std::abs(at.off_line_px(m)) > tolerance_px) continue;
     const double px = at.parallax_px(m);
-    squares += px * px;
     if (std::abs(px) < tolerance_px) continue;
     ++clear;
-    same += px > 0.0 ? 1 : 0;
+    before += px > 0.0 ? 1 : 0;
   }
-  out.parallax_px = std::sqrt(squares / static_cast<double>(inliers.size()));
-  out.residual_px = std::sqrt(off_squares / static_cast<double>(inliers.size()));
-  out.same_sign = clear > 0 ? static_cast<double>(same) / clear : 0.0;
-  out.inliers = std::move(inliers);
+  return clear > 0 ? static_cast<double>(before) / clear : 0.0;
+}
+
+/// The turn and zoom that explain the matches best without a movement: their distances from it, px.
+std::vector<double> off_turn_px(const MotionModel& model, const std::vector<FeatureMatch>& matches,
+                                bool known) {
+  const auto off = [&](const cv::Vec<double, 5>& by, const FeatureMatch& m) {
+    MotionModel at = model;
+    cv::Matx33d turn;
+    cv::Rodrigues(cv::Vec3d(by[0], by[1], by[2]), turn);
+    at.left_from_right = turn * model.left_from_right;
+    at.zoom *= std::exp(by[3]);
+    at.focal_px *= std::exp(by[4]);
+    const cv::Vec3d d = at.right_ray(m) - at.left_ray(m);
+    return cv::Vec2d(at.focal_px * d[0], at.focal_px * d[1]);
+  };
+  const double held = known ? 1e6 : 3.0;
+  cv::Vec<double, 5> at = cv::Vec<double, 5>::all(0.0);
+  std::vector<double> distances(matches.size(), 0.0);
+  // The second time without the farthest third, which may be nearer surfaces.
+  double most = 0.0;
+  for (int round = 0; round < 3; ++round) {
+    const auto residuals = [&](const cv::Vec<double, 5>& by) {
+      std::vector<double> out;
+      for (std::size_t i = 0; i < matches.size(); ++i) {
+        if (distances[i] > most) continue;
+        const cv::Vec2d d = off(by, matches[i]);
+        out.insert(out.end(), {d[0], d[1]});
+      }
+      out.insert(out.end(), {(known ? held : 1.0) * by[3], held * by[4]});
+      return out;
+    };
+    at = least_squares<5>(residuals, at);
+    for (std::size_t i = 0; i < matches.size(); ++i) distances[i] = cv::norm(off(at, matches[i]));
+    std::vector<double> sorted = distances;
+    std::sort(sorted.begin(), sorted.end());
+    most = sorted[sorted.size() * 2 / 3];
+  }
+  return distances;
+}
+
+/// Estimates from every start, the best of each kind first.
+struct MotionCandidates {
+  std::vector<MotionModel> models;
+  std::vector<double> squares;
+  std::size_t best = 0;
+
+  void add(const MotionModel& model, double squares_px) {
+    models.push_back(model);
+    squares.push_back(squares_px);
+  }
+};
+
+MotionCandidates candidates_of(const std::vector<FeatureMatch>& matches, const SharedCamera& camera,
+                               double tolerance_px, const PairMotionOptions& options) {
+  MotionCandidates out;
+  const auto settle = [&](const MotionModel& from, MotionUnknowns unknowns) {
+    const MotionModel at = facing(settled_model(from, matches, tolerance_px, unknowns), matches);
+    if (std::abs(std::log(at.zoom)) <= kMostZoom && before_cameras(at, matches, tolerance_px) >= kLeastBefore)
+      out.add(at, truncated_squares(at, matches, tolerance_px, unknowns));
+  };
+  const double width = 2.0 * camera.cx + 1.0;
+  std::vector<double> focals{camera.focal_px};
+  if (!camera.known) {
+    focals.clear();
+    for (const double share : options.focal_shares) focals.push_back(share * width);
+  }
+  for (const double zoom : camera.known ? std::vector<double>{1.0} : options.zooms)
+    for (const double focal : focals) {
+      const MotionModel at{cv::Matx33d::eye(), {1, 0, 0}, focal, zoom, camera.cx, camera.cy};
+      const auto start = sampled(matches, at, tolerance_px, options.confidence);
+      if (!start) continue;
+      settle(*start, camera.known  ? MotionUnknowns::pose
+                     : zoom == 1.0 ? MotionUnknowns::pose_and_focal
+                                   : MotionUnknowns::pose_focal_and_zoom);
+    }
+  if (out.models.empty()) return out;
+  // From the best of them in other directions: forward, sideways and up may explain nearly the same.
+  const auto least = [&] {
+    return static_cast<std::size_t>(std::min_element(out.squares.begin(), out.squares.end()) -
+                                    out.squares.begin());
+  };
+  const MotionModel from = out.models[least()];
+  for (const cv::Vec3d& direction : {cv::Vec3d(1, 0, 0), cv::Vec3d(0, 1, 0), cv::Vec3d(0, 0, 1)}) {
+    MotionModel at = from;
+    at.direction = direction;
+    if (camera.known) {
+      settle(at, MotionUnknowns::pose);
+      continue;
+    }
+    settle(at, MotionUnknowns::pose_focal_and_zoom);
+    at.zoom = 1.0;
+    settle(at, MotionUnknowns::pose_and_focal);
+  }
+  // The best without a zoom, unless one explains clearly more.
+  out.best = least();
+  std::size_t plain = out.best;
+  double plain_squares = 1e300;
+  for (std::size_t i = 0; i < out.models.size(); ++i)
+    if (out.models[i].zoom == 1.0 && out.squares[i] < plain_squares) {
+      plain = i;
+      plain_squares = out.squares[i];
+    }
+  if (out.squares[out.best] > options.less_by_zoom * plain_squares) out.best = plain;
   return out;
 }
 
-/// Refined over the matches that it explains.
-Estimate settled(Estimate at, const std::vector<FeatureMatch>& matches, double tolerance_px,
-                 const PairMotionOptions& options) {
-  for (const double loosened : options.round_tolerances) {
-    const std::vector<FeatureMatch> inliers = inliers_of(at, matches, loosened * tolerance_px);
-    if (inliers.size() < kLeastMatches) break;
-    at = refined(at, inliers);
-  }
-  return at;
+/// See PairMotion::certainty.
+double certainty_of(const MotionCandidates& candidates, const std::vector<FeatureMatch>& inliers,
+                    double deviation_px, bool known, const PairMotionOptions& options) {
+  const MotionModel& best = candidates.models[candidates.best];
+  const PointDepths depths = depths_of(best, inliers);
+  std::vector<MotionModel> others =
+      uncertain_models(best, inliers, deviation_px, options.deviations,
+                       known              ? MotionUnknowns::pose
+                       : best.zoom == 1.0 ? MotionUnknowns::pose_and_focal
+                                          : MotionUnknowns::pose_focal_and_zoom);
+  for (std::size_t i = 0; i < candidates.models.size(); ++i)
+    if (candidates.squares[i] <= options.as_good * candidates.squares[candidates.best])
+      others.push_back(candidates.models[i]);
+  double least = 1.0;
+  for (const MotionModel& other : others)
+    least = std::min(least, order_agreement(depths, depths_of(other, inliers).nearness));
+  return least;
 }
 
 }  // namespace
 
-std::optional<PairMotion> find_pair_motion(const std::vector<FeatureMatch>& matches, int width, int height,
-                                           double tolerance_px, const PairMotionOptions& options) {
-  if (matches.size() < kLeastMatches) return std::nullopt;
-  std::optional<Estimate> best;
-  double most = 0.0;
-  for (const double zoom : options.zooms)
-    for (const double share : options.focal_shares) {
-      const Estimate camera{{}, {}, share * width, zoom, 0.5 * (width - 1), 0.5 * (height - 1)};
-      auto at =
-          estimate(matches, camera, options.round_tolerances.front() * tolerance_px, options.confidence);
-      if (!at) continue;
-      at = settled(*at, matches, tolerance_px, options);
-      const auto explained = static_cast<double>(inliers_of(*at, matches, tolerance_px).size());
-      if (explained <= most * (zoom != 1.0 && best && best->zoom == 1.0 ? options.more_by_zoom : 1.0))
-        continue;
-      best = at;
-      most = explained;
-    }
-  if (!best || most < static_cast<double>(kLeastMatches)) return std::nullopt;
-  return motion_of(*best, inliers_of(*best, matches, tolerance_px), tolerance_px);
+PointDepths depths_of(const MotionModel& model, const std::vector<FeatureMatch>& matches) {
+  PointDepths out;
+  for (const FeatureMatch& m : matches) {
+    out.nearness.push_back(model.nearness(m));
+    out.uncertainty.push_back(kClearParallax_px * model.nearness_per_px(m));
+  }
+  return out;
+}
+
+std::optional<PairMotion> find_pair_motion(const std::vector<FeatureMatch>& matches,
+                                           const SharedCamera& camera, double tolerance_px,
+                                           const PairMotionOptions& options) {
+  if (matches.size() < kLeastMotionMatches) return std::nullopt;
+  const MotionCandidates candidates = candidates_of(matches, camera, tolerance_px, options);
+  if (candidates.models.empty()) return std::nullopt;
+  PairMotion out;
+  out.model = candidates.models[candidates.best];
+  out.inliers = explained_by(out.model, matches, tolerance_px);
+  if (out.inliers.size() < kLeastMotionMatches) return std::nullopt;
+  const auto count = static_cast<double>(out.inliers.size());
+  double off_squares = 0.0;
+  std::vector<double> off;
+  for (const FeatureMatch& m : out.inliers) {
+    off.push_back(std::abs(out.model.off_line_px(m)));
+    off_squares += off.back() * off.back();
+  }
+  out.residual_px = std::sqrt(off_squares / count);
+  const std::vector<double> off_turn = off_turn_px(out.model, out.inliers, camera.known);
+  out.parallax_px = std::sqrt(squares_of(off_turn) / count);
+  out.beyond_turn = static_cast<double>(std::count_if(off_turn.begin(), off_turn.end(),
+                                                      [&](double px) { return px > tolerance_px; })) /
+                    count;
+  out.certainty =
+      certainty_of(candidates, out.inliers, std::max(0.1, 1.48 * median_of(off)), camera.known, options);
+  return out;
 }
 
 }  // namespace palpable::vision

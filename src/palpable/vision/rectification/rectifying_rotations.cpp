@@ -3,6 +3,7 @@
 #include "palpable/vision/rectification/rectifying_rotations.hpp"
 
 #include "palpable/vision/rectification/least_squares.hpp"
+#include "palpable/vision/stereo/problem/matrix3.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,12 +27,6 @@ cv::Matx33d rotation(double about_x, double about_y, double about_z) {
 
 cv::Matx33d matrix_of(const SharedCamera& camera, double focal_px) {
   return {focal_px, 0, camera.cx, 0, focal_px, camera.cy, 0, 0, 1};
-}
-
-Matrix3 array_of(const cv::Matx33d& m) {
-  Matrix3 out{};
-  std::copy_n(m.val, out.size(), out.begin());
-  return out;
 }
 
 /// Rotations of the left camera about y and z, of the right one about x, y and z (radians), the logarithm of

@@ -109,9 +109,17 @@ struct RectificationEstimate {
   double share = 0.0;
 };
 
-/// The rotations, unless vertical offsets explain much more; then the left picture does not change.
+/// Features, and the rigid motion that explains them if there is one.
+struct RigidFeatures {
+  std::vector<FeatureMatch> features;
+  std::optional<PairMotion> motion;
+};
+
+/// The rotations, unless vertical offsets explain much more, and more than a rigid motion, whose parallax
+/// they would take away; then the left picture does not change.
 RectificationCandidate candidate_of(const std::vector<FeatureMatch>& matches, RectifyingRotations rotations,
-                                    const Image& picture, const Options& options) {
+                                    const Image& picture, const RigidFeatures& rigid,
+                                    const Options& options) {
   const double tolerance_px = feature_tolerance_px(picture.width, picture.height, options.features);
   const VerticalOffsetScore score =
       cross_validate_offsets(matches, picture.width, picture.height, tolerance_px, options.offsets);
@@ -119,7 +127,9 @@ RectificationCandidate candidate_of(const std::vector<FeatureMatch>& matches, Re
   auto offsets = score.is_better_than(rotations.inliers.size(), other_px, options.offsets)
                      ? VerticalOffsets::through(matches, picture.width, picture.height, options.offsets)
                      : std::nullopt;
-  if (!offsets) return {std::move(rotations), {}, 0.0};
+  if (!offsets ||
+      (rigid.motion && !offsets_explain_more(*offsets, *rigid.motion, rigid.features, tolerance_px)))
+    return {std::move(rotations), {}, 0.0};
   RectifyingRotations none;
   for (const FeatureMatch& m : matches)
     if (const FeatureMatch corrected = offsets->corrected(m);
@@ -153,11 +163,11 @@ double share_on_rows(const std::vector<FeatureMatch>& matches, double tolerance_
 /// After a first rectification by features, corners are tracked between the pictures, since features are few
 /// and absent in repeated patterns.
 Result<RectificationEstimate> estimate_from(const StereoPair& pair, const SharedCamera& camera,
-                                            const std::vector<FeatureMatch>& features,
-                                            RectifyingRotations first, const Options& options,
-                                            const Work& work) {
+                                            const RigidFeatures& rigid, RectifyingRotations first,
+                                            const Options& options, const Work& work) {
   const double tolerance_px = feature_tolerance_px(pair.left.width, pair.left.height, options.features);
-  RectificationEstimate out{features, candidate_of(features, std::move(first), pair.left, options)};
+  const std::vector<FeatureMatch>& features = rigid.features;
+  RectificationEstimate out{features, candidate_of(features, std::move(first), pair.left, rigid, options)};
   for (int round = 0; round < options.rounds; ++round) {
     if (static_cast<int>(out.candidate.rotations.inliers.size()) < options.least_matches) return out;
     if (work.cancelled()) return Work::interrupted();
@@ -170,7 +180,7 @@ Result<RectificationEstimate> estimate_from(const StereoPair& pair, const Shared
     RectifyingRotations rotations =
         find_rectifying_rotations(out.matches, camera, tolerance_px, work.seed, options.rotations);
     out.matches = best_alternatives(out.matches, rotations.transform);
-    out.candidate = candidate_of(out.matches, std::move(rotations), pair.left, options);
+    out.candidate = candidate_of(out.matches, std::move(rotations), pair.left, rigid, options);
     if (out.share > options.rectified_matches_share) break;
   }
   return out;
@@ -180,14 +190,15 @@ Result<RectificationEstimate> estimate_from(const StereoPair& pair, const Shared
 /// most corners are off their rows, estimation restarts from a rough estimate, and the candidate with more
 /// inliers is used.
 Result<RectificationEstimate> estimate(const StereoPair& pair, const SharedCamera& camera,
-                                       const std::vector<FeatureMatch>& features, RectifyingRotations first,
+                                       const RigidFeatures& rigid, RectifyingRotations first,
                                        const Options& options, const Work& work) {
-  auto out = estimate_from(pair, camera, features, std::move(first), options, work);
+  auto out = estimate_from(pair, camera, rigid, std::move(first), options, work);
   if (!out || out->share > options.restart_share) return out;
   const double tolerance_px = feature_tolerance_px(pair.left.width, pair.left.height, options.features);
-  auto again = estimate_from(
-      pair, camera, features,
-      find_rough_rotations(features, camera, tolerance_px, work.seed, options.rotations), options, work);
+  auto again =
+      estimate_from(pair, camera, rigid,
+                    find_rough_rotations(rigid.features, camera, tolerance_px, work.seed, options.rotations),
+                    options, work);
   if (!again) return again;
   return again->candidate.rotations.inliers.size() > out->candidate.rotations.inliers.size() ? again : out;
 }
@@ -221,23 +232,18 @@ void rectify(RectifiedPair& out, const RectificationEstimate& estimate, const Op
                     candidate.greatest_px));
 }
 
-/// The pair with the frame of its camera's motion; the pictures stay as they are. Nothing where the frame
-/// does not bring the features to common rows.
-std::optional<RectifiedPair> in_frame_of(const PairMotion& camera, const std::vector<FeatureMatch>& features,
-                                         const StereoPair& pair, const Options& options, const Work& work) {
-  const double tolerance_px = feature_tolerance_px(pair.left.width, pair.left.height, options.features);
-  const auto motion =
-      frame_of_motion(camera, features, pair.left.width, pair.left.height, tolerance_px, work.seed);
-  if (!motion || !(motion->residual_px <= options.most_residual_px)) return std::nullopt;
-  RectifiedPair out = unchanged(pair, motion->inliers, options);
+/// The pair with the frame of its camera's motion; the pictures stay as they are.
+RectifiedPair in_frame_of(const PairMotion& motion, const StereoPair& pair, const Options& options) {
+  const AnyMotion found = frame_of_motion(motion, pair.left.width, pair.left.height);
+  RectifiedPair out = unchanged(pair, motion.inliers, options);
   out.pair.rig.reset();
-  out.pair.frame = motion->frame;
-  out.residual_px = motion->residual_px;
+  out.pair.frame = found.frame;
+  out.residual_px = motion.residual_px;
   out.changed = true;
   out.notes.push_back(
       fmt::format("The camera was moved {}: the pictures are matched along that direction ({} points within "
                   "{:.2f} pixels of it).",
-                  motion->words, out.features, out.residual_px));
+                  found.words, out.features, out.residual_px));
   return out;
 }
 
@@ -319,19 +325,24 @@ Result<RectifiedPair> rectify_uncalibrated(const StereoPair& pair, const Work& w
         static_cast<double>(as_they_are.size()) >=
             options.rectified_matches_share * static_cast<double>(first.inliers.size()))
       return unchanged(pair, as_they_are, options);
-    const auto motion = find_any_motion(features, pair.left.width, pair.left.height, tolerance_px);
-    const std::size_t on_rows = first.inliers.size();
-    const bool keeps_left = keeps_picture(first.transform.left, pair.left.width, pair.left.height);
-    const auto found = estimate(pair, camera, features, std::move(first), options, work);
-    const bool has_offsets = found && found->candidate.offsets;
-    if (motion && (has_offsets ? explains_offsets(*motion, *found->candidate.offsets, features, tolerance_px)
-                               : !is_sideways(*motion) && (explains_more(*motion, on_rows) || !keeps_left)))
-      if (auto in_frame = in_frame_of(*motion, features, pair, options, work)) return *in_frame;
+    const RigidFeatures rigid{features, find_any_motion(features, camera, tolerance_px)};
+    const bool needs_frame = rigid.motion && has_parallax(*rigid.motion) &&
+                             !keeps_pictures(*rigid.motion, pair.left.width, pair.left.height);
+    if (needs_frame && static_cast<double>(rigid.motion->inliers.size()) >=
+                           options.rectified_matches_share * static_cast<double>(features.size()))
+      return in_frame_of(*rigid.motion, pair, options);
+    const auto found = estimate(pair, camera, rigid, std::move(first), options, work);
+    if (needs_frame && found && !found->candidate.offsets) return in_frame_of(*rigid.motion, pair, options);
     if (!found) return found.error();
     RectifiedPair out = unchanged(pair, found->candidate.rotations.inliers, options);
     if (out.features < options.least_matches) return out;
     rectify(out, *found, options);
     if (out.changed) out.pair.rig.reset();
+    if (rigid.motion && !has_parallax(*rigid.motion))
+      out.notes.emplace_back(
+          "Near and far moved alike between the pictures, as if the camera was turned or zoomed in one "
+          "place, or "
+          "everything is equally far: for depth, move it to the side and do not zoom.");
     return out;
   } catch (const cv::Exception& e) {
     return failure("rectified", e);
@@ -360,10 +371,21 @@ Result<RectifiedPair> rectify_moved_camera(const StereoPair& pair, const LensCam
     const SharedCamera shared{camera.matrix[0], camera.matrix[2], camera.matrix[5], true};
     const std::vector<FeatureMatch> features = match_features(*straight, options.features);
     if (work.cancelled()) return Work::interrupted();
-    RectifyingRotations first = find_rectifying_rotations(
-        features, shared, feature_tolerance_px(pair.left.width, pair.left.height, options.features),
-        work.seed, options.rotations);
-    const auto found = estimate(*straight, shared, features, std::move(first), options, work);
+    const double tolerance_px = feature_tolerance_px(pair.left.width, pair.left.height, options.features);
+    const RigidFeatures rigid{features, find_any_motion(features, shared, tolerance_px)};
+    if (rigid.motion && has_parallax(*rigid.motion)) {
+      RectifiedPair out = in_frame_of(*rigid.motion, *straight, options);
+      // Disparities of a polar frame are in units of its scale.
+      const double unit_px = out.pair.frame->polar ? out.pair.frame->polar->scale_px : shared.focal_px;
+      out.pair.rig = StereoRig{
+          {shared.focal_px, shared.focal_px, shared.cx, shared.cy, pair.left.width, pair.left.height},
+          moved_m * unit_px / shared.focal_px,
+          0.0};
+      return out;
+    }
+    RectifyingRotations first =
+        find_rectifying_rotations(features, shared, tolerance_px, work.seed, options.rotations);
+    const auto found = estimate(*straight, shared, rigid, std::move(first), options, work);
     if (!found) return found.error();
     const std::vector<FeatureMatch>& inliers = found->candidate.rotations.inliers;
     RectifiedPair out = unchanged(*straight, inliers, options);

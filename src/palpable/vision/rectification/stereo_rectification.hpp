@@ -42,11 +42,11 @@ Result<RectifiedPair> rectify_calibrated(const StereoPair& pair, const LensPair&
 Result<RectifiedPair> rectify_uncalibrated(const StereoPair& pair, const Work& work,
                                            const StereoRectificationOptions& options = {});
 
-/// Rectifies two pictures from one camera, which moved sideways by `moved_m` metres from the left picture to
-/// the right one and may have turned a little. Both are undistorted and rotated according to the matched
-/// features. The result's rig has the baseline `moved_m`, so depth is in metres. If a rotation alone explains
-/// the features, the camera hardly moved, which a note reports with the figure. Errors: as
-/// rectify_uncalibrated().
+/// Two pictures from one camera, which moved by `moved_m` metres, mainly sideways, from the left picture to
+/// the right one and may have turned. Both are undistorted, and the matched features give the frame of the
+/// movement; the result's rig gives depth in metres along the left picture's axis. If a rotation alone
+/// explains the features, the camera hardly moved: the pictures are rotated onto common rows, and a note
+/// reports it with the figure. Errors: as rectify_uncalibrated().
 Result<RectifiedPair> rectify_moved_camera(const StereoPair& pair, const LensCamera& camera, double moved_m,
                                            const Work& work, const StereoRectificationOptions& options = {});
 

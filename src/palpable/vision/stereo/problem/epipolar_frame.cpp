@@ -30,6 +30,12 @@ PicturePoint from_polar(const PolarAxes& axes, PicturePoint place) {
   return {axes.epipole.x + radius * std::cos(angle), axes.epipole.y + radius * std::sin(angle)};
 }
 
+/// The depth along the frame's axis over that along the left picture's.
+double depth_ratio(const EpipolarFrame& frame, PicturePoint left) {
+  const Matrix3& h = frame.transform.left;
+  return h[6] * left.x + h[7] * left.y + h[8];
+}
+
 float value_at(const Raster<float>& values, PicturePoint place, FrameValues kind) {
   const double x = std::clamp(place.x, 0.0, values.width() - 1.0),
                y = std::clamp(place.y, 0.0, values.height() - 1.0);
@@ -60,14 +66,14 @@ PicturePoint picture_from_frame(const EpipolarFrame& frame, const Matrix3& inver
 
 // A camera that moves by t along its axis sees a point at distance Z at Z / (Z - t) times the radius: with
 // c = scale log(Z / (Z - t)), t / Z = 1 - exp(-c / scale). Backwards by t, the ratio is (Z + t) / Z.
-double disparity_from_columns(const EpipolarFrame& frame, double columns) {
-  if (!frame.polar) return columns;
+double disparity_from_columns(const EpipolarFrame& frame, PicturePoint left, double columns) {
+  if (!frame.polar) return depth_ratio(frame, left) * columns;
   const double scale = frame.polar->scale_px;
   return frame.polar->forward ? -scale * std::expm1(-columns / scale) : scale * std::expm1(columns / scale);
 }
 
-double columns_from_disparity(const EpipolarFrame& frame, double disparity_px) {
-  if (!frame.polar) return disparity_px;
+double columns_from_disparity(const EpipolarFrame& frame, PicturePoint left, double disparity_px) {
+  if (!frame.polar) return disparity_px / depth_ratio(frame, left);
   const double scale = frame.polar->scale_px;
   return frame.polar->forward ? -scale * std::log1p(-std::min(disparity_px / scale, 1.0 - 1e-9))
                               : scale * std::log1p(std::max(disparity_px / scale, -1.0 + 1e-9));
@@ -75,7 +81,7 @@ double columns_from_disparity(const EpipolarFrame& frame, double disparity_px) {
 
 PicturePoint right_point(const EpipolarFrame& frame, PicturePoint left, double disparity_px) {
   PicturePoint place = frame_from_picture(frame, frame.transform.left, left);
-  place.x -= columns_from_disparity(frame, disparity_px);
+  place.x -= columns_from_disparity(frame, left, disparity_px);
   return picture_from_frame(frame, inverse(frame.transform.right), place);
 }
 
@@ -89,7 +95,8 @@ Raster<float> in_left_picture(const EpipolarFrame& frame, const Raster<float>& v
       const float value = value_at(values, place, kind);
       out(x, y) = kind == FrameValues::confidence
                       ? value
-                      : static_cast<float>(disparity_from_columns(frame, static_cast<double>(value)));
+                      : static_cast<float>(
+                            disparity_from_columns(frame, {1.0 * x, 1.0 * y}, static_cast<double>(value)));
     }
   return out;
 }

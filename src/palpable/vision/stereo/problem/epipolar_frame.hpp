@@ -27,7 +27,8 @@ struct PolarAxes {
 
 /// The frame in which the pictures of a camera that moved in any direction lie on common rows, with
 /// disparities of at least 0: both pictures are transformed and, where the camera moved towards what it sees,
-/// polar.
+/// polar. Of a frame that is not polar, the left homography is K' R K⁻¹, not scaled: its third row gives the
+/// depth along the frame's axis over that along the picture's.
 struct EpipolarFrame {
   /// Size of the pictures in the frame.
   int width = 0;
@@ -42,9 +43,10 @@ PicturePoint frame_from_picture(const EpipolarFrame& frame, const Matrix3& homog
 PicturePoint picture_from_frame(const EpipolarFrame& frame, const Matrix3& inverse_homography,
                                 PicturePoint place);
 
-/// A disparity that is proportional to inverse depth, from the distance of columns in the frame; and back.
-double disparity_from_columns(const EpipolarFrame& frame, double columns);
-double columns_from_disparity(const EpipolarFrame& frame, double disparity_px);
+/// The disparity of a point of the left picture, proportional to its inverse depth along that picture's axis,
+/// from the distance of columns in the frame; and back.
+double disparity_from_columns(const EpipolarFrame& frame, PicturePoint left, double columns);
+double columns_from_disparity(const EpipolarFrame& frame, PicturePoint left, double disparity_px);
 
 /// Where the right picture shows the left picture's point that has this disparity.
 PicturePoint right_point(const EpipolarFrame& frame, PicturePoint left, double disparity_px);

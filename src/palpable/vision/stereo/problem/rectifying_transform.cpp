@@ -2,21 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/problem/rectifying_transform.hpp"
 
+#include "palpable/vision/stereo/problem/matrix3.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include <opencv2/core.hpp>
 
 namespace palpable::vision {
-namespace {
-
-Matrix3 array_of(const cv::Matx33d& m) {
-  Matrix3 out{};
-  std::copy_n(m.val, out.size(), out.begin());
-  return out;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 PicturePoint rectified_point(const RectifyingTransform& by, const Matrix3& homography, PicturePoint place) {
   if (by.distortion != 0.0) {

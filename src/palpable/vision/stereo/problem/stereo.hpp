@@ -19,7 +19,7 @@ struct StereoPair {
   Image right;
   /// Known if the pair is calibrated; copied to the result.
   std::optional<StereoRig> rig;
-  /// Of pictures that are as they were taken, of a camera that was not moved to the side.
+  /// Of pictures that are as they were taken, of a camera that was not moved straight to the side.
   std::optional<EpipolarFrame> frame = {};
 };
 

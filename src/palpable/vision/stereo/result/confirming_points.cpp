@@ -3,6 +3,7 @@
 #include "palpable/vision/stereo/result/confirming_points.hpp"
 
 #include "palpable/core/numbers/quantile.hpp"
+#include "palpable/vision/rectification/any_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +39,30 @@ OnRows on_rows_of(const FeatureMatch& m, const std::optional<EpipolarFrame>& fra
   if (!frame) return {m.left_y - m.right_y, m.left_x - m.right_x};
   const PicturePoint left = frame_from_picture(*frame, frame->transform.left, {m.left_x, m.left_y}),
                      right = frame_from_picture(*frame, frame->transform.right, {m.right_x, m.right_y});
-  return {left.y - right.y, disparity_from_columns(*frame, left.x - right.x)};
+  return {left.y - right.y, disparity_from_columns(*frame, {m.left_x, m.left_y}, left.x - right.x)};
+}
+
+/// What the rigid motion of the points says of the dense disparity.
+void judge_motion(const StereoPair& pair, const std::vector<FeatureMatch>& matches,
+                  const Raster<float>& disparity_px, ConfirmingPoints& out) {
+  const int width = pair.left.width, height = pair.left.height;
+  const auto motion =
+      find_any_motion(matches, unknown_camera(width, height), feature_tolerance_px(width, height));
+  if (!motion) return;
+  std::vector<double> dense;
+  std::vector<FeatureMatch> known;
+  for (const FeatureMatch& m : motion->inliers) {
+    const int x = std::clamp(static_cast<int>(std::lround(m.left_x)), 0, width - 1),
+              y = std::clamp(static_cast<int>(std::lround(m.left_y)), 0, height - 1);
+    const auto value = static_cast<double>(disparity_px(x, y));
+    if (!std::isfinite(value)) continue;
+    dense.push_back(value);
+    known.push_back(m);
+  }
+  out.rigid = true;
+  out.beyond_turn = motion->beyond_turn;
+  out.certainty = motion->certainty;
+  out.depth_order = order_agreement(depths_of(motion->model, known), dense);
 }
 
 }  // namespace
@@ -82,7 +106,8 @@ ConfirmingPoints confirming_points(const StereoPair& pair, const Raster<float>& 
   int on_rows = 0;
   std::vector<double> confirmed;
   std::vector<FeatureMatch> confirmed_matches;
-  for (const FeatureMatch& match : match_features(pair)) {
+  const std::vector<FeatureMatch> matches = match_features(pair);
+  for (const FeatureMatch& match : matches) {
     ++out.count;
     const OnRows point = on_rows_of(match, pair.frame);
     if (std::fabs(point.off_row_px) > row_px) continue;
@@ -97,6 +122,7 @@ ConfirmingPoints confirming_points(const StereoPair& pair, const Raster<float>& 
   out.confirmed = static_cast<double>(confirmed.size()) / out.count;
   if (!confirmed.empty()) out.range_px = quantile_of(confirmed, 0.95) - quantile_of(confirmed, 0.05);
   out.off_plane = share_off_plane(confirmed_matches, options.on_plane_px);
+  judge_motion(pair, matches, disparity_px, out);
   return out;
 }
 

@@ -36,6 +36,15 @@ struct ConfirmingPoints {
   /// Share of the confirmed points off the plane of disparity that fits most of them: near 0 if one
   /// homography explains the pair (a wall, or a camera that was rotated or zoomed without moving). 0 … 1.
   double off_plane = 0.0;
+  /// Whether one rigid motion explains the points; only then the following is known.
+  bool rigid = false;
+  /// Share of the explained points that a camera which only turned and zoomed does not explain. 0 … 1.
+  double beyond_turn = 0.0;
+  /// How surely the motion says which point is nearer, as PairMotion::certainty. -1 … 1.
+  double certainty = 0.0;
+  /// Rank correlation of the dense disparities at the explained points with the points' own inverse depths.
+  /// -1 … 1.
+  double depth_order = 0.0;
 };
 
 /// Compares SIFT matches of a rectified pair with its dense disparity (of the left picture; px).

@@ -36,10 +36,22 @@ TEST(ConfirmingPoints, ConfirmTheTrueDisparityOnly) {
   EXPECT_GT(found.confirmed, 0.85);
   EXPECT_NEAR(found.range_px, scene.box_px - scene.ground_px, 0.5);
   EXPECT_GT(found.off_plane, 0.03);
+  EXPECT_TRUE(found.rigid);
+  EXPECT_GT(found.beyond_turn, 0.05);
+  EXPECT_GT(found.depth_order, 0.95);
 
   for (float& d : disparity_px.values()) d += 20.0F;
   EXPECT_LT(confirming_points(pair, disparity_px).confirmed, 0.1);
   EXPECT_GT(confirming_points(pair, disparity_px, {.agree_px = 20.5}).confirmed, 0.85);
+}
+
+TEST(ConfirmingPoints, SeeThatADepthIsInsideOut) {
+  const SyntheticScene scene = centred_box_scene(320, 240);
+  Raster<float> disparity_px(scene.width, scene.height);
+  for (int y = 0; y < scene.height; ++y)
+    for (int x = 0; x < scene.width; ++x)
+      disparity_px(x, y) = static_cast<float>(scene.box_px + scene.ground_px - scene.truth(x, y));
+  EXPECT_LT(confirming_points(render(scene), disparity_px).depth_order, -0.9);
 }
 
 }  // namespace

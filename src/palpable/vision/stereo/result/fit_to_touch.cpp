@@ -147,8 +147,13 @@ std::vector<Margin> geometry_margins(const FitToTouch& fit, const FitThresholds&
       margins.emplace_back(margin(fit.points.confirmed, at.confirmed, 0.2), FitReason::different_places);
     return margins;
   }
-  return {{margin(fit.points.confirmed, at.confirmed, 0.1), FitReason::different_places},
-          {margin(fit.points.off_plane, at.off_plane, 0.01), FitReason::no_parallax}};
+  std::vector<Margin> margins{{margin(fit.points.confirmed, at.confirmed, 0.1), FitReason::different_places},
+                              {margin(fit.points.off_plane, at.off_plane, 0.01), FitReason::no_parallax}};
+  if (!fit.points.rigid) return margins;
+  margins.emplace_back(margin(fit.points.beyond_turn, at.beyond_turn, 0.02), FitReason::no_parallax);
+  margins.emplace_back(margin(fit.points.certainty, at.certainty, 0.1), FitReason::uncertain_motion);
+  margins.emplace_back(margin(fit.points.depth_order, at.depth_order, 0.1), FitReason::other_order);
+  return margins;
 }
 
 /// The lowest score decides.
@@ -206,6 +211,9 @@ std::vector<Parameter> parameters_of(FitThresholds& o) {
       {"least_points", &o.least_points, {1, 10000}, "", "distinct points below which they decide nothing"},
       {"confirmed", &o.confirmed, {0, 1}, "", "share of them that the dense match confirms"},
       {"off_plane", &o.off_plane, {0, 1}, "", "share of the confirmed ones off the dominant plane"},
+      {"beyond_turn", &o.beyond_turn, {0, 1}, "", "share of them that no turn and zoom explains"},
+      {"certainty", &o.certainty, {0, 1}, "", "how surely the motion says which is nearer"},
+      {"depth_order", &o.depth_order, {0, 1}, "", "agreement of the order of depths with theirs"},
       {"agreement", &o.agreement, {0, 1}, "", "share of the common view that both directions confirm"},
       {"agreement_without_points", &o.agreement_without_points, {0, 1}, "", "the same with few points"},
       {"range_without_points_px", &o.range_without_points_px, {0, 100}, "px", "disparities with few points"},
@@ -275,7 +283,7 @@ FitToTouch fit_to_touch(const StereoPair& pair, const StereoMatch& match, const 
 }
 
 std::string_view words_of(FitReason reason) {
-  static constexpr std::array<std::string_view, 6> kWords{
+  static constexpr std::array<std::string_view, 8> kWords{
       "distinct points, parallax and both matching directions agree",
       "hardly any point is found in both pictures",
       "the points that both pictures show do not lie beside each other: they show different places, or the "
@@ -284,7 +292,13 @@ std::string_view words_of(FitReason reason) {
       "near and far moved alike: the pictures are the same, or the camera was turned or zoomed instead of "
       "moved",
       "the pictures contradict each other in too many places",
-      "too little of the picture has a depth that both pictures confirm"};
+      "too little of the picture has a depth that both pictures confirm",
+      "the points fit several movements of the camera with different depths: move it farther to the side, "
+      "not "
+      "towards the scene, and do not zoom",
+      "near and far of the depth do not agree with how distinct points moved: move the camera farther to the "
+      "side, "
+      "and hold it level"};
   return kWords[static_cast<std::size_t>(reason)];
 }
 
@@ -297,7 +311,8 @@ std::string sentence_of(const FitToTouch& fit, const FitWordsOptions& options) {
     return fmt::format("{}: the left picture is almost black: take the cap off the lens, or give more light.",
                        verdict);
   const bool geometry_fails =
-      fit.reason == FitReason::different_places || fit.reason == FitReason::no_parallax;
+      fit.reason == FitReason::different_places || fit.reason == FitReason::no_parallax ||
+      fit.reason == FitReason::uncertain_motion || fit.reason == FitReason::other_order;
   if (geometry_fails && fit.textured >= options.textured_share) {
     // Distinct points may be on a wall only, before which plain things stand.
     const bool may_be_plain = fit.reason == FitReason::no_parallax && fit.depth_range_px >= options.flat_px;

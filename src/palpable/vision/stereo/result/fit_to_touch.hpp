@@ -33,7 +33,9 @@ enum class FitReason : std::uint8_t {
   different_places,
   no_parallax,
   contradiction,
-  little_depth
+  little_depth,
+  uncertain_motion,
+  other_order
 };
 
 /// The same as a clause, for people.
@@ -71,6 +73,12 @@ struct FitThresholds {
   double confirmed = 0.6;
   /// Share of the confirmed points off the dominant plane. 0 … 1.
   double off_plane = 0.025;
+  /// Share of the points that a camera which only turned and zoomed does not explain. 0 … 1.
+  double beyond_turn = 0.05;
+  /// How surely the camera's motion says which point is nearer (ConfirmingPoints). 0 … 1.
+  double certainty = 0.75;
+  /// Agreement of the dense depth with that of the points (ConfirmingPoints). 0 … 1.
+  double depth_order = 0.75;
   /// Share of the common view that both matching directions confirm. 0 … 1.
   double agreement = 0.7;
   /// The same with few points. 0 … 1.

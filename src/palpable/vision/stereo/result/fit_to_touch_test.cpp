@@ -69,6 +69,21 @@ TEST(FitToTouch, DoesNotCountGuessesAsCovered) {
   EXPECT_THAT(sentence_of(guessed), HasSubstr("the depth of 100 % is guessed from its surroundings"));
 }
 
+TEST(FitToTouch, RefusesADepthThatIsInsideOut) {
+  const StereoPair pair = render(scene());
+  auto match = vision::match(pair, StereoMethod::fast, {}, Work{});
+  ASSERT_TRUE(match);
+  // The points lie within 20 px of any depth here: their order alone says that it is wrong.
+  FitThresholds thresholds;
+  thresholds.confirming.agree_px = 20.0;
+  EXPECT_TRUE(fit_to_touch(pair, *match, Work{}, thresholds).fit);
+  for (float& d : match->disparity.disparity_px.values()) d = 20.0F - d;
+  const FitToTouch fit = fit_to_touch(pair, *match, Work{}, thresholds);
+  EXPECT_FALSE(fit.fit);
+  EXPECT_EQ(fit.reason, FitReason::other_order);
+  EXPECT_THAT(sentence_of(fit), HasSubstr("do not agree with how distinct points moved"));
+}
+
 Image quarter_turned(const Image& image) {
   Image out = image;
   std::swap(out.width, out.height);
