@@ -157,6 +157,18 @@ bool keeps_pictures(const PairMotion& motion, int width, int height, const AnyMo
   return true;
 }
 
+bool is_clear(const PairMotion& motion, std::size_t matches, double tolerance_px,
+              const AnyMotionOptions& options) {
+  const auto explained = static_cast<double>(motion.inliers.size());
+  return explained >= options.clear_points &&
+         explained >= options.clear_share * static_cast<double>(matches) &&
+         motion.residual_px <= options.clear_residual_share * tolerance_px;
+}
+
+bool explains_more(const PairMotion& motion, std::size_t on_rows, const AnyMotionOptions& options) {
+  return static_cast<double>(motion.inliers.size()) >= options.more_matches * static_cast<double>(on_rows);
+}
+
 bool offsets_explain_more(const VerticalOffsets& offsets, const PairMotion& motion,
                           const std::vector<FeatureMatch>& matches, double tolerance_px,
                           const AnyMotionOptions& options) {

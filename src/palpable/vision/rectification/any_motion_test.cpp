@@ -81,6 +81,18 @@ TEST(AnyMotion, SeesNoParallaxWhereTheCameraOnlyTurnedOrZoomed) {
   }
 }
 
+TEST(AnyMotion, IsNotClearByFewPointsOrAmongManyOthers) {
+  auto points = seen_points({0.12, 0.02, 0.0}, {2, 3, 1});
+  const auto motion = motion_of(points);
+  ASSERT_TRUE(motion);
+  EXPECT_TRUE(is_clear(*motion, points.size(), 1.5));
+  EXPECT_FALSE(is_clear(*motion, 2 * points.size(), 1.5));
+  EXPECT_FALSE(is_clear(*motion, points.size(), 0.5));
+  points.resize(100);
+  const auto of_few = motion_of(points);
+  EXPECT_TRUE(!of_few || !is_clear(*of_few, points.size(), 1.5));
+}
+
 TEST(AnyMotion, KeepsItsParallaxFromASurfaceOfOffsets) {
   const auto points = seen_points({0, 0.02, 0.3}, {1, 0, 1});
   const auto motion = motion_of(points);

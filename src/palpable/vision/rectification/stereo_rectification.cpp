@@ -328,11 +328,12 @@ Result<RectifiedPair> rectify_uncalibrated(const StereoPair& pair, const Work& w
     const RigidFeatures rigid{features, find_any_motion(features, camera, tolerance_px)};
     const bool needs_frame = rigid.motion && has_parallax(*rigid.motion) &&
                              !keeps_pictures(*rigid.motion, pair.left.width, pair.left.height);
-    if (needs_frame && static_cast<double>(rigid.motion->inliers.size()) >=
-                           options.rectified_matches_share * static_cast<double>(features.size()))
+    if (needs_frame && is_clear(*rigid.motion, features.size(), tolerance_px))
       return in_frame_of(*rigid.motion, pair, options);
+    const std::size_t on_rows = first.inliers.size();
     const auto found = estimate(pair, camera, rigid, std::move(first), options, work);
-    if (needs_frame && found && !found->candidate.offsets) return in_frame_of(*rigid.motion, pair, options);
+    if (needs_frame && found && !found->candidate.offsets && explains_more(*rigid.motion, on_rows))
+      return in_frame_of(*rigid.motion, pair, options);
     if (!found) return found.error();
     RectifiedPair out = unchanged(pair, found->candidate.rotations.inliers, options);
     if (out.features < options.least_matches) return out;
