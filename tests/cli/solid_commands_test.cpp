@@ -348,6 +348,11 @@ TEST_F(SolidCommands, ShapesAreFittedToADepthMap) {
   EXPECT_NEAR(primitives[1]["position_m"][2].get<double>(), -0.25, 0.006);
   EXPECT_NEAR(primitives[1]["size_m"][0].get<double>(), 0.03, 0.005);
   EXPECT_EQ(make("s.json", {"--max-error", "1"}).exit_code, 0);
+  const Outcome published = palpable({"fit-shapes", path("d.png"), "-o", path("p.json"), "--kind", "depth",
+                                      "--fit", "solina", "--deformation", "none", "--json"});
+  ASSERT_EQ(published.exit_code, 0) << published.err;
+  EXPECT_NE(published.json()["primitives"], primitives);
+  EXPECT_NE(palpable({"methods", "shapes"}).out.find("solina"), std::string::npos);
   const Outcome refused = palpable({"fit-shapes", path("s.json"), "-o", path("t.json")});
   EXPECT_EQ(refused.exit_code, 2) << refused.err;
   EXPECT_TRUE(is_one_sentence(refused.err));

@@ -25,6 +25,9 @@ constexpr std::array kGroups{
     ParameterGroup{
         "detail", "The detail operators of a relief (--detail)", "rendered depth maps (docs/relief.md)",
         [](SettableOptions& o) { return sculpt::parameters_of(o.recipes.relief.relief.detail_options); }},
+    ParameterGroup{"depth_camera", "The noise of a depth camera in a depth map",
+                   "generated rooms (docs/relief.md)",
+                   [](SettableOptions& o) { return vision::parameters_of(o.recipes.relief.depth_camera); }},
     ParameterGroup{"ground", "The plane that objects stand on (--ground)",
                    "generated pairs of tables and rooms",
                    [](SettableOptions& o) { return vision::parameters_of(o.recipes.relief.ground_options); }},
@@ -57,8 +60,8 @@ constexpr std::array kGroups{
                    }},
     ParameterGroup{"map_relief", "The relief of a street map", "rules for tactile maps (docs/maps.md)",
                    [](SettableOptions& o) { return sculpt::parameters_of(o.recipes.map.relief); }},
-    ParameterGroup{"shapes", "Superquadrics fitted to points (fit-shapes)",
-                   "superquadrics seen from one side, with noise of 1 %",
+    ParameterGroup{"shapes", "Superquadrics fitted to points (fit-shapes --fit robust or solina)",
+                   "generated figures, unions of superquadrics (docs/superquadrics.md)",
                    [](SettableOptions& o) { return sculpt::parameters_of(o.shapes); }},
     ParameterGroup{"verdict", "When a pair is fit to touch (fit)", "generated pairs, good and degraded",
                    [](SettableOptions& o) { return vision::parameters_of(o.verdict); }}};

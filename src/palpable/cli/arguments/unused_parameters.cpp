@@ -51,6 +51,8 @@ constexpr std::array kSteps{
     StepUse{"contours", [](const MadeFrom& m) { return m.is_contours() && m.input != InputKind::scene; }},
     StepUse{"grooves", [](const MadeFrom& m) { return m.is_contours() && m.input != InputKind::scene; }},
     StepUse{"detail", [](const MadeFrom& m) { return m.is_seen(); }},
+    StepUse{"depth_camera",
+            [](const MadeFrom& m) { return m.input == InputKind::depth && !m.has_several_depth_maps(); }},
     StepUse{"ground", [](const MadeFrom& m) { return m.is_seen(); }},
     StepUse{"background", [](const MadeFrom& m) { return m.is_seen(); }},
     StepUse{"placement",

@@ -16,7 +16,7 @@ namespace {
 
 struct FitShapesArguments {
   MakeArguments make;
-  std::string output, labels;
+  std::string output, labels, fit = "robust", deformation = "taper-and-bend";
   double tolerance_mm = 0.0;
   int most_shapes = 24;
 };
@@ -31,8 +31,16 @@ std::string lines_of(const sculpt::ShapeSet& set) {
         "points {:.2f} mm off\n",
         2e3 * s.size_m.x, 2e3 * s.size_m.y, 2e3 * s.size_m.z, s.e1, s.e2, 1e3 * t.x, 1e3 * t.y, 1e3 * t.z,
         1e3 * fitted.error_m);
+    if (s.taper_x != 0.0 || s.taper_y != 0.0)
+      lines += fmt::format("    tapered by {:.2f} {:.2f}\n", s.taper_x, s.taper_y);
+    if (s.bend_per_m > 0.0) lines += fmt::format("    bent with a radius of {:.1f} mm\n", 1e3 / s.bend_per_m);
   }
   return lines;
+}
+
+sculpt::FitDeformation deformation_from(const std::string& word) {
+  if (word == "none") return sculpt::FitDeformation::none;
+  return word == "taper" ? sculpt::FitDeformation::taper : sculpt::FitDeformation::taper_and_bend;
 }
 
 Result<Answer> run_fit_shapes(const FitShapesArguments& arguments, Console& console) {
@@ -45,6 +53,8 @@ Result<Answer> run_fit_shapes(const FitShapesArguments& arguments, Console& cons
   sculpt::ShapeSetOptions shapes;
   shapes.tolerance_m = 1e-3 * arguments.tolerance_mm;
   shapes.most_shapes = arguments.most_shapes;
+  if (arguments.fit == "solina") shapes.fit.method = sculpt::FitMethod::solina;
+  shapes.fit.deformation = deformation_from(arguments.deformation);
   const auto set = shape_options(arguments.make, shapes);
   if (!set) return set.error();
   where.shapes = *set;
@@ -78,12 +88,17 @@ void add_fit_shapes(Program& program) {
                   "  palpable fit-shapes depth.png -o shapes.json --labels things.png\n"
                   "  palpable fit-shapes left.png right.png -o shapes.json --calibration calib.txt\n"
                   "  palpable fit-shapes scan.ply -o shapes.json --tolerance 2\n"
+                  "  palpable fit-shapes scan.ply -o shapes.json --fit solina --deformation none\n"
                   "  palpable make shapes.json -o shapes.palp --size 100x100x50",
                   [arguments](Console& console) { return run_fit_shapes(*arguments, console); });
   options.required_output("-o,--output", arguments->output, {".json"},
                           "Primitives to write (.json), as make reads them");
   options.text("--labels", arguments->labels,
                "8-bit grey picture of the depth map's shape: 0 is left out, every other value is one object");
+  options.choice("--fit", arguments->fit, {"robust", "solina"},
+                 "The fit of one shape: robust, or by Solina and Bajcsy 1990 as Moustakas et al. use it");
+  options.choice("--deformation", arguments->deformation, {"none", "taper", "taper-and-bend"},
+                 "What a shape may be besides a plain superquadric, where the points are worth it");
   options.number("--tolerance", arguments->tolerance_mm, {0.0, 1000.0},
                  "Tolerated mean distance of points to their shape, mm; 0 = from the scene's size and noise");
   options.integer("--max-shapes", arguments->most_shapes, {1, 256},

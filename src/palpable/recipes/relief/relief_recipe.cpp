@@ -43,6 +43,21 @@ void warn_of_order(MadeScene& made, const sculpt::DepthOrders& orders, const Rel
                          is_linear ? "" : " The linear detail operator keeps the order of depth."));
 }
 
+Result<void> remove_noise(DepthMap& depth, const ReliefRecipe& recipe, const Work& work,
+                          std::vector<Note>& notes) {
+  work.report(0.1, "smoothing the depth camera's noise");
+  auto smooth = vision::smooth_depth(depth.depth_m, recipe.depth_camera, work);
+  if (!smooth) return smooth.error();
+  if (smooth->level > 0.0)
+    notes.emplace_back(fmt::format(
+        "The depth has a depth camera's noise, about {:.1f} mm at 2 m, which was smoothed; {} flying pixels "
+        "were moved to the surfaces beside them.",
+        1e3 * smooth->level * static_cast<double>(recipe.depth_camera.noise.deviation_m(2.0F)),
+        smooth->flying));
+  depth.depth_m = std::move(smooth->depth_m);
+  return {};
+}
+
 bool is_available(vision::StereoMethod method) {
   const auto methods = vision::available_stereo_methods();
   return std::find(methods.begin(), methods.end(), method) != methods.end();
@@ -52,6 +67,7 @@ bool is_available(vision::StereoMethod method) {
 
 Result<void> check(const ReliefRecipe& recipe) {
   if (auto valid = check_ranges(recipe.ground_options); !valid) return valid;
+  if (auto valid = check_ranges(recipe.depth_camera); !valid) return valid;
   if (!(recipe.least_kept_order >= 0.0 && recipe.least_kept_order <= 1.0))
     return Error{ErrorCode::usage, "the least share of pairs in order must be 0 to 1", {}};
   return check_ranges(recipe.background_options);
@@ -97,6 +113,9 @@ Result<MadeScene> relief_from_depth(DepthInput input, const ReliefRecipe& recipe
     if (const auto valid = palpable::check(*input.colour); !valid) return valid.error();
   models::Scene regions;
   std::vector<Note> notes;
+  if (auto* measured = std::get_if<DepthMap>(&input.depth))
+    if (const auto smoothed = remove_noise(*measured, recipe, work, notes); !smoothed)
+      return smoothed.error();
   treat_regions(input, recipe, work, regions, notes);
   const auto* metres = std::get_if<DepthMap>(&input.depth);
   const auto* disparity = std::get_if<DisparityMap>(&input.depth);

@@ -8,6 +8,7 @@
 #include "palpable/core/work.hpp"
 #include "palpable/recipes/made_scene.hpp"
 #include "palpable/sculpt/relief/relief_from_depth.hpp"
+#include "palpable/vision/depth_camera/smooth_depth.hpp"
 #include "palpable/vision/segmentation/background.hpp"
 #include "palpable/vision/segmentation/ground.hpp"
 #include "palpable/vision/stereo/methods/stereo_options.hpp"
@@ -39,6 +40,8 @@ enum class BackgroundTreatment {
 /// How depth becomes a relief scene. The defaults are the same for every picture.
 struct ReliefRecipe {
   sculpt::ReliefOptions relief;
+  /// How metric depth is freed from a depth camera's noise.
+  vision::SmoothDepthOptions depth_camera;
   /// The plane that the objects stand on.
   vision::GroundTreatment ground = vision::GroundTreatment::keep;
   vision::GroundOptions ground_options;
@@ -80,8 +83,9 @@ std::vector<vision::StereoMethod> progressive_methods(const StereoRecipe& stereo
 Result<MadeScene> relief_from_pair(const vision::StereoPair& pair, const StereoRecipe& stereo,
                                    const ReliefRecipe& recipe, const Work& work);
 
-/// A relief from one depth map. Long work, any thread. Errors: as sculpt::relief_from_depth(), without a
-/// place.
+/// A relief from one depth map; of metric depth, the noise of a depth camera is smoothed first
+/// (vision::smooth_depth()), with a note. Long work, any thread. Errors: as sculpt::relief_from_depth(),
+/// without a place.
 Result<MadeScene> relief_from_depth(DepthInput input, const ReliefRecipe& recipe, const Work& work);
 
 }  // namespace palpable::recipes

@@ -3,15 +3,27 @@
 #include "palpable/sculpt/superquadric/point_parts.hpp"
 
 #include "palpable/sculpt/points/point_index.hpp"
-#include "palpable/sculpt/superquadric/superquadric_starts.hpp"
 #include "palpable/sculpt/triangles/box.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
 
 namespace palpable::sculpt {
+namespace {
+
+/// The 13 directions to a cube's faces, edges and corners, one of each opposite pair.
+std::vector<Vec3> half_of_the_directions() {
+  std::vector<Vec3> directions;
+  for (int k = 14; k < 27; ++k)
+    directions.push_back(unit(Vec3{static_cast<double>(k / 9 - 1), static_cast<double>(k / 3 % 3 - 1),
+                                   static_cast<double>(k % 3 - 1)}));
+  return directions;
+}
+
+}  // namespace
 
 Members thinned(std::span<const Vec3> points, std::size_t most) {
   Members all(points.size());
@@ -55,20 +67,31 @@ std::vector<Members> pieces_of(std::span<const Vec3> points, const Members& memb
   return pieces;
 }
 
-std::array<Members, 2> halved(std::span<const Vec3> points, const Members& members) {
-  const auto farthest = [&](Vec3 from) {
-    return points[*std::max_element(members.begin(), members.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return squared_norm(points[a] - from) < squared_norm(points[b] - from);
-    })];
-  };
-  const Vec3 end = farthest(points[members.front()]);
-  const Vec3 axis = unit(farthest(end) - end);
-  std::vector<double> at;
-  for (const std::uint32_t i : members) at.push_back(dot(axis, points[i]));
-  const double middle = median_of(at);
-  std::array<Members, 2> halves;
-  for (std::size_t k = 0; k < members.size(); ++k) halves[at[k] < middle ? 0 : 1].push_back(members[k]);
-  return halves;
+std::array<Members, 2> cut_at_neck(std::span<const Vec3> points, const Members& members, double width_m) {
+  constexpr int kOffsets = 16;
+  constexpr std::size_t kLeastShare = 8;
+  double best = std::numeric_limits<double>::infinity();
+  Vec3 best_axis;
+  double best_offset_m = 0.0;
+  std::vector<double> at(members.size());
+  for (const Vec3 axis : half_of_the_directions()) {
+    for (std::size_t k = 0; k < members.size(); ++k) at[k] = dot(axis, points[members[k]]);
+    std::sort(at.begin(), at.end());
+    const double first_m = at[at.size() / kLeastShare], last_m = at[at.size() - 1 - at.size() / kLeastShare];
+    for (int k = 0; k <= kOffsets; ++k) {
+      const double offset_m = first_m + (last_m - first_m) * k / kOffsets;
+      const auto below = [&](double m) {
+        return static_cast<double>(std::lower_bound(at.begin(), at.end(), m) - at.begin());
+      };
+      const double cut = below(offset_m + 0.5 * width_m) - below(offset_m - 0.5 * width_m);
+      const double smaller = std::min(below(offset_m), static_cast<double>(at.size()) - below(offset_m));
+      if (smaller < 1.0 || (cut + 1.0) / smaller >= best) continue;
+      best = (cut + 1.0) / smaller, best_axis = axis, best_offset_m = offset_m;
+    }
+  }
+  std::array<Members, 2> sides;
+  for (const std::uint32_t i : members) sides[dot(best_axis, points[i]) < best_offset_m ? 0 : 1].push_back(i);
+  return sides;
 }
 
 }  // namespace palpable::sculpt

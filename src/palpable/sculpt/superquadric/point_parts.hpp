@@ -22,7 +22,8 @@ Members thinned(std::span<const Vec3> points, std::size_t most);
 /// The connected components of the members: within one, each point has another within `gap_m`.
 std::vector<Members> pieces_of(std::span<const Vec3> points, const Members& members, double gap_m);
 
-/// Two halves of the same size, divided across the direction between two points far apart. Not empty.
-std::array<Members, 2> halved(std::span<const Vec3> points, const Members& members);
+/// Two sides of the plane, of 13 directions, that meets the fewest points over those of the smaller side
+/// (Cheeger 1970), within a layer of `width_m`. Neither is empty, unless all points are in one place.
+std::array<Members, 2> cut_at_neck(std::span<const Vec3> points, const Members& members, double width_m);
 
 }  // namespace palpable::sculpt

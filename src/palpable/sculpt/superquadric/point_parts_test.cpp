@@ -32,14 +32,19 @@ TEST(PointPieces, AreConnectedByGapsUpToTheGivenOne) {
   EXPECT_EQ(pieces[0], (Members{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
 }
 
-TEST(PointHalves, AreDividedAcrossTheLongestExtent) {
-  std::vector<Vec3> row;
-  for (int k = 0; k < 10; ++k) row.push_back({1.0 * k, 0.0, 0.0});
-  const auto halves = halved(row, all_of(row));
-  EXPECT_EQ(halves[0].size(), 5U);
-  EXPECT_EQ(halves[1].size(), 5U);
-  const Members low{0, 1, 2, 3, 4};
-  EXPECT_TRUE(halves[0] == low || halves[1] == low);
+TEST(PointNeck, IsWhereFewPointsJoinTwoBodies) {
+  // A plate of 10 x 10 points, a bridge of 3, and a plate of 6 x 6.
+  std::vector<Vec3> points;
+  for (int x = 0; x < 10; ++x)
+    for (int y = 0; y < 10; ++y) points.push_back({1.0 * x, 1.0 * y, 0.0});
+  for (int x = 10; x < 13; ++x) points.push_back({1.0 * x, 4.0, 0.0});
+  for (int x = 13; x < 19; ++x)
+    for (int y = 1; y < 7; ++y) points.push_back({1.0 * x, 1.0 * y, 0.0});
+  for (const Members& side : cut_at_neck(points, all_of(points), 1.5)) {
+    const bool left = points[side.front()].x < 9.5;
+    for (const std::uint32_t i : side) EXPECT_TRUE(left ? points[i].x < 13.0 : points[i].x > 9.0);
+    EXPECT_GE(side.size(), 36U);
+  }
 }
 
 TEST(ThinnedPoints, AreAllIfTheyAreFewAndOneACellElse) {

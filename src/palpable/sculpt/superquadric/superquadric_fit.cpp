@@ -84,11 +84,16 @@ class Refinement {
         volume_(volume),
         count_(count),
         points_(evidence.points.size()),
-        places_(evidence.points.size() + evidence.outline.size()),
+        free_(evidence.free.size()),
+        places_(evidence.points.size() + evidence.outline.size() + evidence.free.size()),
         weights_(places_.count()) {
     for (std::size_t i = 0; i < evidence.points.size(); ++i) {
       points_.set(i, evidence.points[i]);
       places_.set(i, evidence.points[i]);
+    }
+    for (std::size_t i = 0; i < evidence.free.size(); ++i) {
+      free_.set(i, evidence.free[i]);
+      places_.set(evidence.points.size() + evidence.outline.size() + i, evidence.free[i]);
     }
   }
 
@@ -158,6 +163,7 @@ class Refinement {
     inliers_ = sum / all;
     for (std::size_t i = 0; i < points_.count(); ++i) weights_[i] /= c.noise;
     if (!evidence_.outline.empty()) weigh_outline(here, c);
+    if (!evidence_.free.empty()) weigh_free(here, c);
   }
 
   void weigh_outline(const ResidualsAt& here, Candidate& c) {
@@ -180,7 +186,20 @@ class Refinement {
     if (sum > 0.1 * static_cast<double>(grazes.count()))
       c.sight_noise = std::clamp(std::sqrt(squares / sum),
                                  std::min(options_.weights.least_noise, c.sight_noise), c.sight_noise);
-    for (std::size_t i = first; i < weights_.size(); ++i) weights_[i] /= c.sight_noise;
+    for (std::size_t i = first; i < first + grazes.count(); ++i) weights_[i] /= c.sight_noise;
+  }
+
+  /// A free place inside of the shape pulls the surface inwards, one outside has no weight.
+  void weigh_free(const ResidualsAt& here, Candidate& c) {
+    here.radial_distances_of(free_, distances_);
+    const double noise = std::max(c.noise, options_.weights.least_free_noise);
+    const std::size_t first = weights_.size() - free_.count();
+    for (std::size_t i = 0; i < free_.count(); ++i) {
+      const double weight = distances_.radial[i] < 0.0 ? distances_.euclidean_share[i] / noise : 0.0;
+      const double deviations = weight * distances_.radial[i];
+      c.cost += 0.5 * deviations * deviations;
+      weights_[first + i] = weight;
+    }
   }
 
   void improve(Candidate& c, int steps) {
@@ -207,7 +226,8 @@ class Refinement {
   double volume_;
   int count_;
   Columns points_;
-  Columns places_;  // the points, then the points where lines of sight touch the shape
+  Columns free_;
+  Columns places_;  // the points, the points where lines of sight touch the shape, the free places
   std::vector<double> weights_;
   RadialDistances distances_;
   double inliers_ = 1.0;
@@ -223,18 +243,6 @@ double volume_of(std::span<const Vec3> points) {
   }
   const Vec3 d = high - low;
   return std::max(d.x * d.y * d.z, 1e-6);
-}
-
-int count_for(FitDeformation deformation) {
-  switch (deformation) {
-    case FitDeformation::none:
-      return kPlainParameters;
-    case FitDeformation::taper:
-      return kTaperParameters;
-    case FitDeformation::taper_and_bend:
-      break;
-  }
-  return kBendParameters;
 }
 
 bool cheaper(const Candidate& a, const Candidate& b) { return a.cost < b.cost; }
@@ -268,7 +276,7 @@ Candidate best_plain_shape(const Evidence& some, Refinement& quick, const FitOpt
 Candidate best_deformed_shape(const Evidence& some, double volume, const Candidate& plain,
                               const FitOptions& options) {
   const FitSearchOptions& search = options.search;
-  const int count = count_for(options.deformation);
+  const int count = parameter_count(options.deformation);
   Refinement deforming(some, volume, count, options);
   std::vector<Candidate> bodies = deformed(plain, count, options.starts);
   for (Candidate& c : bodies) deforming.run(c, search.deformed_rounds, search.deformed_steps);
@@ -286,13 +294,15 @@ FittedSuperquadric fit_robustly(const Evidence& all, const FitOptions& options) 
   const FitSearchOptions& search = options.search;
   const double volume = volume_of(all.points);
   const Evidence some{thinned<Vec3>(all.points, static_cast<std::size_t>(search.points)),
-                      thinned<LineOfSight>(all.outline, static_cast<std::size_t>(search.sights)), all.eye};
+                      thinned<LineOfSight>(all.outline, static_cast<std::size_t>(search.sights)),
+                      thinned<Vec3>(all.free, static_cast<std::size_t>(search.free)), all.eye};
   Refinement quick(some, volume, kPlainParameters, options);
   Candidate best = best_plain_shape(some, quick, options);
   if (options.deformation != FitDeformation::none) best = best_deformed_shape(some, volume, best, options);
-  const Evidence every{
-      all.points, thinned<LineOfSight>(all.outline, static_cast<std::size_t>(search.last_sights)), all.eye};
-  Refinement whole(every, volume, count_for(options.deformation), options);
+  const Evidence every{all.points,
+                       thinned<LineOfSight>(all.outline, static_cast<std::size_t>(search.last_sights)),
+                       all.free, all.eye};
+  Refinement whole(every, volume, parameter_count(options.deformation), options);
   best.noise *= search.last_noise_factor;
   best.sight_noise *= search.last_noise_factor;
   whole.run(best, search.last_rounds, search.last_steps);
@@ -307,7 +317,7 @@ FittedSuperquadric fit_as_solina(const Evidence& all, FitDeformation deformation
   Columns places(all.points.size());
   for (std::size_t i = 0; i < all.points.size(); ++i) places.set(i, all.points[i]);
   const std::vector<double> ones(all.points.size(), 1.0);
-  const int count = count_for(deformation);
+  const int count = parameter_count(deformation);
   const WeightedResiduals residuals{places, ones, reference, rest, count, FitMethod::solina};
   ceres::TinySolver<WeightedResiduals> solver;
   solver.options.max_num_iterations = 60;
@@ -369,13 +379,15 @@ Result<Normalisation> normalisation_of(std::span<const Vec3> points) {
 }  // namespace
 
 Result<FittedSuperquadric> fit_superquadric(std::span<const Vec3> points_m,
-                                            const std::optional<FitView>& view, const FitOptions& options) {
+                                            const std::optional<FitView>& view, const FitOptions& options,
+                                            std::span<const Vec3> free_m) {
   if (auto valid = check(options); !valid) return std::move(valid).error();
   const auto normal = normalisation_of(points_m);
   if (!normal) return normal.error();
   Evidence evidence;
   evidence.points.reserve(points_m.size());
   for (const Vec3 p : points_m) evidence.points.push_back(normal->in(p));
+  for (const Vec3 p : free_m) evidence.free.push_back(normal->in(p));
   if (view) {
     evidence.eye = normal->in(view->eye.v);
     for (const LineOfSight& sight : view->outline)

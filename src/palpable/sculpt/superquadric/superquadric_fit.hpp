@@ -32,10 +32,12 @@ struct FittedSuperquadric {
 };
 
 /// Fits one superquadric to points of a surface (the scene's frame, metres): of all around, or of one side
-/// with its `view`. At least 12 points, finite, not all on one plane or line (a plane has no volume). Errors:
-/// usage for options out of range, invalid_input.
+/// with its `view`. `free_m`: places known to be empty, which must not lie inside of the shape (not used by
+/// FitMethod::solina). At least 12 points, finite, not all on one plane or line (a plane has no volume).
+/// Errors: usage for options out of range, invalid_input.
 Result<FittedSuperquadric> fit_superquadric(std::span<const Vec3> points_m,
                                             const std::optional<FitView>& view,
-                                            const FitOptions& options = {});
+                                            const FitOptions& options = {},
+                                            std::span<const Vec3> free_m = {});
 
 }  // namespace palpable::sculpt

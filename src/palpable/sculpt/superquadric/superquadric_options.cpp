@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/superquadric/superquadric_options.hpp"
 
+#include "palpable/sculpt/superquadric/superquadric_residuals.hpp"
+
 #include <utility>
 
 namespace palpable::sculpt {
@@ -28,7 +30,8 @@ std::vector<Parameter> weight_parameters(FitWeightOptions& o) {
           {"coarse_noise", &o.coarse_noise, {0.0, 10.0}, "", "noise that is mostly misfit"},
           {"coarse_noise_factor", &o.coarse_noise_factor, {0.01, 1.0}, "", "how fast it is reduced"},
           {"stray_sights", &o.stray_sights, {1e-6, 1.0}, "", "density of stray lines of sight"},
-          {"stray_sights_cost", &o.stray_sights_cost, {1e-6, 1.0}, "", "the same for the cost"}};
+          {"stray_sights_cost", &o.stray_sights_cost, {1e-6, 1.0}, "", "the same for the cost"},
+          {"least_free_noise", &o.least_free_noise, {1e-6, 1.0}, "", "noise of free space's border"}};
 }
 
 std::vector<Parameter> search_parameters(FitSearchOptions& o) {
@@ -44,6 +47,7 @@ std::vector<Parameter> search_parameters(FitSearchOptions& o) {
     parameters.push_back({name, &value, {1, 1000}, "", meaning});
   };
   count("points", o.points, "points that the search uses");
+  count("free", o.free, "free places that the search uses");
   count("sights", o.sights, "lines of sight that the search uses");
   count("last_sights", o.last_sights, "lines of sight that the last rounds use");
   count("start_rounds", o.start_rounds, "rounds of each start");
@@ -63,6 +67,18 @@ std::vector<Parameter> search_parameters(FitSearchOptions& o) {
 }
 
 }  // namespace
+
+int parameter_count(FitDeformation deformation) {
+  switch (deformation) {
+    case FitDeformation::none:
+      return kPlainParameters;
+    case FitDeformation::taper:
+      return kTaperParameters;
+    case FitDeformation::taper_and_bend:
+      break;
+  }
+  return kBendParameters;
+}
 
 std::vector<Parameter> parameters_of(FitOptions& o) {
   std::vector<Parameter> parameters;

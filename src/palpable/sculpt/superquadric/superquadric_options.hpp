@@ -16,6 +16,9 @@ namespace palpable::sculpt {
 enum class FitMethod { robust, solina };
 enum class FitDeformation { none, taper, taper_and_bend };
 
+/// Numbers that describe a shape that may be deformed so.
+int parameter_count(FitDeformation deformation);
+
 /// The starts of the search (superquadric_starts.hpp).
 struct FitStartOptions {
   /// Half axes are the half widths of this share of the points along each axis. 0.1 … 1.
@@ -55,14 +58,18 @@ struct FitWeightOptions {
   /// 1e-6 … 1 each.
   double stray_sights = 0.1;
   double stray_sights_cost = 1e-3;
+  /// Standard deviation of the border of free space, at least. 1e-6 … 1.
+  double least_free_noise = 0.02;
 };
 
 /// The rounds of the search. Each round estimates the weights and then takes at most `steps` steps of
 /// Levenberg-Marquardt; all counts 1 … 1000.
 struct FitSearchOptions {
-  /// Points and lines of sight that the search uses; the last rounds use all points and more lines.
+  /// Points, lines of sight and free places that the search uses; the last rounds use all points and places,
+  /// and more lines.
   int points = 150;
   int sights = 36;
+  int free = 100;
   int last_sights = 240;
   /// Rounds of every start, and one more if the best has more outliers than this (0 … 1) or for a half view.
   int start_rounds = 3, start_steps = 2;

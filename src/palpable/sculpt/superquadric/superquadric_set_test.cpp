@@ -60,12 +60,14 @@ std::vector<Vec3> points_of(const std::vector<Superquadric>& shapes, double spac
   return points;
 }
 
-/// Mean distance from noiseless points of the true shapes to the surface of the fitted union.
-double error_m(const ShapeSet& set, const std::vector<Superquadric>& truth) {
+/// Mean distance from noiseless points of the true shapes, those that face `eye`, to the surface of the
+/// fitted union.
+double error_m(const ShapeSet& set, const std::vector<Superquadric>& truth,
+               const std::optional<Vec3>& eye = std::nullopt) {
   std::vector<models::SuperquadricDistance> shapes;
   for (const auto& s : set.shapes) shapes.push_back(*models::SuperquadricDistance::from(s.shape));
   double sum = 0.0;
-  const auto points = points_of(truth, 0.004, 0.0);
+  const auto points = points_of(truth, 0.004, 0.0, eye);
   for (const Vec3 p : points) sum += std::abs(closest_point(shapes, {p}).distance_m);
   return sum / static_cast<double>(points.size());
 }
@@ -112,6 +114,52 @@ TEST(SuperquadricSet, ABallOnATableSeenFromAboveIsASlabAndABall) {
   const Superquadric& seen = set->shapes[1].shape;
   EXPECT_LT(norm(seen.scene_from_shape.translation_m - Vec3{0.02, 0.0, 0.03}), 0.006);
   for (const double a : {seen.size_m.x, seen.size_m.y, seen.size_m.z}) EXPECT_NEAR(a, 0.03, 0.006);
+}
+
+TEST(SuperquadricSet, NoShapeReachesOutsideOfTheSilhouette) {
+  // Two posts on a beam: a shape over all of them would fill the gap.
+  const Vec3 eye{0.0, 0.0, 0.6};
+  const std::vector<Superquadric> truth{box({0.0, -0.06, 0.0}, {0.09, 0.015, 0.02}),
+                                        box({-0.07, 0.0, 0.0}, {0.015, 0.06, 0.02}),
+                                        ball({0.07, 0.0, 0.0}, 0.04)};
+  const auto set =
+      fit_superquadrics(points_of(truth, 0.0025, 0.0, eye), {}, Point<SceneFrame>{eye}, {}, Work{});
+  ASSERT_TRUE(set) << set.error().sentence();
+  std::vector<models::SuperquadricDistance> shapes;
+  for (const Superquadric& s : truth) shapes.push_back(*models::SuperquadricDistance::from(s));
+  std::size_t all = 0, outside = 0;
+  for (const auto& fitted : set->shapes)
+    for (const Vec3 p : models::mesh_of(fitted.shape, 0.008).vertices_m) {
+      // The nearest that the line of sight comes to the true shapes.
+      double least_m = std::numeric_limits<double>::infinity();
+      for (double t = 0.85; t < 1.25; t += 0.01)
+        least_m = std::min(least_m, closest_point(shapes, {eye + t * (p - eye)}).distance_m);
+      ++all;
+      if (least_m > 0.006) ++outside;
+    }
+  EXPECT_LT(static_cast<double>(outside), 0.02 * static_cast<double>(all));
+  EXPECT_LT(error_m(*set, truth, eye), 0.002);
+}
+
+TEST(SuperquadricSet, TapersAShapeOnlyWhereThatPays) {
+  Superquadric cone = box({0.0, 0.0, 0.0}, {0.03, 0.03, 0.06});
+  cone.e1 = 0.5, cone.e2 = 1.0;
+  cone.taper_x = cone.taper_y = -0.5;
+  const auto tapered = fit_superquadrics(points_of({cone}, 0.004, 0.0002), {}, std::nullopt, {}, Work{});
+  ASSERT_TRUE(tapered) << tapered.error().sentence();
+  ASSERT_EQ(tapered->shapes.size(), 1U);
+  EXPECT_NEAR(std::abs(tapered->shapes[0].shape.taper_x), 0.5, 0.1);
+  const auto plain =
+      fit_superquadrics(points_of({ball({}, 0.04)}, 0.004, 0.0002), {}, std::nullopt, {}, Work{});
+  ASSERT_TRUE(plain) << plain.error().sentence();
+  ASSERT_EQ(plain->shapes.size(), 1U);
+  EXPECT_FALSE(plain->shapes[0].shape.deformed());
+  ShapeSetOptions never;
+  never.fit.deformation = FitDeformation::none;
+  const auto undeformed =
+      fit_superquadrics(points_of({cone}, 0.004, 0.0002), {}, std::nullopt, never, Work{});
+  ASSERT_TRUE(undeformed) << undeformed.error().sentence();
+  for (const auto& fitted : undeformed->shapes) EXPECT_FALSE(fitted.shape.deformed());
 }
 
 TEST(SuperquadricSet, PointsOfDifferentLabelsNeverShareAShape) {

@@ -17,6 +17,8 @@ namespace palpable::sculpt {
 struct Evidence {
   std::vector<Vec3> points;
   std::vector<LineOfSight> outline;
+  /// Places outside of the solid.
+  std::vector<Vec3> free;
   std::optional<Vec3> eye;
 };
 
