@@ -195,7 +195,7 @@ std::vector<Parameter> parameters_of(SmoothDepthOptions& o) {
 
 double noise_level(const Raster<float>& depth_m, const DepthNoise& noise) {
   constexpr int kRadius = 3, kStride = 5;
-  constexpr double kWhole = 40.0, kDegrees = 49.0 / 46.0;
+  constexpr double kFewestReadings = 12.0, kOfPlane = 3.0;
   constexpr std::size_t kFewest = 50;
   std::vector<double> levels;
   for (int y = kRadius; y + kRadius < depth_m.height(); y += kStride)
@@ -206,9 +206,9 @@ double noise_level(const Raster<float>& depth_m, const DepthNoise& noise) {
       each_around(depth_m, {x, y}, kRadius, 1, [&](int u, int v, float z) {
         sums.add(u - x, v - y, static_cast<double>(z - middle_m), 1.0);
       });
-      if (sums.weight() < kWhole) continue;
-      levels.push_back(std::sqrt(kDegrees) * sums.misfit() /
-                       static_cast<double>(noise.deviation_m(middle_m)));
+      if (sums.weight() < kFewestReadings) continue;
+      const double free = std::sqrt(sums.weight() / (sums.weight() - kOfPlane));
+      levels.push_back(free * sums.misfit() / static_cast<double>(noise.deviation_m(middle_m)));
     }
   if (levels.size() < kFewest) return 0.0;
   // Where the scene is smoothest there is nothing but noise.

@@ -77,6 +77,14 @@ TEST(SmoothDepth, MovesFlyingPixelsToASurfaceAndKeepsHoles) {
   EXPECT_TRUE(std::isnan(smooth->depth_m(10, 10)));
 }
 
+TEST(SmoothDepth, MeasuresTheNoiseBetweenManyHoles) {
+  auto depth_m = noisy(exact_board());
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x)
+      if (y % 3 == 0 || (x + y) % 2 == 0) depth_m(x, y) = kUnknownDepth;
+  EXPECT_NEAR(noise_level(depth_m, {}), 1.0, 0.25);
+}
+
 TEST(SmoothDepth, LeavesWhatIsNoCamerasNoise) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> any(0.5F, 1.5F);
