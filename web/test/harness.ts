@@ -7,7 +7,7 @@ import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { chromium, type Browser, type BrowserContext, type BrowserContextOptions, type Page } from 'playwright-core';
+import { chromium, errors, type Browser, type BrowserContext, type BrowserContextOptions, type Page } from 'playwright-core';
 
 const results = join(dirname(fileURLToPath(import.meta.url)), '..', 'test-results');
 const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
@@ -136,10 +136,18 @@ export const framesDrawn = (page: Page, count: number) =>
     for (let k = 0; k < frames; ++k) await new Promise(requestAnimationFrame);
   }, count);
 
-/** Saves a picture of the whole page in web/test-results, for inspection by eye. */
+/**
+ * Saves a picture of the whole page in web/test-results, for inspection by eye. No test fails for want of it: on a busy machine
+ * without a GPU it may take more than a minute.
+ */
 export async function keepPicture(page: Page, name: string, fullPage = false): Promise<void> {
   mkdirSync(results, { recursive: true });
-  await page.screenshot({ path: join(results, `${name}.png`), fullPage });
+  try {
+    await page.screenshot({ path: join(results, `${name}.png`), fullPage });
+  } catch (error) {
+    if (!(error instanceof errors.TimeoutError)) throw error;
+    console.warn(`There is no picture ${name}: it took too long.`);
+  }
 }
 
 export interface Violation {
