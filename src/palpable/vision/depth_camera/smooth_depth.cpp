@@ -79,16 +79,7 @@ class Smoother {
     std::size_t removed = 0;
     for (int y = 0; y < given_m_.height(); ++y)
       for (int x = 0; x < given_m_.width(); ++x) {
-        const float z = given_m_(x, y);
-        if (!std::isfinite(z)) continue;
-        const float apart_m = static_cast<float>(options_.band) * noise_.deviation_m(z);
-        int support = -1, known = -1;
-        each_around(given_m_, {x, y}, 2, 1, [&](int, int, float other) {
-          ++known;
-          if (std::abs(other - z) <= apart_m) ++support;
-        });
-        // Beside holes there are fewer neighbours.
-        if (support >= options_.least_support || 2 * support > known) continue;
+        if (!std::isfinite(given_m_(x, y)) || is_on_surface({x, y})) continue;
         kept_m_(x, y) = kUnknownDepth;
         ++removed;
       }
@@ -115,6 +106,26 @@ class Smoother {
   }
 
  private:
+  /// Whether enough of the readings around share its surface: as deep as it is or, on a slope, as much before
+  /// it as the reading on the other side is behind it.
+  bool is_on_surface(Pixel at) const {
+    const float z = given_m_(at.x, at.y);
+    const float apart_m = static_cast<float>(options_.band) * noise_.deviation_m(z);
+    const auto reading = [&](int x, int y) {
+      const bool inside = x >= 0 && y >= 0 && x < given_m_.width() && y < given_m_.height();
+      return inside ? given_m_(x, y) : kUnknownDepth;
+    };
+    int support = -1, known = -1;
+    each_around(given_m_, at, 2, 1, [&](int x, int y, float other) {
+      ++known;
+      const float opposite = reading(2 * at.x - x, 2 * at.y - y);
+      // False for an unknown reading.
+      if (std::abs(other - z) <= apart_m || std::abs(0.5F * (other + opposite) - z) <= apart_m) ++support;
+    });
+    // Beside holes there are fewer neighbours.
+    return support >= options_.least_support || 2 * support > known;
+  }
+
   void grow_windows(int radius) {
     Raster<DepthPlane> next = planes_;
     parallel_for(work_, kept_m_.height(), 8, [&](int begin, int end) {

@@ -77,6 +77,19 @@ TEST(SmoothDepth, MovesFlyingPixelsToASurfaceAndKeepsHoles) {
   EXPECT_TRUE(std::isnan(smooth->depth_m(10, 10)));
 }
 
+TEST(SmoothDepth, TakesNoSlopeForFlyingPixels) {
+  Raster<float> exact_m(kSide, kSide);
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x)
+      exact_m(x, y) = 0.4F + 0.006F * static_cast<float>(x) + 0.004F * static_cast<float>(y);
+  const auto noisy_m = noisy(exact_m);
+  const auto smooth = smooth_depth(noisy_m, {}, Work{});
+  ASSERT_TRUE(smooth);
+  EXPECT_GT(smooth->level, 0.5);
+  EXPECT_LT(static_cast<double>(smooth->flying), 0.01 * kSide * kSide);
+  EXPECT_LT(rms_m(exact_m, smooth->depth_m, 0), 0.8 * rms_m(exact_m, noisy_m, 0));
+}
+
 TEST(SmoothDepth, MeasuresTheNoiseBetweenManyHoles) {
   auto depth_m = noisy(exact_board());
   for (int y = 0; y < kSide; ++y)
