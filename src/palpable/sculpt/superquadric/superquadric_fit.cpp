@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/superquadric/superquadric_fit.hpp"
 
+#include "palpable/sculpt/superquadric/fit_normalisation.hpp"
 #include "palpable/sculpt/superquadric/superquadric_starts.hpp"
 
 #include <algorithm>
@@ -20,7 +21,6 @@ using models::Superquadric;
 using Matrix = std::array<double, 9>;
 
 constexpr double kRoot2Pi = 2.50662827463100050;
-constexpr std::size_t kFewestPoints = 12;
 
 /// Evenly chosen members of a list: every k-th.
 template <class T>
@@ -338,42 +338,6 @@ FittedSuperquadric fit_as_solina(const Evidence& all, FitDeformation deformation
   }
   const auto n = static_cast<double>(all.points.size());
   return {here.shape(), std::sqrt(squares / n), 1.0, lengths / n};
-}
-
-/// Evidence moved and scaled so that its middle is 0 and its size about 1, and shapes moved back.
-struct Normalisation {
-  Vec3 centre;
-  double scale = 1.0;
-
-  Vec3 in(Vec3 p) const { return (p - centre) / scale; }
-  Superquadric out(Superquadric s) const {
-    s.size_m *= scale;
-    s.bend_per_m /= scale;
-    Vec3& t = s.scene_from_shape.translation_m;
-    t = scale * t + centre;
-    return s;
-  }
-};
-
-Result<Normalisation> normalisation_of(std::span<const Vec3> points) {
-  if (points.size() < kFewestPoints) return invalid_input("a superquadric needs at least 12 points");
-  if (!std::all_of(points.begin(), points.end(), [](Vec3 p) { return is_finite(p); }))
-    return invalid_input("a point's position is not a finite number");
-  const Vec3 centre = median_of(points);
-  std::vector<double> lengths;
-  lengths.reserve(points.size());
-  for (const Vec3 p : points) lengths.push_back(norm(p - centre));
-  const double scale = median_of(std::move(lengths));
-  if (!(scale > 0.0)) return invalid_input("the points are all at one place");
-  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-  for (const Vec3 p : points) {
-    const Vec3 d = (p - centre) / scale;
-    moments += Eigen::Vector3d(d.x, d.y, d.z) * Eigen::RowVector3d(d.x, d.y, d.z);
-  }
-  const Eigen::Vector3d values = moments.selfadjointView<Eigen::Lower>().eigenvalues();
-  if (values[0] < 1e-8 * values[2])
-    return invalid_input("the points lie on one plane or line, which no solid is fitted to");
-  return Normalisation{centre, scale};
 }
 
 }  // namespace
