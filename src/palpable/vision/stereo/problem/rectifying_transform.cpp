@@ -10,8 +10,6 @@
 #include <opencv2/core.hpp>
 
 namespace palpable::vision {
-namespace {}  // namespace
-
 PicturePoint rectified_point(const RectifyingTransform& by, const Matrix3& homography, PicturePoint place) {
   if (by.distortion != 0.0) {
     const double x = place.x - by.cx, y = place.y - by.cy,

@@ -42,8 +42,8 @@ struct ConfirmingPoints {
   double beyond_turn = 0.0;
   /// How surely the motion says which point is nearer, as PairMotion::certainty. -1 … 1.
   double certainty = 0.0;
-  /// Rank correlation of the dense disparities at the explained points with the points' own inverse depths.
-  /// -1 … 1.
+  /// How far the dense disparities at the explained points agree with the points' own inverse depths on which
+  /// of two points is nearer (Goodman and Kruskal's gamma). -1 … 1.
   double depth_order = 0.0;
 };
 

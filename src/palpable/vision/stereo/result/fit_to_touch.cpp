@@ -287,18 +287,15 @@ std::string_view words_of(FitReason reason) {
       "distinct points, parallax and both matching directions agree",
       "hardly any point is found in both pictures",
       "the points that both pictures show do not lie beside each other: they show different places, or the "
-      "camera "
-      "was not moved from left to right",
+      "camera was not moved from left to right",
       "near and far moved alike: the pictures are the same, or the camera was turned or zoomed instead of "
       "moved",
       "the pictures contradict each other in too many places",
       "too little of the picture has a depth that both pictures confirm",
       "the points fit several movements of the camera with different depths: move it farther to the side, "
-      "not "
-      "towards the scene, and do not zoom",
+      "not towards the scene, and do not zoom",
       "near and far of the depth do not agree with how distinct points moved: move the camera farther to the "
-      "side, "
-      "and hold it level"};
+      "side, and hold it level"};
   return kWords[static_cast<std::size_t>(reason)];
 }
 
