@@ -58,7 +58,7 @@ MotionModel refined_model(const MotionModel& from, const std::vector<FeatureMatc
                           MotionUnknowns unknowns);
 
 /// Refined in rounds over the matches that it explains, the last within three deviations.
-MotionModel settled_model(MotionModel from, const std::vector<FeatureMatch>& matches, double tolerance_px,
+MotionModel settled_model(MotionModel at, const std::vector<FeatureMatch>& matches, double tolerance_px,
                           MotionUnknowns unknowns);
 
 /// The model changed by each of the directions in which `matches` determine it, by so many standard
