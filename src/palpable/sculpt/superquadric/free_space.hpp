@@ -34,7 +34,7 @@ class FreeSpace {
   /// `eye`: the position from which all points (metres, at least one) were seen; without one they are dense
   /// all around a solid, which is then drawn from 14 directions (space carving, Kutulakos and Seitz 2000).
   /// `slack_m`: how far in front of the points space does not count as free.
-  FreeSpace(std::span<const Vec3> points_m, const std::optional<Point<SceneFrame>>& eye, double slack_m,
+  FreeSpace(std::span<const Vec3> all_m, const std::optional<Point<SceneFrame>>& eye, double slack_m,
             const FreeSpaceOptions& options);
 
   /// How far `p` lies within the free space, metres, along a picture's plane or its line of sight: at least

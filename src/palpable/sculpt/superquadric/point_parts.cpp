@@ -17,9 +17,11 @@ namespace {
 /// The 13 directions to a cube's faces, edges and corners, one of each opposite pair.
 std::vector<Vec3> half_of_the_directions() {
   std::vector<Vec3> directions;
-  for (int k = 14; k < 27; ++k)
-    directions.push_back(unit(Vec3{static_cast<double>(k / 9 - 1), static_cast<double>(k / 3 % 3 - 1),
-                                   static_cast<double>(k % 3 - 1)}));
+  const auto step = [](int of_three) { return static_cast<double>(of_three % 3 - 1); };
+  for (int k = 14; k < 27; ++k) {
+    const int row = k / 3, layer = k / 9;
+    directions.push_back(unit(Vec3{step(layer), step(row), step(k)}));
+  }
   return directions;
 }
 

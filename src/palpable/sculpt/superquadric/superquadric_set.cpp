@@ -134,6 +134,7 @@ class Splitter {
         if (a < b && b != kNone && parts_[a].label == parts_[b].label) ++meetings[{a, b}];
       });
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    pairs.reserve(meetings.size());
     for (const auto& [pair, count] : meetings) pairs.push_back(pair);
     return pairs;
   }
