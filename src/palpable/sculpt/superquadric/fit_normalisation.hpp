@@ -11,12 +11,19 @@
 // Inside sculpt's sources only.
 namespace palpable::sculpt {
 
-/// Evidence moved and scaled so that its middle is 0 and its size about 1, and shapes moved back.
+/// Evidence moved and scaled so that its middle is 0 and its size about 1, and shapes moved alike and back.
 struct Normalisation {
   Vec3 centre;
   double scale = 1.0;
 
   Vec3 in(Vec3 p) const { return (p - centre) / scale; }
+  models::Superquadric in(models::Superquadric s) const {
+    s.size_m = s.size_m / scale;
+    s.bend_per_m *= scale;
+    Vec3& t = s.scene_from_shape.translation_m;
+    t = in(t);
+    return s;
+  }
   models::Superquadric out(models::Superquadric s) const {
     s.size_m *= scale;
     s.bend_per_m /= scale;

@@ -43,8 +43,12 @@ double PartFitter::cost(const ShapePart& part) const {
          cost_of_parameters(part.parameters);
 }
 
-bool PartFitter::good(const ShapePart& part) const {
-  return part.has_shape() && cost(part) <= 2.0 * cost_of_parameters(kPlainParameters);
+double PartFitter::good_cost() const { return 2.0 * cost_of_parameters(kPlainParameters); }
+
+double PartFitter::deviation_at(double cost, std::size_t members, int parameters) const {
+  const double exponent = (cost - cost_of_parameters(parameters)) / observations(members);
+  const double resolution_m = options_.resolution_share * scene_.tolerance_m;
+  return exponent > 0.0 ? resolution_m * std::sqrt(std::expm1(2.0 * exponent)) : 0.0;
 }
 
 PartFitter::Distances PartFitter::distances_of(const Superquadric& shape, const Members& members,
@@ -93,8 +97,11 @@ bool PartFitter::take(ShapePart& part, const FittedSuperquadric& fit, std::span<
   return true;
 }
 
-std::optional<FittedSuperquadric> PartFitter::fitted(std::span<const Vec3> places,
-                                                     FitDeformation deformation) const {
+std::optional<FittedSuperquadric> PartFitter::fitted(const ShapePart& part, std::span<const Vec3> places,
+                                                     FitDeformation deformation, double most_cost,
+                                                     const std::optional<Superquadric>& start) const {
+  const double most_m = deviation_at(most_cost, part.members.size(), parameter_count(deformation));
+  if (!(most_m > 0.0)) return std::nullopt;
   std::optional<FitView> view;
   if (scene_.eye) view = FitView{*scene_.eye, {}};
   const double reach_m = options_.free_reach * norm(bounds_of(places).size_m());
@@ -102,37 +109,56 @@ std::optional<FittedSuperquadric> PartFitter::fitted(std::span<const Vec3> place
       scene_.free.places_around(places, reach_m, static_cast<std::size_t>(options_.free_places), scene_.seed);
   FitOptions fit = options_.fit;
   fit.deformation = deformation;
-  auto found = fit_superquadric(places, view, fit, free);
+  auto found = fit_superquadric(places, view, fit, free,
+                                {start, most_m, options_.most_tolerances * scene_.tolerance_m});
   if (!found) return std::nullopt;
   return *std::move(found);
 }
 
-void PartFitter::fit(ShapePart& part, double most_cost) const {
+double PartFitter::without_shape(ShapePart& part, double most_cost) const {
   part.fit = {};
   part.error_m = part.deviation_m = std::numeric_limits<double>::infinity();
   part.parameters = 0;
+  return std::min(most_cost, cost(part));
+}
+
+void PartFitter::fit(ShapePart& part, double most_cost) const {
+  most_cost = without_shape(part, most_cost);
   const auto places = places_of(part.members, options_.fitted_points);
   if (places.size() < kFewestPartPoints) return;
-  most_cost = std::min(most_cost, cost(part));
   const double thick_m = thickness_m(places);
   part.flat = thick_m < options_.resolution_share * scene_.tolerance_m;
   if (!part.flat)
-    if (const auto found = fitted(places, FitDeformation::none))
+    if (const auto found = fitted(part, places, FitDeformation::none, most_cost)) {
       if (take(part, *found, places, kPlainParameters, most_cost)) return;
+      part.plain = found->shape;
+    }
   if (thick_m < scene_.tolerance_m)
     take(part, {slab_of(places, scene_.eye, options_.slab), 0.0, 1.0, 0.0}, places, kPlainParameters,
          most_cost);
 }
 
-void PartFitter::deform(ShapePart& part) const {
+void PartFitter::fit_near(ShapePart& part, const ShapePart& like, double most_cost) const {
+  most_cost = without_shape(part, most_cost);
+  const auto places = places_of(part.members, options_.fitted_points);
+  const auto deformation = deformation_of(like.parameters);
+  const auto found = fitted(part, places, deformation, most_cost, like.fit.shape);
+  if (!found || take(part, *found, places, like.parameters, most_cost)) return;
+  if (deformation == FitDeformation::none) part.plain = found->shape;
+}
+
+void PartFitter::deform(ShapePart& part, double most_cost) const {
   const auto places = places_of(part.members, options_.fitted_points);
   if (part.flat || places.size() < kFewestPartPoints) return;
+  std::optional<Superquadric> plain = part.plain;
+  if (part.parameters == kPlainParameters) plain = part.fit.shape;
   for (const FitDeformation deformation : {FitDeformation::taper, FitDeformation::taper_and_bend}) {
     if (static_cast<int>(deformation) > static_cast<int>(options_.fit.deformation)) return;
-    // What an exact shape would still cost.
     const int parameters = parameter_count(deformation);
-    if (cost(part) <= cost_of_parameters(parameters)) return;
-    if (const auto found = fitted(places, deformation)) take(part, *found, places, parameters, cost(part));
+    if (parameters <= part.parameters) continue;
+    most_cost = std::min(most_cost, cost(part));
+    if (const auto found = fitted(part, places, deformation, most_cost, plain))
+      take(part, *found, places, parameters, most_cost);
   }
 }
 

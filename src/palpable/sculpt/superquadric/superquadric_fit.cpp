@@ -118,6 +118,22 @@ class Refinement {
     weigh(c);
   }
 
+  /// Whether the points are much farther from the candidate than can be of use.
+  bool hopeless(const Candidate& c, const FitExpectation& expected) {
+    if (!std::isfinite(expected.most_deviation_m)) return false;
+    Matrix reference;
+    const Parameters parameters = parameters_of(c.shape, reference);
+    ResidualsAt(parameters, reference, count_).radial_distances_of(points_, distances_);
+    double squares = 0.0;
+    for (std::size_t i = 0; i < points_.count(); ++i) {
+      const double r =
+          std::min(std::abs(distances_.euclidean_share[i] * distances_.radial[i]), expected.truncated_m);
+      squares += r * r;
+    }
+    return std::sqrt(squares / static_cast<double>(points_.count())) >
+           options_.search.hopeless_deviation * expected.most_deviation_m;
+  }
+
   /// Share of inliers, and their mean distance.
   double inlier_share() const { return inliers_; }
   double error() const { return error_; }
@@ -248,7 +264,8 @@ double volume_of(std::span<const Vec3> points) {
 bool cheaper(const Candidate& a, const Candidate& b) { return a.cost < b.cost; }
 
 /// The best of several starts, by a search over a part of the evidence.
-Candidate best_plain_shape(const Evidence& some, Refinement& quick, const FitOptions& options) {
+Candidate best_plain_shape(const Evidence& some, Refinement& quick, const FitOptions& options,
+                           const FitExpectation& expected) {
   const FitSearchOptions& search = options.search;
   auto candidates = starts_for(some, options.starts);
   for (Candidate& c : candidates) quick.run(c, search.start_rounds, search.start_steps);
@@ -261,6 +278,7 @@ Candidate best_plain_shape(const Evidence& some, Refinement& quick, const FitOpt
   quick.run(best, search.best_rounds, search.best_steps);
   quick.run(candidates[1], search.best_rounds, search.best_steps, best.cost);
   if (candidates[1].cost < best.cost) best = candidates[1];
+  if (quick.hopeless(best, expected)) return best;
   // From one local minimum to the next, while the cost falls.
   for (int k = 0; k < search.switches; ++k) {
     const double before = best.cost;
@@ -274,7 +292,7 @@ Candidate best_plain_shape(const Evidence& some, Refinement& quick, const FitOpt
 }
 
 Candidate best_deformed_shape(const Evidence& some, double volume, const Candidate& plain,
-                              const FitOptions& options) {
+                              const FitOptions& options, const FitExpectation& expected) {
   const FitSearchOptions& search = options.search;
   const int count = parameter_count(options.deformation);
   Refinement deforming(some, volume, count, options);
@@ -283,6 +301,7 @@ Candidate best_deformed_shape(const Evidence& some, double volume, const Candida
   std::sort(bodies.begin(), bodies.end(), cheaper);
   bodies.resize(std::min(bodies.size(), static_cast<std::size_t>(search.deformed_kept)));
   Candidate best = bodies[0];
+  if (deforming.hopeless(best, expected)) return best;
   for (Candidate& c : bodies) {
     deforming.run(c, search.last_deformed_rounds, search.last_deformed_steps, best.cost);
     if (c.cost < best.cost) best = c;
@@ -290,15 +309,32 @@ Candidate best_deformed_shape(const Evidence& some, double volume, const Candida
   return best;
 }
 
-FittedSuperquadric fit_robustly(const Evidence& all, const FitOptions& options) {
+bool is_plain(const Superquadric& s) { return s.taper_x == 0.0 && s.taper_y == 0.0 && s.bend_per_m == 0.0; }
+
+/// The shape near `start` that fits a part of the evidence best.
+Candidate best_shape_near(const Superquadric& start, Refinement& quick, const FitOptions& options) {
+  Candidate near;
+  near.shape = start;
+  near.noise = near.sight_noise = options.starts.least_switched_noise;
+  near.outliers = options.starts.outliers;
+  quick.run(near, options.search.best_rounds, options.search.best_steps);
+  return near;
+}
+
+FittedSuperquadric fit_robustly(const Evidence& all, const FitOptions& options,
+                                const FitExpectation& expected) {
   const FitSearchOptions& search = options.search;
   const double volume = volume_of(all.points);
   const Evidence some{thinned<Vec3>(all.points, static_cast<std::size_t>(search.points)),
                       thinned<LineOfSight>(all.outline, static_cast<std::size_t>(search.sights)),
                       thinned<Vec3>(all.free, static_cast<std::size_t>(search.free)), all.eye};
-  Refinement quick(some, volume, kPlainParameters, options);
-  Candidate best = best_plain_shape(some, quick, options);
-  if (options.deformation != FitDeformation::none) best = best_deformed_shape(some, volume, best, options);
+  const bool deformed_start = expected.start && !is_plain(*expected.start);
+  Refinement quick(some, volume, deformed_start ? parameter_count(options.deformation) : kPlainParameters,
+                   options);
+  Candidate best = expected.start ? best_shape_near(*expected.start, quick, options)
+                                  : best_plain_shape(some, quick, options, expected);
+  if (options.deformation != FitDeformation::none && !deformed_start)
+    best = best_deformed_shape(some, volume, best, options, expected);
   const Evidence every{all.points,
                        thinned<LineOfSight>(all.outline, static_cast<std::size_t>(search.last_sights)),
                        all.free, all.eye};
@@ -344,7 +380,7 @@ FittedSuperquadric fit_as_solina(const Evidence& all, FitDeformation deformation
 
 Result<FittedSuperquadric> fit_superquadric(std::span<const Vec3> points_m,
                                             const std::optional<FitView>& view, const FitOptions& options,
-                                            std::span<const Vec3> free_m) {
+                                            std::span<const Vec3> free_m, const FitExpectation& expected) {
   if (auto valid = check(options); !valid) return std::move(valid).error();
   const auto normal = normalisation_of(points_m);
   if (!normal) return normal.error();
@@ -357,9 +393,12 @@ Result<FittedSuperquadric> fit_superquadric(std::span<const Vec3> points_m,
     for (const LineOfSight& sight : view->outline)
       evidence.outline.push_back({normal->in(sight.origin_m), sight.direction});
   }
+  FitExpectation normalised{
+      {}, expected.most_deviation_m / normal->scale, expected.truncated_m / normal->scale};
+  if (expected.start) normalised.start = normal->in(*expected.start);
   FittedSuperquadric fitted = options.method == FitMethod::solina
                                   ? fit_as_solina(evidence, options.deformation)
-                                  : fit_robustly(evidence, options);
+                                  : fit_robustly(evidence, options, normalised);
   fitted.shape = normal->out(fitted.shape);
   fitted.noise_m *= normal->scale;
   fitted.error_m *= normal->scale;

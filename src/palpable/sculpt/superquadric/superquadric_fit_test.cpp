@@ -110,6 +110,33 @@ TEST(SuperquadricFit, KeepsTheScaleAndPlaceOfItsPoints) {
             5e-6);
 }
 
+TEST(SuperquadricFit, ReturnsToAShapeThatItIsToldToStartNear) {
+  const FitCase c = make_fit_case(3, {});
+  FitExpectation expected;
+  expected.start = c.truth;
+  expected.start->size_m *= 1.1;
+  const auto near = fit_superquadric(c.points, c.view, {}, {}, expected);
+  ASSERT_TRUE(near.has_value());
+  EXPECT_LT(norm(near->shape.size_m - c.truth.size_m), 0.02 * norm(c.truth.size_m));
+  EXPECT_LT(norm(near->shape.scene_from_shape.translation_m - c.truth.scene_from_shape.translation_m),
+            0.02 * norm(c.truth.size_m));
+}
+
+TEST(SuperquadricFit, EndsItsSearchWhereNoShapeCanBeOfUse) {
+  FitCaseOptions noisy;
+  noisy.outlier_share = 0.4;
+  const FitCase c = make_fit_case(3, noisy);
+  const auto searched = fit_superquadric(c.points, c.view);
+  FitExpectation expected;
+  expected.most_deviation_m = 1e6;
+  const auto hopeful = fit_superquadric(c.points, c.view, {}, {}, expected);
+  expected.most_deviation_m = 1e-9;
+  const auto hopeless = fit_superquadric(c.points, c.view, {}, {}, expected);
+  ASSERT_TRUE(searched && hopeful && hopeless);
+  EXPECT_EQ(hopeful->error_m, searched->error_m);
+  EXPECT_NE(hopeless->error_m, searched->error_m);
+}
+
 TEST(SuperquadricFit, ObeysItsParametersAndRefusesThemOutOfRange) {
   const FitCase c = make_fit_case(3, {});
   FitOptions options;

@@ -42,6 +42,7 @@ std::vector<Parameter> search_parameters(FitSearchOptions& o) {
       {"settled_noise", &o.settled_noise, {0.0, 1.0}, "", "relative fall of the noise that ends a run"},
       {"settled_cost", &o.settled_cost, {0.0, 10.0}, "per point", "fall of the cost that ends a run"},
       {"hopeless_after", &o.hopeless_after, {0, 1000}, "", "rounds before a run is given up"},
+      {"hopeless_deviation", &o.hopeless_deviation, {1.0, 1000.0}, "", "deviation that ends a search"},
       {"hoped_gain", &o.hoped_gain, {0.0, 100.0}, "", "hoped gain of a round over the last one's"}};
   const auto count = [&](const char* name, int& value, const char* meaning) {
     parameters.push_back({name, &value, {1, 1000}, "", meaning});
@@ -78,6 +79,11 @@ int parameter_count(FitDeformation deformation) {
       break;
   }
   return kBendParameters;
+}
+
+FitDeformation deformation_of(int count) {
+  if (count <= kPlainParameters) return FitDeformation::none;
+  return count <= kTaperParameters ? FitDeformation::taper : FitDeformation::taper_and_bend;
 }
 
 std::vector<Parameter> parameters_of(FitOptions& o) {

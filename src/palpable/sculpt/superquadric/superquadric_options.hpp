@@ -18,6 +18,8 @@ enum class FitDeformation { none, taper, taper_and_bend };
 
 /// Numbers that describe a shape that may be deformed so.
 int parameter_count(FitDeformation deformation);
+/// The least deformation with so many.
+FitDeformation deformation_of(int parameter_count);
 
 /// The starts of the search (superquadric_starts.hpp).
 struct FitStartOptions {
@@ -94,6 +96,9 @@ struct FitSearchOptions {
   /// round gained this multiple of the last gain (0 … 100).
   int hopeless_after = 3;
   double hoped_gain = 2.0;
+  /// Before the most expensive rounds, a search ends that is this many times farther from the points than can
+  /// be of use (FitExpectation). 1 … 1000.
+  double hopeless_deviation = 2.0;
 };
 
 struct FitOptions {

@@ -92,10 +92,12 @@ class Splitter {
   /// Cuts a part until each piece fits a shape: first along its largest plane, then at its neck.
   void cut(ShapePart part, int depth) {
     if (part.members.size() < kFewestPartPoints || work_.cancelled()) return;
-    fitter_->fit(part);
-    if (!fitter_->good(part)) fitter_->deform(part);
-    if (fitter_->good(part) || depth == options_.most_cuts ||
-        part.members.size() < static_cast<std::size_t>(options_.least_cut_points)) {
+    const bool last = depth == options_.most_cuts ||
+                      part.members.size() < static_cast<std::size_t>(options_.least_cut_points);
+    const double most_cost = last ? std::numeric_limits<double>::infinity() : fitter_->good_cost();
+    fitter_->fit(part, most_cost);
+    if (!fitter_->good(part)) fitter_->deform(part, most_cost);
+    if (fitter_->good(part) || last) {
       parts_.push_back(std::move(part));
       return;
     }
@@ -162,9 +164,18 @@ class Splitter {
     }
     ShapePart fitted;
     fitted.members = both.part.members, fitted.label = a.label;
-    fitter_->fit(fitted, apart - both.saving);
-    if (!fitted.has_shape() && (deforms_pairs_ || std::max(a.parameters, b.parameters) > kPlainParameters))
-      fitter_->deform(fitted);
+    const ShapePart& larger = a.members.size() < b.members.size() ? b : a;
+    const bool near = larger.has_shape() && !larger.flat &&
+                      static_cast<double>(larger.members.size()) >=
+                          options_.near_share * static_cast<double>(fitted.members.size());
+    const bool deformed =
+        (near ? larger.parameters : std::max(a.parameters, b.parameters)) > kPlainParameters;
+    if (near)
+      fitter_->fit_near(fitted, larger, apart - both.saving);
+    else
+      fitter_->fit(fitted, apart - both.saving);
+    if (!fitted.has_shape() && (near ? deforms_pairs_ && !deformed : deforms_pairs_ || deformed))
+      fitter_->deform(fitted, apart - both.saving);
     const double saving = apart - fitter_->cost(fitted);
     if (fitted.has_shape() && saving > both.saving) both = {std::move(fitted), saving};
     return both;
@@ -311,6 +322,11 @@ std::vector<Parameter> parameters_of(ShapeSetOptions& o) {
       {"most_length", &o.most_length, {1.0, 10.0}, "", "length of a shape over that of its points"},
       {"most_hidden_length", &o.most_hidden_length, {0.0, 100.0}, "", "the same for its hidden side"},
       {"rounds", &o.rounds, {0, 100}, "", "rounds of joining parts and assigning points"},
+      {"near_share",
+       &o.near_share,
+       {0.5, 1.1},
+       "",
+       "share of one part from which both are fitted near its shape"},
       {"used_points", &o.used_points, {12, 1e6}, "", "most points of all"},
       {"fitted_points", &o.fitted_points, {12, 1e6}, "", "most points of a fit"},
       {"measured_points", &o.measured_points, {12, 1e6}, "", "most points of an error"}};

@@ -56,6 +56,8 @@ struct ShapeSetOptions {
   double free_reach = 0.5;
   /// Rounds of joining parts and assigning points to their nearest shape. 0 … 100.
   int rounds = 1;
+  /// Two parts as one are fitted near the shape of that which holds at least this share of their points.
+  double near_share = 0.9;
   /// Numbers of points that are used at most: of all; of a part, to fit a shape; and to measure its error.
   /// 12 … 1e6 each.
   int used_points = 6000;
