@@ -50,8 +50,8 @@ Result<void> remove_noise(DepthMap& depth, const ReliefRecipe& recipe, const Wor
   if (!smooth) return smooth.error();
   if (smooth->level > 0.0)
     notes.emplace_back(fmt::format(
-        "The depth has a depth camera's noise, about {:.1f} mm at 2 m, which was smoothed; {} flying pixels "
-        "were moved to the surfaces beside them.",
+        "The depth has a depth camera's noise, about {:.1f} mm at 2 m, which was smoothed; {} readings on "
+        "no surface (flying pixels, outliers) were moved to the surfaces beside them.",
         1e3 * smooth->level * static_cast<double>(recipe.depth_camera.noise.deviation_m(2.0F)),
         smooth->flying));
   depth.depth_m = std::move(smooth->depth_m);

@@ -320,8 +320,11 @@ std::string sentence_of(const FitToTouch& fit, const FitWordsOptions& options) {
   // With texture and light, points would be found: no place of the picture is to blame.
   if (fit.reason == FitReason::few_points && fit.confidence < options.doubtful_confidence &&
       fit.textured >= options.textured_share && fit.brightness >= options.dark_level)
-    return fmt::format("{}: {}: they show different places, or were taken from places too far apart.",
-                       verdict, words_of(fit.reason));
+    return fmt::format(
+        "{}: {}: they show different places, were taken from places too far apart, or one is turned, zoomed "
+        "or "
+        "mirrored.",
+        verdict, words_of(fit.reason));
   std::string figures =
       fmt::format("the pictures confirm each other on {:.0f} % of what both show, {:.0f} % of the whole",
                   100.0 * fit.agreement, 100.0 * fit.coverage);
