@@ -159,7 +159,9 @@ TEST(SuperquadricFit, ObeysItsParametersAndRefusesThemOutOfRange) {
 
 TEST(SuperquadricFit, RefusesPointsThatDetermineNoSolid) {
   std::vector<Vec3> flat;
-  for (int i = 0; i < 100; ++i) flat.push_back({0.1 * (i % 10), 0.1 * (i / 10), 0.0});
+  flat.reserve(100);
+  for (int row = 0; row < 10; ++row)
+    for (int column = 0; column < 10; ++column) flat.push_back({0.1 * column, 0.1 * row, 0.0});
   EXPECT_FALSE(fit_superquadric(flat, {}).has_value());
   EXPECT_FALSE(fit_superquadric(std::vector<Vec3>(50, Vec3{1, 2, 3}), {}).has_value());
   EXPECT_FALSE(fit_superquadric(std::vector<Vec3>(5, Vec3{1, 2, 3}), {}).has_value());

@@ -147,6 +147,22 @@ class Splitter {
     double saving = 0.0;
   };
   using Pair = std::pair<std::size_t, std::size_t>;
+  /// Fits a shape to the points of a and b together, if one costs less than `most_cost`: near that of the
+  /// larger part where it holds nearly all of them.
+  void fit_together(ShapePart& both, const ShapePart& a, const ShapePart& b, double most_cost) const {
+    const ShapePart& larger = a.members.size() < b.members.size() ? b : a;
+    if (larger.has_shape() && !larger.flat &&
+        static_cast<double>(larger.members.size()) >=
+            options_.near_share * static_cast<double>(both.members.size())) {
+      fitter_->fit_near(both, larger, most_cost);
+      if (!both.has_shape() && deforms_pairs_ && larger.parameters == kPlainParameters)
+        fitter_->deform(both, most_cost);
+      return;
+    }
+    fitter_->fit(both, most_cost);
+    if (!both.has_shape() && (deforms_pairs_ || std::max(a.parameters, b.parameters) > kPlainParameters))
+      fitter_->deform(both, most_cost);
+  }
   Joined joined(const Pair& pair) const {
     const ShapePart &a = parts_[pair.first], &b = parts_[pair.second];
     Joined both;
@@ -164,18 +180,7 @@ class Splitter {
     }
     ShapePart fitted;
     fitted.members = both.part.members, fitted.label = a.label;
-    const ShapePart& larger = a.members.size() < b.members.size() ? b : a;
-    const bool near = larger.has_shape() && !larger.flat &&
-                      static_cast<double>(larger.members.size()) >=
-                          options_.near_share * static_cast<double>(fitted.members.size());
-    const bool deformed =
-        (near ? larger.parameters : std::max(a.parameters, b.parameters)) > kPlainParameters;
-    if (near)
-      fitter_->fit_near(fitted, larger, apart - both.saving);
-    else
-      fitter_->fit(fitted, apart - both.saving);
-    if (!fitted.has_shape() && (near ? deforms_pairs_ && !deformed : deforms_pairs_ || deformed))
-      fitter_->deform(fitted, apart - both.saving);
+    fit_together(fitted, a, b, apart - both.saving);
     const double saving = apart - fitter_->cost(fitted);
     if (fitted.has_shape() && saving > both.saving) both = {std::move(fitted), saving};
     return both;
