@@ -8,7 +8,7 @@
 #include "palpable/formats/picture/picture.hpp"
 #include "palpable/measure/street_map_score.hpp"
 #include "palpable/sources/map/extract_window.hpp"
-#include "palpable/vision/streets/gazetteer.hpp"
+#include "palpable/vision/streets/names/gazetteer.hpp"
 #include "palpable/vision/streets/street_map_from_picture.hpp"
 #include "palpable/vision/text/text_lines.hpp"
 

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/vision/streets/gazetteer.hpp"
+#include "palpable/vision/streets/names/gazetteer.hpp"
 
 #include <cstdint>
 #include <cstdlib>

@@ -3,7 +3,7 @@
 #include "palpable/measure/street_map_score.hpp"
 
 #include "palpable/core/geometry/segment.hpp"
-#include "palpable/vision/streets/gazetteer.hpp"
+#include "palpable/vision/streets/names/gazetteer.hpp"
 
 #include <algorithm>
 #include <array>

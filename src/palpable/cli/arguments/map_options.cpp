@@ -4,7 +4,7 @@
 
 #include "palpable/core/files/read_file.hpp"
 #include "palpable/core/text/number_text.hpp"
-#include "palpable/vision/streets/gazetteer.hpp"
+#include "palpable/vision/streets/names/gazetteer.hpp"
 
 #include <algorithm>
 #include <array>

@@ -28,7 +28,7 @@ void add_map_options(Options& options, MapArguments& arguments);
 /// layer.
 Result<sources::ExtractWindow> window_of(const MapArguments& arguments);
 
-/// The names in a file (vision/streets/gazetteer.hpp). Errors: as read_text_file(); invalid_input as
+/// The names in a file (vision/streets/names/gazetteer.hpp). Errors: as read_text_file(); invalid_input as
 /// parse_gazetteer().
 Result<std::vector<std::string>> gazetteer_of(const std::string& path);
 
