@@ -119,12 +119,13 @@ constexpr std::array<TellingWord, 72> kTelling{{{"church", Kind::church},
                                                 {"theater", Kind::theatre, true}}};
 
 /// Words of streets, also as abbreviations; the last of a name in some languages, the first in others.
-constexpr std::array<std::string_view, 45> kStreetWords{
-    "road",    "rd",      "street", "st.",    "lane",  "avenue",    "ave",     "close",    "drive",
-    "way",     "terrace", "row",    "square", "place", "hill",      "court",   "crescent", "gardens",
-    "walk",    "view",    "yard",   "rue",    "av.",   "boulevard", "bd",      "chemin",   "allée",
-    "impasse", "quai",    "ruelle", "square", "via",   "viale",     "piazza",  "calle",    "plaza",
-    "gasse",   "weg",     "platz",  "straße", "pont",  "tunnel",    "passage", "allee",    "bretelle"};
+constexpr std::array<std::string_view, 47> kStreetWords{
+    "road",     "rd",      "street",  "st.",     "lane",     "avenue", "ave",     "close",
+    "drive",    "way",     "terrace", "row",     "square",   "place",  "hill",    "court",
+    "crescent", "gardens", "walk",    "view",    "yard",     "rue",    "av.",     "boulevard",
+    "bd",       "chemin",  "allée",   "impasse", "quai",     "ruelle", "square",  "via",
+    "viale",    "piazza",  "calle",   "plaza",   "gasse",    "weg",    "platz",   "straße",
+    "pont",     "tunnel",  "passage", "allee",   "bretelle", "rampe",  "escalier"};
 
 std::string small(std::string_view text) {
   // Capital letters with accents, two bytes of UTF-8, are 32 below the small ones.

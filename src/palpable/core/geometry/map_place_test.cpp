@@ -30,7 +30,8 @@ TEST(MapPlace, NamesOfStreetsTellNone) {
 }
 
 TEST(MapPlace, StreetsAreToldByTheirFirstOrLastWord) {
-  for (const char* const name : {"Mill Lane", "Rue Plati", "landstrasse", "Tunnel Dorsale", "Hintergass"})
+  for (const char* const name :
+       {"Mill Lane", "Rue Plati", "landstrasse", "Tunnel Dorsale", "Hintergass", "Rampe Major"})
     EXPECT_TRUE(is_street_name(name)) << name;
   for (const char* const name : {"Monaco", "The Street Cafe", ""}) EXPECT_FALSE(is_street_name(name)) << name;
 }

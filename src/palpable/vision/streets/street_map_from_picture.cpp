@@ -305,6 +305,7 @@ Result<FoundStreetMap> street_map_from_picture(const Image& picture, const Stree
   if (auto more = read_street_lettering(lettering, graph, text, reading->lines, options, work); !more)
     return more.error();
   if (auto more = read_extended(lettering, text, reading->lines, options, work); !more) return more.error();
+  divide_names_in_row(text, reading->lines);
   join_name_pieces(text, reading->lines, options.pieces);
   const auto names = street_lettering(graph, text, reading->lines, options.under_names);
   add_streets_under(graph, text, reading->lines, options.under_names);

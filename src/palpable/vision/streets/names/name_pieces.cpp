@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/streets/names/name_pieces.hpp"
 
+#include "palpable/core/geometry/map_place.hpp"
 #include "palpable/vision/text/compared_form.hpp"
 
 #include <algorithm>
@@ -87,6 +88,47 @@ void append_piece(TextLine& a, ReadLine& a_read, const TextLine& b, const ReadLi
   a.letters += b.letters;
 }
 
+/// The words before the last one, if these only begin a name and the last one begins the other words.
+std::optional<std::string> beginning_before(std::string_view words, std::string_view other) {
+  const std::size_t space = words.rfind(' ');
+  if (space == std::string_view::npos) return std::nullopt;
+  const std::string_view before = words.substr(0, space);
+  const std::string letters = compared_form(words.substr(space + 1));
+  const std::string word = compared_form(other.substr(0, other.find(' ')));
+  const bool is_begun = !letters.empty() && letters.size() < word.size() && word.starts_with(letters);
+  return is_begun && has_only(before, kBeginnings) ? std::optional<std::string>(before) : std::nullopt;
+}
+
+/// Lines without a part of their end, of so many letters out of all.
+void shorten(TextLine& line, std::size_t letters, std::size_t all) {
+  line.centre.resize(std::max<std::size_t>(2, line.centre.size() * (all - letters) / all));
+  line.letters = static_cast<int>(static_cast<std::size_t>(line.letters) * (all - letters) / all);
+}
+
+/// Leaves out letters of the next words behind words that only begin a name, where the next ones begin beside
+/// them.
+void remove_next_letters(std::vector<TextLine>& lines, std::vector<ReadLine>& read,
+                         const NamePiecesOptions& options) {
+  for (std::size_t a = 0; a < lines.size(); ++a)
+    for (std::size_t b = 0; b < lines.size(); ++b) {
+      const auto before = a == b ? std::nullopt : beginning_before(read[a].text, read[b].text);
+      if (!before) continue;
+      TextLine shorter = lines[a];
+      shorten(shorter, read[a].text.size() - before->size(), read[a].text.size());
+      if (!gap_after(shorter, lines[b], options)) continue;
+      lines[a] = std::move(shorter);
+      read[a].text = *before;
+      break;
+    }
+}
+
+/// Whether a word is a name of a street by itself, written as one with its word of streets ("Gerberweg").
+bool is_compound_name(std::string_view word) {
+  constexpr std::size_t kLeastLetters = 7;
+  return word.size() >= kLeastLetters && word.find(' ') == std::string_view::npos && is_street_name(word) &&
+         !is_piece_of_name(word);
+}
+
 }  // namespace
 
 std::vector<Parameter> parameters_of(NamePiecesOptions& o) {
@@ -99,10 +141,35 @@ bool is_piece_of_name(std::string_view words) {
   return has_only(words, kBeginnings) || has_only(words, kEndings);
 }
 
+void divide_names_in_row(std::vector<TextLine>& lines, std::vector<ReadLine>& read) {
+  const std::size_t count = lines.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string text = read[i].text;
+    const std::size_t space = text.find(' ');
+    if (space == std::string::npos || !is_compound_name(std::string_view(text).substr(0, space)) ||
+        !is_compound_name(std::string_view(text).substr(space + 1)))
+      continue;
+    orient(lines[i], read[i]);
+    TextLine rest = lines[i];
+    std::reverse(rest.centre.begin(), rest.centre.end());
+    shorten(rest, space + 1, text.size());
+    std::reverse(rest.centre.begin(), rest.centre.end());
+    shorten(lines[i], text.size() - space, text.size());
+    ReadLine rest_read = read[i];
+    read[i].text = text.substr(0, space);
+    rest_read.text = text.substr(space + 1);
+    read[i].others = {read[i].text};
+    rest_read.others = {rest_read.text};
+    lines.push_back(std::move(rest));
+    read.push_back(std::move(rest_read));
+  }
+}
+
 void join_name_pieces(std::vector<TextLine>& lines, std::vector<ReadLine>& read,
                       const NamePiecesOptions& options) {
   for (std::size_t i = 0; i < lines.size(); ++i)
     if (!read[i].text.empty()) orient(lines[i], read[i]);
+  remove_next_letters(lines, read, options);
   for (;;) {
     std::optional<double> least;
     std::size_t first = 0, second = 0;

@@ -25,8 +25,13 @@ std::vector<Parameter> parameters_of(NamePiecesOptions& options);
 /// only end one ("Street", "1er", "II"), in English, French, German, Italian or Spanish. UTF-8.
 bool is_piece_of_name(std::string_view words);
 
+/// Divides lettering of two names one after the other, each of which ends with a word of streets that is
+/// written as one with it ("Forellenweg Gerberweg"). Any thread.
+void divide_names_in_row(std::vector<TextLine>& lines, std::vector<ReadLine>& read);
+
 /// Joins words that only begin or end a name to the lettering that follows or precedes them, also around a
-/// bend. Any thread.
+/// bend. A word that only begins a name may have letters of the next one behind it ("Rue je" before "Jean
+/// Bouin"), which are left out. Any thread.
 void join_name_pieces(std::vector<TextLine>& lines, std::vector<ReadLine>& read,
                       const NamePiecesOptions& options = {});
 

@@ -46,6 +46,39 @@ TEST(NamePieces, JoinAroundABend) {
   EXPECT_GT(lines[0].centre.back().y, 100.0);
 }
 
+TEST(NamePieces, LettersOfTheNextWordAreLeftOut) {
+  // "Rue" runs up, and the line goes on over the first letters of "Jean Bouin", which turns to the right.
+  std::vector<TextLine> lines{straight_line({100, 100}, -90.0, 36), straight_line({96, 74}, -40.0, 60)};
+  std::vector<ReadLine> read{{"Rue je", 0.86, false}, {"jean Bouin", 0.96, false}};
+  join_name_pieces(lines, read);
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_EQ(read[0].text, "Rue jean Bouin");
+  lines = {straight_line({100, 100}, -90.0, 36), straight_line({96, 14}, -40.0, 60)};
+  read = {{"Rue je", 0.86, false}, {"jean Bouin", 0.96, false}};
+  join_name_pieces(lines, read);
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[0].text, "Rue je");
+}
+
+TEST(NamePieces, TwoNamesInARowAreDivided) {
+  std::vector<TextLine> lines{straight_line({10, 50}, 0.0, 210)};
+  std::vector<ReadLine> read{{"Forellenweg Gerberweg", 0.8, false}};
+  divide_names_in_row(lines, read);
+  ASSERT_EQ(lines.size(), 2U);
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[0].text, "Forellenweg");
+  EXPECT_EQ(read[1].text, "Gerberweg");
+  EXPECT_NEAR(lines[0].centre.back().x, 120.0, 5.0);
+  EXPECT_NEAR(lines[1].centre.front().x, 130.0, 5.0);
+  EXPECT_EQ(lines[1].centre.back().x, 220.0);
+  for (const char* one : {"Alter Gerberweg", "Mill Lane", "Boulevard Charles", "Im Feldweg"}) {
+    lines = {straight_line({10, 50}, 0.0, 150)};
+    read = {{one, 0.9, false}};
+    divide_names_in_row(lines, read);
+    EXPECT_EQ(read.size(), 1U) << one;
+  }
+}
+
 TEST(NamePieces, LeaveWholeNamesAndDistantWordsAlone) {
   std::vector<TextLine> lines{straight_line({10, 10}, 0.0, 60),  straight_line({78, 12}, 20.0, 60),
                               straight_line({10, 60}, 0.0, 25),  straight_line({70, 60}, 0.0, 40),

@@ -151,13 +151,18 @@ MapLabel label_of(const TextLine& line, const ReadLine& read, bool names_street)
           names_street};
 }
 
-/// Whether a line of lettering ends at the picture's border, which may cut it off.
-bool is_at_border(const StreetMap& map, const TextLine& line, const StreetNameOptions& options) {
+/// Whether a line of lettering ends at the picture's border, which may have cut off letters of it.
+bool may_be_cut_off(const StreetMap& map, const TextLine& line, const ReadLine& read,
+                    const StreetNameOptions& options) {
   const double most = options.border_heights * line.height_px;
   const auto is_near = [&](MapPoint p) {
     return std::min({p.x, p.y, map.width_px - 1 - p.x, map.height_px - 1 - p.y}) <= most;
   };
-  return is_near(line.centre.front()) || is_near(line.centre.back());
+  const bool first = is_near(read.reversed ? line.centre.back() : line.centre.front());
+  const bool last = is_near(read.reversed ? line.centre.front() : line.centre.back());
+  const std::string_view words = read.text;
+  return (first && !(is_whole_name(words) && is_street_name(words))) ||
+         (last && !is_street_name(words.substr(words.rfind(' ') + 1)));
 }
 
 /// Whether a name begins with the word of streets, in small letters: "quai de l'hirondelle".
@@ -175,7 +180,7 @@ std::optional<std::string> name_of(const StreetMap& map, const TextLine& line, c
   if (options.gazetteer.empty()) {
     const bool is_name = read.confidence >= options.least_confidence && !is_piece_of_name(read.text) &&
                          (is_whole_name(read.text) || is_small_name(read.text)) &&
-                         !is_at_border(map, line, options);
+                         !may_be_cut_off(map, line, read, options);
     return is_name ? std::optional(read.text) : std::nullopt;
   }
   return nearest_name(read.text, options.gazetteer, options.least_similarity);

@@ -43,7 +43,8 @@ struct StreetNameOptions {
   /// Without a gazetteer, names that are read with less confidence are labels of places. 0 ... 1.
   double least_confidence = 0.7;
   /// Without a gazetteer, lettering that ends nearer to the picture's border than this part of its height may
-  /// be cut off, and is a label. 0 ... 5.
+  /// be cut off, and is a label, 0 ... 5, unless its words are those of a street that is whole at that end:
+  /// "Street" last, "Rue" first, or a capital letter before a word of streets.
   double border_heights = 0.5;
   /// Without a gazetteer, stacked lettering is a label.
   StackedLetteringOptions stacked;

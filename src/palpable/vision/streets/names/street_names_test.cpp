@@ -22,7 +22,7 @@ TEST(StreetNames, FragmentsAreNoNames) {
 }
 
 /// A map of 200 x 100 pixels with one street along y = 50, and lettering on it from `first` to `last`.
-std::string name_read(double first, double last) {
+std::string name_read(const char* words, double first, double last) {
   StreetMap map;
   map.width_px = 200;
   map.height_px = 100;
@@ -31,15 +31,23 @@ std::string name_read(double first, double last) {
   line.height_px = 10.0;
   for (double x = first; x <= last; ++x) line.centre.push_back({x, 50.0});
   const std::array<TextLine, 1> lines{line};
-  const std::array<ReadLine, 1> read{ReadLine{"Mill Lane", 0.95, false}};
+  const std::array<ReadLine, 1> read{ReadLine{words, 0.95, false}};
   add_names(map, lines, read);
   return map.streets[0].name;
 }
 
 TEST(StreetNames, LetteringAtTheBorderMayBeCutOff) {
-  EXPECT_EQ(name_read(40, 120), "Mill Lane");
-  EXPECT_EQ(name_read(2, 82), "");
-  EXPECT_EQ(name_read(116, 197), "");
+  EXPECT_EQ(name_read("Mitteldorf", 40, 120), "Mitteldorf");
+  EXPECT_EQ(name_read("Mitteldorf", 2, 82), "");
+  EXPECT_EQ(name_read("Mitteldorf", 116, 197), "");
+  EXPECT_EQ(name_read("Rue Bel", 116, 197), "");
+  EXPECT_EQ(name_read("ill Lane", 2, 82), "");
+}
+
+TEST(StreetNames, AWordOfStreetsAtTheBorderIsWhole) {
+  EXPECT_EQ(name_read("Mill Lane", 2, 82), "Mill Lane");
+  EXPECT_EQ(name_read("Rue Bel", 2, 82), "Rue Bel");
+  EXPECT_EQ(name_read("Mill Lane", 116, 197), "Mill Lane");
 }
 
 /// A map of 300 x 200 pixels: a street along y = 100 in two pieces, that goes on straight ahead over the

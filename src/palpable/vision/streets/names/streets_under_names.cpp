@@ -79,6 +79,16 @@ void add_street(CentreLines& graph, const TextLine& name, double radius_px,
   graph.lines.push_back(std::move(line));
 }
 
+bool is_alike(const TextLine& line, const StreetLettering& names, double most_colour_difference,
+              double most_height_ratio) {
+  const double ratio = line.height_px / names.height_px;
+  const double r = line.colour.r - names.colour.r;
+  const double g = line.colour.g - names.colour.g;
+  const double b = line.colour.b - names.colour.b;
+  return std::sqrt(r * r + g * g + b * b) <= most_colour_difference &&
+         std::max(ratio, 1.0 / ratio) <= most_height_ratio;
+}
+
 }  // namespace
 
 std::vector<Parameter> parameters_of(StreetsUnderNamesOptions& o) {
@@ -90,6 +100,11 @@ std::vector<Parameter> parameters_of(StreetsUnderNamesOptions& o) {
       {"fewest_names", &o.fewest_names, {1, 100}, "", "names that show how streets are lettered"},
       {"most_colour_difference", &o.most_colour_difference, {0, 442}, "levels", "from these names"},
       {"most_height_ratio", &o.most_height_ratio, {1, 10}, "", "height of these names"},
+      {"most_name_colour_difference",
+       &o.most_name_colour_difference,
+       {0, 442},
+       "levels",
+       "from these names, of words of streets"},
       {"reach_heights", &o.reach_heights, {0, 20}, "heights", "how far the next street is"},
       {"reach_angle_deg", &o.reach_angle_deg, {0, 90}, "degrees", "its direction"}};
 }
@@ -112,12 +127,7 @@ std::optional<StreetLettering> street_lettering(const CentreLines& graph, std::s
 
 bool is_lettered_like(const TextLine& line, const StreetLettering& names,
                       const StreetsUnderNamesOptions& options) {
-  const double ratio = line.height_px / names.height_px;
-  const double r = line.colour.r - names.colour.r;
-  const double g = line.colour.g - names.colour.g;
-  const double b = line.colour.b - names.colour.b;
-  return std::sqrt(r * r + g * g + b * b) <= options.most_colour_difference &&
-         std::max(ratio, 1.0 / ratio) <= options.most_height_ratio;
+  return is_alike(line, names, options.most_colour_difference, options.most_height_ratio);
 }
 
 int add_streets_under(CentreLines& graph, std::span<const TextLine> lines, std::span<const ReadLine> read,
@@ -130,7 +140,8 @@ int add_streets_under(CentreLines& graph, std::span<const TextLine> lines, std::
   int added = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (read[i].confidence < options.least_name_confidence || !is_street_name(read[i].text) ||
-        !is_lettered_like(lines[i], *names, options) || is_on_street(graph, lines[i], options))
+        !is_alike(lines[i], *names, options.most_name_colour_difference, options.most_height_ratio) ||
+        is_on_street(graph, lines[i], options))
       continue;
     add_street(graph, lines[i], std::min(radius, 0.5 * lines[i].height_px), options);
     ++added;

@@ -28,6 +28,9 @@ struct StreetsUnderNamesOptions {
   /// height by at most this factor, 1 ... 10.
   double most_colour_difference = 60.0;
   double most_height_ratio = 1.5;
+  /// Of words of streets the colour may differ by this, RGB levels, 0 ... 442: the grounds around thin
+  /// letters mix with it.
+  double most_name_colour_difference = 90.0;
   /// A street under a name goes on to a street that is at most this many heights before its end, 0 ... 20, in
   /// a direction that differs by at most this much, degrees, 0 ... 90.
   double reach_heights = 2.5;

@@ -65,6 +65,15 @@ TEST(StreetsUnderNames, NamesOfPlacesAndOtherLetteringAreNone) {
   EXPECT_EQ(map.added("Rue Plati"), 0);
 }
 
+TEST(StreetsUnderNames, PalerLettersSayAStreetIfTheirWordsDo) {
+  MapOfOneStreet map;
+  map.lines.back().colour = {80, 80, 80};
+  EXPECT_FALSE(is_lettered_like(map.lines.back(), {10.0, {40, 40, 40}}));
+  EXPECT_EQ(map.added("Rue Plati"), 1);
+  map.lines.back().colour = {100, 100, 100};
+  EXPECT_EQ(map.added("Rue Plati"), 0);
+}
+
 TEST(StreetsUnderNames, TooFewNamesShowNoLettering) {
   MapOfOneStreet map;
   map.read[0].confidence = 0.1;
