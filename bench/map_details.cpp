@@ -162,6 +162,27 @@ void draw_label(cairo_t* cr, MapPoint middle, const char* words, const char* fon
   g_object_unref(layout);
 }
 
+bool is_numbered(const std::string& kind) {
+  return kind.starts_with("motorway") || kind.starts_with("trunk") || kind.starts_with("primary") ||
+         kind.starts_with("secondary");
+}
+
+/// The number of a road on a box in a pale shade of its colour, upright.
+void draw_plate(cairo_t* cr, MapPoint at, const char* number, const StreetPaint& paint) {
+  constexpr double kLetterWidth = 6.5, kHeight = 15.0, kMargin = 8.0;
+  const double width = kMargin + kLetterWidth * static_cast<double>(std::string_view(number).size());
+  cairo_new_path(cr);
+  cairo_rectangle(cr, std::round(at.x - 0.5 * width), std::round(at.y - 0.5 * kHeight), std::round(width),
+                  kHeight);
+  set_colour(cr, mixed(paint.fill, {255, 255, 255}, 0.5));
+  cairo_fill_preserve(cr);
+  set_colour(cr, mixed(paint.fill, paint.casing, 0.5));
+  cairo_set_dash(cr, nullptr, 0, 0.0);
+  cairo_set_line_width(cr, 1.0);
+  cairo_stroke(cr);
+  draw_label(cr, at, number, "DejaVu Sans Condensed", 10.0, mixed(paint.casing, {0, 0, 0}, 0.5));
+}
+
 void draw_bus_stop(cairo_t* cr, MapPoint at, double half_px) {
   set_colour(cr, {0, 146, 218});
   cairo_rectangle(cr, std::round(at.x) - half_px, std::round(at.y) - half_px, 2.0 * half_px, 2.0 * half_px);
@@ -283,6 +304,16 @@ std::vector<TakenPlace> draw_symbols(cairo_t* cr, const std::vector<ProjectedWay
     const MapPoint at = any_place(random, side);
     draw_label(cr, at, quarter, "DejaVu Sans Condensed", 14.0, {119, 119, 119});
     take(at, 45.0, 10.0);
+  }
+  constexpr std::array<const char*, 6> kNumbers{"A64(M)", "A61", "M1", "D 6007", "N 7", "B 312"};
+  constexpr double kLeastLength = 70.0;
+  for (const ProjectedWay& w : ways) {
+    const double length = length_of(w.points);
+    if (w.way->tunnel || length < kLeastLength || !is_numbered(w.way->kind) || !chance(random, 0.6)) continue;
+    const Along place = along(w.points, uniform(random, 0.3, 0.7) * length);
+    const char* number = kNumbers[std::uniform_int_distribution<std::size_t>(0, kNumbers.size() - 1)(random)];
+    draw_plate(cr, place.at, number, paint_of(w.way->kind, style));
+    take(place.at, 30.0, 12.0);
   }
   return taken;
 }

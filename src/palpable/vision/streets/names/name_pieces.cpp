@@ -114,7 +114,8 @@ void remove_next_letters(std::vector<TextLine>& lines, std::vector<ReadLine>& re
       const auto before = a == b ? std::nullopt : beginning_before(read[a].text, read[b].text);
       if (!before) continue;
       TextLine shorter = lines[a];
-      shorten(shorter, read[a].text.size() - before->size(), read[a].text.size());
+      // Without the gap between the words, as letters are not equally wide.
+      shorten(shorter, read[a].text.size() - before->size() - 1, read[a].text.size());
       if (!gap_after(shorter, lines[b], options)) continue;
       lines[a] = std::move(shorter);
       read[a].text = *before;
