@@ -4,6 +4,7 @@
 
 #include "palpable/cli/output_files.hpp"
 #include "palpable/sources/depth/depth_picture.hpp"
+#include "palpable/sources/input/input.hpp"
 
 #include <algorithm>
 #include <climits>
@@ -36,6 +37,14 @@ std::vector<std::string> names_in(const std::string& word) {
     if (begin != std::string::npos) ++begin;
   }
   return names;
+}
+
+/// Points and meshes have no sidecar: a file beside them is what the command made of them.
+bool is_surface(const fs::path& file) {
+  std::error_code failed;
+  if (!fs::is_regular_file(file, failed)) return false;
+  const auto kind = sources::kind_of_file(file);
+  return kind && (*kind == sources::InputKind::mesh || *kind == sources::InputKind::points);
 }
 
 }  // namespace
@@ -79,7 +88,7 @@ void InputFiles::add_argument(const std::string& argument) {
            it.increment(failed))
         // Scenes are never read from a folder of pictures, so that one beside them can be made again.
         if (it->path().extension() != ".palp") add(it->path(), name);
-    } else if (fs::exists(name, failed)) {
+    } else if (fs::exists(name, failed) && !is_surface(name)) {
       for (const fs::path& sidecar : sources::depth_sidecars_of(name)) add(sidecar);
     }
   }

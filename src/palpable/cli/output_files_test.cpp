@@ -103,6 +103,10 @@ TEST_F(OutputFiles, AreNoSidecars) {
   for (const char* name : {"d.png.json", "d.json", "depth.json"})
     EXPECT_EQ(asked(name, {}, {}, {path("d.png")}), ErrorCode::usage) << name;
   EXPECT_FALSE(asked("e.json", {}, {}, {path("d.png")}));
+  // What a command made of points may be made again.
+  std::ofstream(folder_ / "points.ply") << "ply\nformat ascii 1.0\nelement vertex 0\nend_header\n";
+  std::ofstream(folder_ / "points.json") << "x";
+  EXPECT_FALSE(asked("points.json", {}, {}, {path("points.ply")}));
 }
 
 TEST_F(OutputFiles, AreNoPipeThatIsRead) {
