@@ -54,8 +54,7 @@ class PartFitter {
   /// reaches into free space is trimmed. The part has no shape if none costs less than `most_cost` and than
   /// none.
   void fit(ShapePart& part, double most_cost = std::numeric_limits<double>::infinity()) const;
-  /// The same by the shapes near that of `like`, a part with most of the members, which takes a fifth of the
-  /// time.
+  /// The same by the shapes near that of `like`, a part with most of the members, in less time.
   void fit_near(ShapePart& part, const ShapePart& like,
                 double most_cost = std::numeric_limits<double>::infinity()) const;
   /// Tapers and bends a part's shape where that costs less, and less than `most_cost`.

@@ -34,7 +34,7 @@ struct FittedSuperquadric {
 
 /// What a caller knows before a fit.
 struct FitExpectation {
-  /// A shape near which the fit is looked for, instead of everywhere, in a fifth of the time; a plain one is
+  /// A shape near which the fit is looked for, instead of everywhere, in less time; a plain one is
   /// deformed as the options allow.
   std::optional<models::Superquadric> start = {};
   /// A shape with a greater root mean square distance of the points, each at most `truncated_m`, is of no

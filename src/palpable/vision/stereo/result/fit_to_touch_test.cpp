@@ -148,6 +148,7 @@ TEST(FitToTouch, SaysOfDifferentPlacesThatNoPointIsFoundInBoth) {
   fit.brightness = 0.5;
   fit.trouble = Raster<std::uint8_t>(90, 90, static_cast<std::uint8_t>(Trouble::contradicted));
   EXPECT_THAT(sentence_of(fit), HasSubstr("hardly any point is found in both pictures: they show different"));
+  EXPECT_THAT(sentence_of(fit), HasSubstr("turned, zoomed or mirrored"));
   EXPECT_THAT(sentence_of(fit), testing::Not(HasSubstr("feel wrong")));
   fit.brightness = 0.05;
   EXPECT_THAT(sentence_of(fit), HasSubstr("more light"));
