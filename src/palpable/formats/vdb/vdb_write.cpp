@@ -158,7 +158,8 @@ Result<std::vector<std::byte>> encode(const Distance& field, const VdbOptions& o
     auto level_set = level_set_of(field, blocks, options.band, work);
     if (!level_set) return level_set.error();
     work.report(0.9, "packing the voxels");
-    const std::string bytes = module->write(*level_set);
+    std::string bytes;
+    module->write(*level_set, bytes);
     const auto view = as_bytes(bytes);
     return std::vector<std::byte>(view.begin(), view.end());
   } catch (const std::exception& e) {

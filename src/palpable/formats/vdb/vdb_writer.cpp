@@ -48,7 +48,8 @@ std::unique_ptr<Leaf> leaf_of(const LevelSet::Block& block, float background) {
 
 }  // namespace
 
-extern "C" __attribute__((visibility("default"))) std::string palpable_write_level_set(LevelSet& level_set) {
+extern "C" __attribute__((visibility("default"))) void palpable_write_level_set(LevelSet& level_set,
+                                                                                std::string& bytes) {
   const auto grid = FloatGrid::create(level_set.background);
   for (const LevelSet::Block& block : level_set.blocks)
     grid->tree().addLeaf(leaf_of(block, level_set.background).release());
@@ -64,7 +65,7 @@ extern "C" __attribute__((visibility("default"))) std::string palpable_write_lev
   grid->setSaveFloatAsHalf(true);
   MemoryArchive archive;
   archive.setCompression(openvdb::io::COMPRESS_BLOSC | openvdb::io::COMPRESS_ACTIVE_MASK);
-  return archive.bytes(grid);
+  bytes = archive.bytes(grid);
 }
 
 }  // namespace palpable::formats
