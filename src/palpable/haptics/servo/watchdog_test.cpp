@@ -9,6 +9,7 @@
 #include <condition_variable>
 #include <memory>
 #include <mutex>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -51,9 +52,10 @@ class HangingDevice final : public device::Device {
   void stop() noexcept override { write({}); }
   void cut_force() noexcept override {
     const std::lock_guard lock(hang_->mutex);
+    const Vec3 before_N = std::exchange(force_N_, {});
+    // On a busy machine the loop may also be late before it hangs; then it hangs later, with force again.
     if (!hang_->hangs) return;
-    hang_->force_when_cut_N = force_N_;
-    force_N_ = {};
+    hang_->force_when_cut_N = before_N;
     hang_->was_cut = true;
     hang_->changed.notify_all();
   }
