@@ -214,9 +214,10 @@ Rgb8 mixed(Rgb8 a, Rgb8 b, double part) {
   return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b)};
 }
 
-double length_of(const std::vector<MapPoint>& p) {
+double length_of(const std::vector<MapPoint>& line) {
   double sum = 0.0;
-  for (std::size_t i = 1; i < p.size(); ++i) sum += std::hypot(p[i].x - p[i - 1].x, p[i].y - p[i - 1].y);
+  for (std::size_t i = 1; i < line.size(); ++i)
+    sum += std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
   return sum;
 }
 

@@ -86,10 +86,10 @@ std::vector<vision::StereoMethod> progressive_methods(const StereoRecipe& stereo
   return first == last ? std::vector{last} : std::vector{first, last};
 }
 
-Result<MadeScene> relief_from_pair(const vision::StereoPair& given, const StereoRecipe& stereo,
+Result<MadeScene> relief_from_pair(const vision::StereoPair& pair, const StereoRecipe& stereo,
                                    const ReliefRecipe& recipe, const Work& work) {
   if (const auto valid = check(recipe); !valid) return valid.error();
-  auto treated = treated_pair(given, stereo, recipe, work);
+  auto treated = treated_pair(pair, stereo, recipe, work);
   if (!treated) return treated.error();
   sculpt::DepthOrders orders;
   auto relief = sculpt::relief_from_disparity(treated->disparity, recipe.relief, work, &orders);

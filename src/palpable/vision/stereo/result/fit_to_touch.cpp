@@ -205,27 +205,47 @@ std::vector<Parameter> parameters_of(FitWordsOptions& o) {
           {"guessed_share", &o.guessed_share, {0, 1}, "", "share of guessed depth that is said"}};
 }
 
-std::vector<Parameter> parameters_of(FitThresholds& o) {
+std::vector<Parameter> parameters_of(FitThresholds& thresholds) {
   std::vector<Parameter> parameters{
-      {"points", &o.points, {1, 10000}, "", "distinct points that decide"},
-      {"least_points", &o.least_points, {1, 10000}, "", "distinct points below which they decide nothing"},
-      {"confirmed", &o.confirmed, {0, 1}, "", "share of them that the dense match confirms"},
-      {"off_plane", &o.off_plane, {0, 1}, "", "share of the confirmed ones off the dominant plane"},
-      {"beyond_turn", &o.beyond_turn, {0, 1}, "", "share of them that no turn and zoom explains"},
-      {"certainty", &o.certainty, {0, 1}, "", "how surely the motion says which is nearer"},
-      {"depth_order", &o.depth_order, {0, 1}, "", "agreement of the order of depths with theirs"},
-      {"agreement", &o.agreement, {0, 1}, "", "share of the common view that both directions confirm"},
-      {"agreement_without_points", &o.agreement_without_points, {0, 1}, "", "the same with few points"},
-      {"range_without_points_px", &o.range_without_points_px, {0, 100}, "px", "disparities with few points"},
-      {"coverage", &o.coverage, {0, 1}, "", "share of the picture that is confirmed"},
+      {"points", &thresholds.points, {1, 10000}, "", "distinct points that decide"},
+      {"least_points",
+       &thresholds.least_points,
+       {1, 10000},
+       "",
+       "distinct points below which they decide nothing"},
+      {"confirmed", &thresholds.confirmed, {0, 1}, "", "share of them that the dense match confirms"},
+      {"off_plane", &thresholds.off_plane, {0, 1}, "", "share of the confirmed ones off the dominant plane"},
+      {"beyond_turn", &thresholds.beyond_turn, {0, 1}, "", "share of them that no turn and zoom explains"},
+      {"certainty", &thresholds.certainty, {0, 1}, "", "how surely the motion says which is nearer"},
+      {"depth_order", &thresholds.depth_order, {0, 1}, "", "agreement of the order of depths with theirs"},
+      {"agreement",
+       &thresholds.agreement,
+       {0, 1},
+       "",
+       "share of the common view that both directions confirm"},
+      {"agreement_without_points",
+       &thresholds.agreement_without_points,
+       {0, 1},
+       "",
+       "the same with few points"},
+      {"range_without_points_px",
+       &thresholds.range_without_points_px,
+       {0, 100},
+       "px",
+       "disparities with few points"},
+      {"coverage", &thresholds.coverage, {0, 1}, "", "share of the picture that is confirmed"},
       {"confirmed_texture",
-       &o.confirmed_texture,
+       &thresholds.confirmed_texture,
        {0, 1},
        "",
        "confirmed share above which contrast is texture"},
-      {"only_grain", &o.only_grain, {0, 10}, "", "contrast of a reduced copy below which it is noise"}};
-  append_parameters(parameters, "confirming", parameters_of(o.confirming));
-  append_parameters(parameters, "words", parameters_of(o.words));
+      {"only_grain",
+       &thresholds.only_grain,
+       {0, 10},
+       "",
+       "contrast of a reduced copy below which it is noise"}};
+  append_parameters(parameters, "confirming", parameters_of(thresholds.confirming));
+  append_parameters(parameters, "words", parameters_of(thresholds.words));
   return parameters;
 }
 
