@@ -103,7 +103,9 @@ Vec3 transition(std::uint32_t y, const CorrectedSurface& s, Geodesic& geodesic, 
   double nearest = delta_m;
   geodesic.around(y, delta_m, [&](std::uint32_t x) {
     if (!s.measured[x]) return;
-    const double distance_m = geodesic.distance_m(x, y);
+    // Two samples may be at one place (with_pinches_divided()).
+    constexpr double kLeastShare = 1e-6;
+    const double distance_m = std::max(geodesic.distance_m(x, y), kLeastShare * delta_m);
     if (distance_m >= delta_m) return;
     const double w = (delta_m - distance_m) / (delta_m * distance_m);
     sum += w * w * s.translations_m[x];

@@ -4,6 +4,7 @@
 
 #include "palpable/models/field/superquadric_mesh.hpp"
 #include "palpable/sculpt/triangles/box.hpp"
+#include "palpable/sculpt/triangles/touching_towers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,6 +39,21 @@ CorrectedSurface corrected(double by, double cut_m = 0.0) {
       correct_surface(*std::move(predicted), cap((1.0 + by) * kRadius, cut_m), {0.004, 0.006}, Work{});
   EXPECT_TRUE(made.has_value());
   return *std::move(made);
+}
+
+TEST(SurfaceCorrection, KeepsSamplesAtOnePlaceFinite) {
+  // In the middle of the edge where the towers touch, each has a sample. Only one of them is measured.
+  auto towers = predicted_surface(touching_towers());
+  ASSERT_TRUE(towers) << towers.error().message;
+  const Mesh measured{{{1.3, 0.8, 0.2}, {0.8, 1.3, 0.2}, {1.05, 1.05, 0.9}}, {{0, 1, 2}}, {}};
+  CorrectionOptions options;
+  options.reach_m = 0.2, options.transition_m = 3.0, options.most_match_angle_deg = 60.0;
+  const auto made = correct_surface(*std::move(towers), measured, options, Work{});
+  ASSERT_TRUE(made) << made.error().message;
+  EXPECT_GE(std::count(made->measured.begin(), made->measured.end(), true), 1);
+  const Mesh adapted = made->adapted();
+  EXPECT_TRUE(
+      std::all_of(adapted.vertices_m.begin(), adapted.vertices_m.end(), [](Vec3 v) { return is_finite(v); }));
 }
 
 TEST(SurfaceCorrection, MovesHalfASphereOntoALargerAndASmallerOne) {

@@ -47,7 +47,7 @@ class Geodesic {
   template <class Visit>
   void around(std::uint32_t from, double radius_m, Visit&& visit) {
     const auto reach = [&](std::uint32_t i, double path_m) {
-      if (path_m >= path_m_[i] || path_m > longest_path_ * radius_m) return;
+      if (!(path_m < path_m_[i]) || path_m > longest_path_ * radius_m) return;
       if (path_m_[i] == kFar) seen_.push_back(i);
       path_m_[i] = path_m;
       open_.push_back({i, path_m});

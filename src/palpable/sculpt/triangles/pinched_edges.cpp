@@ -10,7 +10,9 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <span>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace palpable::sculpt {
@@ -48,28 +50,31 @@ void join_at(const Side& a, const Side& b, DisjointSets& corners) {
   for (const bool at_low : {true, false}) corners.join(corner_of(a, at_low), corner_of(b, at_low));
 }
 
-void join_around(const Mesh& mesh, std::vector<Side>::const_iterator begin,
-                 std::vector<Side>::const_iterator end, DisjointSets& corners) {
-  if (end - begin == 2) {
-    join_at(*begin, *(begin + 1), corners);
-    return;
+// The sides at one edge in pairs that bound the same part of the solid: those next to each other through it.
+// Sides without a partner are left out.
+std::vector<std::pair<Side, Side>> pairs_around(const Mesh& mesh, std::span<const Side> around) {
+  if (around.size() == 2) return {{around[0], around[1]}};
+  std::vector<std::tuple<double, const Side*, const Side*>> possible;
+  for (const Side& from : around)
+    for (const Side& to : around)
+      if (from.ascends && !to.ascends) possible.emplace_back(angle_through_solid(mesh, from, to), &from, &to);
+  std::sort(possible.begin(), possible.end());
+  std::vector<std::pair<Side, Side>> pairs;
+  std::vector<const Side*> taken;
+  const auto is_taken = [&](const Side* side) {
+    return std::find(taken.begin(), taken.end(), side) != taken.end();
+  };
+  for (const auto& [angle, from, to] : possible) {
+    if (is_taken(from) || is_taken(to)) continue;
+    pairs.emplace_back(*from, *to);
+    taken.insert(taken.end(), {from, to});
   }
-  for (auto from = begin; from != end; ++from) {
-    if (!from->ascends) continue;
-    const Side* nearest = nullptr;
-    double least = 0.0;
-    for (auto to = begin; to != end; ++to) {
-      if (to->ascends) continue;
-      const double angle = angle_through_solid(mesh, *from, *to);
-      if (nearest == nullptr || angle < least) nearest = &*to, least = angle;
-    }
-    if (nearest != nullptr) join_at(*from, *nearest, corners);
-  }
+  return pairs;
 }
 
-}  // namespace
-
-Mesh with_pinches_divided(const Mesh& mesh) {
+// Calls `visit` with the sides at each edge.
+template <class Visit>
+void for_each_edge(const Mesh& mesh, Visit visit) {
   std::vector<Side> sides;
   sides.reserve(3 * mesh.triangles.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
@@ -80,18 +85,26 @@ Mesh with_pinches_divided(const Mesh& mesh) {
   std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
     return std::tie(a.low, a.high, a.triangle, a.corner) < std::tie(b.low, b.high, b.triangle, b.corner);
   });
-  DisjointSets corners(sides.size());
   for (auto begin = sides.cbegin(); begin != sides.cend();) {
     const auto end = std::find_if(begin, sides.cend(), [&](const Side& side) {
       return side.low != begin->low || side.high != begin->high;
     });
-    join_around(mesh, begin, end, corners);
+    visit(std::span<const Side>(begin, end));
     begin = end;
   }
+}
+
+constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+
+// Divides the vertices where the triangles around them are not connected across edges.
+Mesh with_vertices_divided(const Mesh& mesh) {
+  DisjointSets corners(3 * mesh.triangles.size());
+  for_each_edge(mesh, [&](std::span<const Side> around) {
+    for (const auto& [a, b] : pairs_around(mesh, around)) join_at(a, b, corners);
+  });
   Mesh out;
   out.triangles.resize(mesh.triangles.size());
-  constexpr std::uint32_t kNone = 0xFFFFFFFFU;
-  std::vector<std::uint32_t> vertex(sides.size(), kNone);
+  std::vector<std::uint32_t> vertex(3 * mesh.triangles.size(), kNone);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     for (std::uint32_t k = 0; k < 3; ++k) {
       std::uint32_t& at = vertex[corners.find(3 * t + k)];
@@ -103,5 +116,48 @@ Mesh with_pinches_divided(const Mesh& mesh) {
     }
   return out;
 }
+
+// A triangle whose sides have vertices in their middles (or kNone), as triangles without other ones there.
+void add_divided(const std::array<std::uint32_t, 3>& t, const std::array<std::uint32_t, 3>& middles,
+                 std::vector<std::array<std::uint32_t, 3>>& out) {
+  const auto first = std::find_if(middles.begin(), middles.end(), [](auto m) { return m != kNone; });
+  if (first == middles.end()) {
+    out.push_back(t);
+    return;
+  }
+  // A fan around one of these vertices: it is on no line with two neighbours of its outline but its own
+  // side's.
+  const auto k = static_cast<std::size_t>(first - middles.begin());
+  std::vector<std::uint32_t> outline;
+  for (std::size_t i = 1; i <= 3; ++i) {
+    outline.push_back(t[(k + i) % 3]);
+    if (i < 3 && middles[(k + i) % 3] != kNone) outline.push_back(middles[(k + i) % 3]);
+  }
+  for (std::size_t i = 1; i < outline.size(); ++i) out.push_back({*first, outline[i - 1], outline[i]});
+}
+
+// At edges of several pairs of triangles, whose sheets are connected around the ends, each pair gets a vertex
+// of its own in the middle.
+Mesh with_edges_divided(Mesh mesh) {
+  std::vector<std::array<std::uint32_t, 3>> middles(mesh.triangles.size(), {kNone, kNone, kNone});
+  for_each_edge(mesh, [&](std::span<const Side> around) {
+    if (around.size() <= 2) return;
+    for (const auto& [a, b] : pairs_around(mesh, around)) {
+      const auto middle = static_cast<std::uint32_t>(mesh.vertices_m.size());
+      mesh.vertices_m.push_back(0.5 * (mesh.vertices_m[a.low] + mesh.vertices_m[a.high]));
+      middles[a.triangle][a.corner] = middles[b.triangle][b.corner] = middle;
+    }
+  });
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  triangles.reserve(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    add_divided(mesh.triangles[t], middles[t], triangles);
+  mesh.triangles = std::move(triangles);
+  return mesh;
+}
+
+}  // namespace
+
+Mesh with_pinches_divided(const Mesh& mesh) { return with_edges_divided(with_vertices_divided(mesh)); }
 
 }  // namespace palpable::sculpt
