@@ -17,7 +17,7 @@ struct ShapeFrame;
 struct Superquadric {
   /// Half axes a1, a2, a3 > 0 in metres.
   Vec3 size_m{0.01, 0.01, 0.01};
-  /// e1 along z, e2 around it, each 0.1 ... 1.9: 0.1 nearly a box, 1 an ellipsoid, 1.9 nearly an octahedron.
+  /// e1 along z, e2 around it, each 0.05 ... 1.9: 0.05 nearly a box, 1 an ellipsoid, 1.9 an octahedron.
   double e1 = 1.0;
   double e2 = 1.0;
   /// K_x, K_y: the section at z is scaled by 1 + K z / a3; |K| < 1.
@@ -33,7 +33,7 @@ struct Superquadric {
   bool deformed() const { return taper_x != 0.0 || taper_y != 0.0 || bend_per_m != 0.0; }
 };
 
-constexpr double kLeastExponent = 0.1;
+constexpr double kLeastExponent = 0.05;
 constexpr double kGreatestExponent = 1.9;
 
 /// Whether the numbers are finite and in their ranges. Errors: invalid_input.

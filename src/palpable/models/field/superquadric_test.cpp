@@ -61,8 +61,8 @@ TEST(Superquadric, IsAnEllipsoidWithExponentsOfOne) {
 }
 
 TEST(Superquadric, StaysFiniteAtTheExponentsLimits) {
-  for (const double e1 : {0.1, 1.9})
-    for (const double e2 : {0.1, 1.9}) {
+  for (const double e1 : {kLeastExponent, 1.9})
+    for (const double e2 : {kLeastExponent, 1.9}) {
       const Superquadric s = shape_of({1e-3, 1.0, 1e3}, e1, e2);
       for (const Vec3 p : {Vec3{}, Vec3{-1e6, 1e-9, 1e6}, Vec3{0.0, -1.0, 0.0}, Vec3{1e-12, 1e-12, -1e-12}}) {
         Vec3 g;
@@ -75,7 +75,8 @@ TEST(Superquadric, StaysFiniteAtTheExponentsLimits) {
 TEST(Superquadric, ComputesTheGradientOfItsGauge) {
   Draw draw(3);
   for (int k = 0; k < 200; ++k) {
-    const Superquadric s = shape_of({1.0, 0.7, 1.4}, draw.in(0.1, 1.9), draw.in(0.1, 1.9));
+    const Superquadric s =
+        shape_of({1.0, 0.7, 1.4}, draw.in(kLeastExponent, 1.9), draw.in(kLeastExponent, 1.9));
     const Vec3 p = draw.in_box({2.0, 2.0, 2.0});
     Vec3 g;
     gauge(s, p, g);
@@ -115,7 +116,7 @@ TEST(Superquadric, ConvertsQuaternionsToRotationsAndBack) {
 
 TEST(Superquadric, RefusesInvalidParameters) {
   EXPECT_FALSE(check_superquadric(shape_of({0.0, 1.0, 1.0}, 1.0, 1.0)));
-  EXPECT_FALSE(check_superquadric(shape_of({1.0, 1.0, 1.0}, 0.05, 1.0)));
+  EXPECT_FALSE(check_superquadric(shape_of({1.0, 1.0, 1.0}, 0.04, 1.0)));
   EXPECT_FALSE(check_superquadric(shape_of({1.0, 1.0, 1.0}, 1.0, std::nan(""))));
   Superquadric bent = shape_of({1.0, 1.0, 1.0}, 1.0, 1.0);
   bent.bend_per_m = 2.0;
@@ -138,8 +139,8 @@ TEST(SuperquadricDistance, IsExactForASphere) {
 
 TEST(SuperquadricDistance, AgreesWithABruteForceSearchForEveryExponent) {
   Draw draw(7);
-  for (const double e1 : {0.1, 0.5, 1.0, 1.2, 1.9})
-    for (const double e2 : {0.1, 0.5, 1.0, 1.2, 1.9}) {
+  for (const double e1 : {kLeastExponent, 0.5, 1.0, 1.2, 1.9})
+    for (const double e2 : {kLeastExponent, 0.5, 1.0, 1.2, 1.9}) {
       const Superquadric s = shape_of({1.0, 0.6, 0.35}, e1, e2);
       const auto shape = distance_to(s);
       const Mesh fine = mesh_of(s, 0.02);
@@ -161,7 +162,8 @@ TEST(SuperquadricDistance, AgreesWithABruteForceSearchForEveryExponent) {
 TEST(SuperquadricDistance, HasUnitSlopeAlongItsNormal) {
   Draw draw(8);
   for (int k = 0; k < 300; ++k) {
-    const Superquadric s = shape_of({1.0, 0.8, 0.5}, draw.in(0.1, 1.9), draw.in(0.1, 1.9));
+    const Superquadric s =
+        shape_of({1.0, 0.8, 0.5}, draw.in(kLeastExponent, 1.9), draw.in(kLeastExponent, 1.9));
     const auto shape = distance_to(s);
     const Vec3 on = on_surface(s, draw.in_box({1.0, 1.0, 1.0}));
     const ClosestPoint c = shape.closest_point({on + 0.3 * surface_normal(s, on)});
@@ -173,7 +175,7 @@ TEST(SuperquadricDistance, HasUnitSlopeAlongItsNormal) {
 TEST(SuperquadricDistance, FollowsTaperAndBend) {
   Draw draw(9);
   for (int k = 0; k < 12; ++k) {
-    Superquadric s = shape_of({0.4, 0.3, 1.0}, draw.in(0.1, 1.5), draw.in(0.1, 1.5));
+    Superquadric s = shape_of({0.4, 0.3, 1.0}, draw.in(kLeastExponent, 1.5), draw.in(kLeastExponent, 1.5));
     s.taper_x = draw.in(-0.6, 0.6);
     s.taper_y = draw.in(-0.6, 0.6);
     s.bend_per_m = draw.in(0.0, 1.0);

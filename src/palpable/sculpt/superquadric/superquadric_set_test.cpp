@@ -6,6 +6,7 @@
 #include "palpable/models/field/superquadric_mesh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -78,6 +79,31 @@ TEST(SuperquadricSet, OneShapeStaysOne) {
   ASSERT_TRUE(set) << set.error().sentence();
   EXPECT_EQ(set->shapes.size(), 1U);
   EXPECT_LT(error_m(*set, truth), 0.001);
+}
+
+/// Points on the six faces of a box with sharp edges, without noise.
+std::vector<Vec3> points_of_exact_box(Vec3 half_m, std::size_t count) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> across(-1.0, 1.0);
+  const std::array<double, 3> areas{half_m.y * half_m.z, half_m.z * half_m.x, half_m.x * half_m.y};
+  std::discrete_distribution<int> face(areas.begin(), areas.end());
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::array<double, 3> at{across(random), across(random), across(random)};
+    double& normal = at[static_cast<std::size_t>(face(random))];
+    normal = normal < 0.0 ? -1.0 : 1.0;
+    points.push_back({half_m.x * at[0], half_m.y * at[1], half_m.z * at[2]});
+  }
+  return points;
+}
+
+TEST(SuperquadricSet, ABoxWithSharpEdgesIsOneShape) {
+  for (const Vec3 half_m : {Vec3{0.035, 0.028, 0.019}, Vec3{0.016, 0.019, 0.017}}) {
+    const auto set = fit_superquadrics(points_of_exact_box(half_m, 4000), {}, std::nullopt, {}, Work{});
+    ASSERT_TRUE(set) << set.error().sentence();
+    ASSERT_EQ(set->shapes.size(), 1U);
+    EXPECT_LT(set->error_m, 0.0003);
+  }
 }
 
 TEST(SuperquadricSet, ThreeThatStandApartAreFound) {
