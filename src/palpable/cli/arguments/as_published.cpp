@@ -54,10 +54,12 @@ void make_as_ghd(MakeArguments& make) {
   set_word(make.size, "", "140x100x15");
 }
 
-// Moustakas et al. 2007: distance and force at every lattice point, by fast marching.
+// Moustakas et al. 2007: superquadrics, corrected by the measured surface; distance and force at every
+// lattice point, by fast marching.
 void make_as_moustakas(MakeArguments& make) {
   if (!make.dense) make.paper = true;
   if (!make.resolution) make.resolution = 400;
+  set_word(make.surface, "fused", "corrected");
 }
 
 LawParameters point(Law law) {
@@ -113,8 +115,9 @@ const std::array<Published, 5> kPublished{
         "0.5 mm (the paper: according to the resolution).",
         session::MakeAs::by_input, make_as_ghd},
     Published{"moustakas", shaded_penalty(), std::nullopt,
-              "The sign of the force is corrected, and the field is built from the exact surface, not from "
-              "superquadrics. The lattice has 400 places along the longest side (the paper: 512); "
+              "The sign of the force is corrected. Other inputs than videos have no segments or frames: "
+              "superquadrics are fitted to the whole surface, which then corrects them. The lattice has 400 "
+              "places along the longest side (the paper: 512); "
               "--resolution sets them.",
               session::MakeAs::field, make_as_moustakas}};
 

@@ -88,6 +88,7 @@ TEST(AsPublished, GhdIsEquation8WithoutBounds) {
 TEST(AsPublished, MoustakasShadesTheForceOfAStoredLattice) {
   const MakeArguments made = made_as("moustakas");
   EXPECT_TRUE(made.paper);
+  EXPECT_EQ(made.surface, "corrected");
   EXPECT_EQ(made.resolution, 400);
   EXPECT_EQ(felt_as("moustakas").law, haptics::Law::penalty);
   EXPECT_EQ(felt_as("moustakas").force_shading, 1.0);

@@ -98,9 +98,10 @@ void add_field_options(Options& options, MakeArguments& arguments) {
                "written there");
   options.choice("--motion", arguments.motion, {"batch", "filter"},
                  "A video: the camera's path by bundle adjustment, or frame by frame by a Kalman filter");
-  options.choice("--surface", arguments.surface, {"fused", "superquadrics", "corrected"},
-                 "A video: the depth maps fused, superquadrics fitted to their points, or these corrected by "
-                 "each depth map (Moustakas 2007)");
+  options.choice(
+      "--surface", arguments.surface, {"fused", "superquadrics", "corrected"},
+      "Field: the surface itself (a video: its depth maps fused), superquadrics fitted to it, or these "
+      "corrected by it (Moustakas 2007)");
   options.text(
       "--length", arguments.length,
       "A video: a known length, as '120 mm between 210,240 and 330,250 of frame 40'; default: by a printed "

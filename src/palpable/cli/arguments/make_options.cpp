@@ -136,6 +136,8 @@ Result<recipes::FieldRecipe> field_recipe(const MakeArguments& arguments) {
   if (arguments.max_error_mm) recipe.field.max_error_m = *arguments.max_error_mm / 1000.0;
   if (arguments.dense) recipe.storage = recipes::FieldStorage::dense;
   if (arguments.paper) recipe.storage = recipes::FieldStorage::paper;
+  if (arguments.surface == "superquadrics") recipe.surface = recipes::SolidSurface::superquadrics;
+  if (arguments.surface == "corrected") recipe.surface = recipes::SolidSurface::corrected;
   return recipe;
 }
 

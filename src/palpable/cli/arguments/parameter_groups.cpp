@@ -42,6 +42,8 @@ constexpr std::array kGroups{
                      append_parameters(parameters, "walls", sculpt::parameters_of(o.recipes.field.walls));
                      append_parameters(parameters, "sheets", sculpt::parameters_of(o.recipes.field.sheets));
                      append_parameters(parameters, "cloud", sculpt::parameters_of(o.recipes.field.cloud));
+                     append_parameters(parameters, "prediction",
+                                       recipes::parameters_of(o.recipes.field.prediction));
                      return parameters;
                    }},
     ParameterGroup{"fusion", "The fusion of several depth maps",

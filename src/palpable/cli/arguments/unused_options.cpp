@@ -31,6 +31,8 @@ const std::vector<Effect>& effects() {
       posed{InputKind::depth, InputKind::video},
       with_camera{InputKind::stereo, InputKind::depth, InputKind::video},
       solid{InputKind::mesh, InputKind::points, InputKind::shapes, InputKind::level_set};
+  static const Inputs measured{InputKind::stereo, InputKind::depth,     InputKind::mesh, InputKind::points,
+                               InputKind::video,  InputKind::level_set, InputKind::scene};
   static const Inputs made{InputKind::picture,   InputKind::stereo, InputKind::depth,
                            InputKind::mesh,      InputKind::points, InputKind::shapes,
                            InputKind::level_set, InputKind::video,  InputKind::map};
@@ -58,7 +60,7 @@ const std::vector<Effect>& effects() {
                                          {"--mesh", video, all},
                                          {"--length", video, all},
                                          {"--until", video, all},
-                                         {"--surface", video, all},
+                                         {"--surface", measured, fields},
                                          {"--motion", video, all},
                                          {"--method", pair, all},
                                          {"--max-disparity", pair, all},

@@ -88,6 +88,7 @@ void add_fit_shapes(Program& program) {
                   "  palpable fit-shapes depth.png -o shapes.json --labels things.png\n"
                   "  palpable fit-shapes left.png right.png -o shapes.json --calibration calib.txt\n"
                   "  palpable fit-shapes scan.ply -o shapes.json --tolerance 2\n"
+                  "  palpable fit-shapes figure.stl -o shapes.json\n"
                   "  palpable fit-shapes scan.ply -o shapes.json --fit solina --deformation none\n"
                   "  palpable make shapes.json -o shapes.palp --size 100x100x50",
                   [arguments](Console& console) { return run_fit_shapes(*arguments, console); });

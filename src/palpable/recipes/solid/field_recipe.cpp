@@ -4,6 +4,7 @@
 
 #include "palpable/models/relief/relief_solid.hpp"
 #include "palpable/recipes/solid/solid.hpp"
+#include "palpable/recipes/solid/solid_surface.hpp"
 #include "palpable/recipes/solid/volume_under_relief.hpp"
 #include "palpable/sculpt/field/level_set_surface.hpp"
 #include "palpable/sculpt/points/cloud_normals.hpp"
@@ -11,11 +12,11 @@
 #include <utility>
 
 namespace palpable::recipes {
-
 Result<void> check(const FieldRecipe& recipe) {
   if (auto valid = check_ranges(recipe.field); !valid) return valid;
   if (auto valid = check_ranges(recipe.walls); !valid) return valid;
   if (auto valid = check_ranges(recipe.sheets); !valid) return valid;
+  if (auto valid = check_ranges(recipe.prediction); !valid) return valid;
   return check_ranges(recipe.cloud);
 }
 
@@ -78,11 +79,14 @@ Result<MadeScene> field_from_relief(MadeScene made, const FieldRecipe& given, co
   if (!relief) return relief.error();
   FieldRecipe recipe = given;
   recipe.placement = {};
-  auto solid = solid_of(models::solid_of(**relief), recipe, work);
+  auto whole = solid_of(models::solid_of(**relief), recipe, work);
+  if (!whole) return whole.error();
+  auto solid = with_surface(*std::move(whole), recipe, work);
   if (!solid) return solid.error();
   auto field = stored_field(*solid, recipe, work);
   if (!field) return field.error();
-  made.scene.source.method += ", filled behind into a field, " + field->method;
+  made.scene.source.method +=
+      ", filled behind into a field" + words_of(recipe.surface) + ", " + field->method;
   made.scene.model = std::move(field->model);
   made.notes.insert(made.notes.end(), solid->notes.begin(), solid->notes.end());
   made.notes.insert(made.notes.end(), field->notes.begin(), field->notes.end());

@@ -9,6 +9,7 @@
 #include "palpable/core/work.hpp"
 #include "palpable/models/field/superquadric.hpp"
 #include "palpable/recipes/made_scene.hpp"
+#include "palpable/recipes/solid/predicted_solid.hpp"
 #include "palpable/sculpt/field/field_from_source.hpp"
 #include "palpable/sculpt/points/cloud_surface.hpp"
 #include "palpable/sculpt/solid/thin_walls.hpp"
@@ -29,6 +30,16 @@ enum class FieldStorage {
   paper
 };
 
+/// Whose distance a solid's field is.
+enum class SolidSurface {
+  /// The solid's.
+  given,
+  /// That of superquadrics which are fitted to the solid.
+  superquadrics,
+  /// That of these superquadrics, corrected by the solid's surface (Moustakas et al. 2007).
+  corrected
+};
+
 /// How a solid becomes a distance field.
 struct FieldRecipe {
   /// Not given: the solid keeps its metres, axes and origin.
@@ -42,6 +53,9 @@ struct FieldRecipe {
   sculpt::OpenSheetOptions sheets;
   /// Of points: their surface.
   sculpt::CloudOptions cloud;
+  SolidSurface surface = SolidSurface::given;
+  /// Of other surfaces than the given one.
+  PredictionOptions prediction = {};
 };
 
 /// Errors: usage for options out of range.
@@ -49,7 +63,8 @@ Result<void> check(const FieldRecipe& recipe);
 
 // Each of these is long work for any thread: all threads are used, progress is reported, cancel is polled.
 // Errors have no place: invalid_input for values that enclose no solid, usage for options out of range,
-// failed for a field that needs too much memory, interrupted.
+// failed for a field that needs too much memory, interrupted. Superquadrics are the surface of their field,
+// whatever recipe.surface says; another solid's errors are also those of predicted_solid().
 
 /// The field of the solid that a mesh encloses (sculpt::solid_from_mesh()).
 Result<MadeScene> field_from_mesh(Mesh mesh, const FieldRecipe& recipe, const Work& work);

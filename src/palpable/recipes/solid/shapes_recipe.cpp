@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/recipes/solid/shapes_recipe.hpp"
 
+#include "palpable/recipes/solid/predicted_solid.hpp"
+#include "palpable/recipes/solid/solid.hpp"
+
 #include <cmath>
 #include <utility>
 
@@ -26,6 +29,17 @@ Result<SeenPoints> points_of_depth(const DepthMap& depth, const std::optional<Ra
       seen.points_m.push_back({z * (x - camera.cx) / camera.fx, -z * (y - camera.cy) / camera.fy, -z});
       if (labels) seen.labels.push_back(static_cast<std::uint8_t>(label));
     }
+  return seen;
+}
+
+Result<SeenPoints> points_of_mesh(Mesh mesh, const Work& work) {
+  const FieldRecipe recipe;
+  const auto solid = solid_of(std::move(mesh), recipe, work);
+  if (!solid) return solid.error();
+  auto surface = sampled_surface(*solid->distance, recipe.prediction.samples, work);
+  if (!surface) return surface.error();
+  SeenPoints seen;
+  seen.points_m = std::move(surface->vertices_m);
   return seen;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/frame.hpp"
+#include "palpable/core/geometry/mesh.hpp"
 #include "palpable/core/picture/camera.hpp"
 #include "palpable/core/picture/raster.hpp"
 #include "palpable/core/result.hpp"
@@ -36,6 +37,10 @@ struct FittedShapes {
 /// Errors: invalid_input with Reason::needs_calibration for a map without its camera, and for labels of
 /// another size.
 Result<SeenPoints> points_of_depth(const DepthMap& depth, const std::optional<Raster<float>>& labels);
+
+/// Points all over the surface of the solid that a mesh encloses, which is repaired as for a field, in the
+/// mesh's coordinates. Long work. Errors: as solid_of() and sampled_surface().
+Result<SeenPoints> points_of_mesh(Mesh mesh, const Work& work);
 
 /// Superquadrics fitted to points (sculpt::fit_superquadrics()). Long work, any thread. Errors: as there.
 Result<FittedShapes> shapes_from_points(const SeenPoints& seen, const sculpt::ShapeSetOptions& options,

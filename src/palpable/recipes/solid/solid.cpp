@@ -6,6 +6,7 @@
 #include "palpable/core/text/figure.hpp"
 #include "palpable/recipes/solid/mesh_surface_check.hpp"
 #include "palpable/recipes/solid/placement_notes.hpp"
+#include "palpable/recipes/solid/solid_surface.hpp"
 #include "palpable/sculpt/solid/mesh_solid.hpp"
 #include "palpable/sculpt/solid/superquadric_source.hpp"
 #include "palpable/sculpt/triangles/mesh_orientation.hpp"
@@ -213,6 +214,24 @@ sculpt::DenseFieldOptions dense_options(const FieldRecipe& recipe) {
   return dense;
 }
 
+Result<void> enclose(Solid& solid, const Mesh& mesh, double cell_m, const FieldRecipe& recipe,
+                     const Work& work) {
+  // Dense fields, which are for comparison, keep the triangles unchanged.
+  sculpt::FacetOptions facets;
+  sculpt::WallOptions walls = sculpt::kWallsAsTheyAre;
+  if (recipe.storage == FieldStorage::adaptive) {
+    facets.rounding_m = sculpt::facet_rounding_m(*box_of(mesh), recipe.field);
+    walls = recipe.walls;
+  }
+  walls.up = solid.pose == models::SolidPose::flat ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
+  auto made = sculpt::solid_from_mesh(mesh, cell_m, work, facets, walls, recipe.sheets);
+  if (!made) return made.error();
+  solid.distance = std::move(made->distance);
+  const auto notes = made->repair.notes();
+  solid.notes.insert(solid.notes.end(), notes.begin(), notes.end());
+  return {};
+}
+
 Result<Solid> solid_of(Mesh mesh, const FieldRecipe& recipe, const Work& work) {
   auto place = place_mesh(mesh, recipe.placement);
   if (!place) return place.error();
@@ -227,19 +246,8 @@ Result<Solid> solid_of(Mesh mesh, const FieldRecipe& recipe, const Work& work) {
   if (!cell_m) return cell_m.error();
   if (const auto free_bytes = available_memory_bytes())
     if (auto refused = sculpt::mesh_too_large(mesh.triangles.size(), *free_bytes)) return *std::move(refused);
-  // Dense fields, which are for comparison, keep the triangles unchanged.
-  sculpt::FacetOptions facets;
-  if (recipe.storage == FieldStorage::adaptive)
-    facets.rounding_m = sculpt::facet_rounding_m(*box, recipe.field);
-  sculpt::WallOptions walls =
-      recipe.storage == FieldStorage::adaptive ? recipe.walls : sculpt::kWallsAsTheyAre;
-  walls.up = place->pose == models::SolidPose::flat ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
   solid.visible_m = visible_places_of(mesh, *cell_m, work);
-  auto made = sculpt::solid_from_mesh(mesh, *cell_m, work, facets, walls, recipe.sheets);
-  if (!made) return made.error();
-  solid.distance = std::move(made->distance);
-  const auto notes = made->repair.notes();
-  solid.notes.insert(solid.notes.end(), notes.begin(), notes.end());
+  if (auto done = enclose(solid, mesh, *cell_m, recipe, work); !done) return std::move(done).error();
   return solid;
 }
 
@@ -306,16 +314,20 @@ Result<StoredField> stored_field(const Solid& solid, const FieldRecipe& recipe, 
                      std::move(notes)};
 }
 
-Result<MadeScene> field_scene(Solid solid, const std::string& input, const FieldRecipe& recipe,
+Result<MadeScene> field_scene(Solid given, const std::string& input, const FieldRecipe& recipe,
                               const Work& work) {
-  auto field = stored_field(solid, recipe, work);
+  const bool replaced = given.primitives.empty();
+  auto solid = with_surface(std::move(given), recipe, work);
+  if (!solid) return solid.error();
+  auto field = stored_field(*solid, recipe, work);
   if (!field) return field.error();
   models::Scene scene;
-  scene.scene_from_input = solid.scene_from_input;
-  scene.pose = solid.pose;
-  scene.source.method = fmt::format("field of {}, {}", input, field->method);
+  scene.scene_from_input = solid->scene_from_input;
+  scene.pose = solid->pose;
+  scene.source.method =
+      fmt::format("field of {}{}, {}", input, replaced ? words_of(recipe.surface) : "", field->method);
   scene.model = std::move(field->model);
-  std::vector<Note> notes = std::move(solid.notes);
+  std::vector<Note> notes = std::move(solid->notes);
   notes.insert(notes.end(), field->notes.begin(), field->notes.end());
   return MadeScene{std::move(scene), std::move(notes)};
 }

@@ -38,6 +38,10 @@ struct Solid {
 /// The solid of a mesh, repaired if necessary.
 Result<Solid> solid_of(Mesh mesh, const FieldRecipe& recipe, const Work& work);
 Result<Solid> solid_of(std::vector<models::Superquadric> shapes, const FieldRecipe& recipe);
+/// Makes what a mesh in the scene's frame encloses, repaired if necessary, the distance of `solid`, with the
+/// notes of the repair. `cell_m`: the field's finest cells. Errors: as sculpt::solid_from_mesh().
+Result<void> enclose(Solid& solid, const Mesh& mesh, double cell_m, const FieldRecipe& recipe,
+                     const Work& work);
 /// The solid of a contoured surface whose accuracy is `exact_to_m`, in units of the input.
 Result<Solid> solid_of_contour(Mesh surface, double exact_to_m, const FieldRecipe& recipe);
 
@@ -55,7 +59,7 @@ struct StoredField {
 };
 Result<StoredField> stored_field(const Solid& solid, const FieldRecipe& recipe, const Work& work);
 
-/// The scene of a solid: "field of INPUT, …".
+/// The scene of a solid, with the surface that the recipe asks for (with_surface()): "field of INPUT, …".
 Result<MadeScene> field_scene(Solid solid, const std::string& input, const FieldRecipe& recipe,
                               const Work& work);
 

@@ -3,11 +3,9 @@
 #include "palpable/recipes/video/corrected_model.hpp"
 
 #include "palpable/core/numbers/quantile.hpp"
-#include "palpable/models/field/superquadric_mesh.hpp"
+#include "palpable/recipes/solid/surface_distances.hpp"
 #include "palpable/recipes/video/segment_shapes.hpp"
-#include "palpable/sculpt/solid/superquadric_source.hpp"
-#include "palpable/sculpt/triangles/dual_contour.hpp"
-#include "palpable/sculpt/triangles/triangle_tree.hpp"
+#include "palpable/sculpt/correction/shapes_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +70,7 @@ class Growth {
     const std::size_t step =
         1 + model_.raised.size() / static_cast<std::size_t>(shape_options_.shapes.used_points);
     for (std::size_t i = 0; i < model_.raised.size(); i += step) points.push_back(model_.raised[i]);
-    auto distances = distances_to(points, out_.shapes.shapes);
+    auto distances = distances_from(points, out_.shapes.shapes, work_);
     if (!distances) return distances.error();
     VideoModel rest = model_;
     rest.raised.clear();
@@ -144,69 +142,17 @@ class Growth {
   }
 
   double most_error() const { return options_.most_error_share * extent_; }
-  double mean_of(const std::vector<double>& distances) const {
-    double sum = 0.0;
-    for (const double d : distances) sum += std::min(d, most_error());
-    return distances.empty() ? 0.0 : sum / static_cast<double>(distances.size());
-  }
-  double error_of(const Mesh& surface) const { return mean_of(distances_to(surface)); }
-  std::vector<double> distances_to(const Mesh& surface) const {
-    const sculpt::TriangleTree tree(surface);
-    std::vector<double> distances(evidence_.size());
-    parallel_for(work_, static_cast<int>(evidence_.size()), 64, [&](int begin, int end) {
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-        distances[i] = std::sqrt(tree.nearest(evidence_[i], 0).squared_distance_m2);
-    });
-    return distances;
-  }
-  Result<std::vector<double>> distances_to(const std::vector<Vec3>& points, const Shapes& shapes) const {
-    const auto source = sculpt::distance_of(shapes);
-    if (!source) return source.error();
-    std::vector<double> out(points.size());
-    parallel_for(work_, static_cast<int>(points.size()), 64, [&](int begin, int end) {
-      sculpt::DistanceSource::Hint hint;
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-        out[i] = std::abs((*source)->at(points[i], hint).distance_m);
-    });
-    return out;
+  double error_of(const Mesh& surface) const {
+    return mean_distance(distances_from(evidence_, surface, work_), most_error());
   }
 
-  // Slabs thinner than a few samples would be lost between them.
-  Shapes thickened(Shapes shapes) const {
-    const double least = 0.5 * options_.least_thickness_spacings * spacing_;
-    for (models::Superquadric& shape : shapes)
-      for (double* half : {&shape.size_m.x, &shape.size_m.y, &shape.size_m.z}) *half = std::max(*half, least);
-    return shapes;
-  }
-  Result<Mesh> surface_of(const Shapes& given) const {
-    const Shapes shapes = thickened(given);
-    const auto source = sculpt::distance_of(shapes);
-    if (!source) return source.error();
-    sculpt::Box box = (*source)->bounds();
-    const Vec3 margin{3 * spacing_, 3 * spacing_, 3 * spacing_};
-    box = {box.least_m - margin, box.most_m + margin};
-    std::vector<Vec3> seeds;
-    for (const models::Superquadric& shape : shapes)
-      for (const Vec3& v : models::mesh_of(shape, 4 * spacing_).vertices_m) seeds.push_back(v);
-    const auto solid = [&](Vec3 p) {
-      sculpt::DistanceSource::Hint hint;
-      return (*source)->at(p, hint);
-    };
-    return sculpt::dual_contour(solid, box, seeds, {spacing_}, work_);
-  }
-
-  // Three sheets in one cube may leave the contour open: other cubes then close it.
+  // Another surface's samples, closed, may be coarser: the next ones are as well.
   Result<Mesh> closed_surface_of(const Shapes& shapes) {
-    constexpr int kTries = 4;
-    constexpr double kCoarser = 1.07;
-    for (int i = 0;; ++i) {
-      auto mesh = surface_of(shapes);
-      if (!mesh) return mesh;
-      auto surface = sculpt::predicted_surface(*std::move(mesh));
-      if (surface) return std::move(surface->predicted);
-      if (i == kTries) return surface.error();
-      spacing_ *= kCoarser;
-    }
+    auto surface =
+        sculpt::closed_surface_of_shapes(shapes, spacing_, options_.least_thickness_spacings, work_);
+    if (!surface) return surface.error();
+    spacing_ = surface->spacing_m;
+    return std::move(surface->mesh);
   }
 
   // Records a step, and whether it lowers the error.
@@ -218,15 +164,16 @@ class Growth {
   }
 
   Result<void> try_shapes(ModelShapes shapes, ModelStep::Kind kind, std::size_t map) {
-    auto distances = distances_to(evidence_, shapes.shapes);
+    auto distances = distances_from(evidence_, shapes.shapes, work_);
     if (!distances) return distances.error();
-    const ModelStep step = taken({kind, map, mean_of(*distances), true});
+    const ModelStep step = taken({kind, map, mean_distance(*distances, most_error()), true});
     if (step.taken) {
       out_.shapes = std::move(shapes);
       out_.predicted_error = error_;
     }
     if (observer_) {
-      const auto mesh = surface_of(out_.shapes.shapes);
+      const auto mesh =
+          sculpt::surface_of_shapes(out_.shapes.shapes, spacing_, options_.least_thickness_spacings, work_);
       if (!mesh) return mesh.error();
       observer_(step, *mesh);
     }
@@ -234,13 +181,8 @@ class Growth {
   }
 
   void choose_reach(const Mesh& surface, sculpt::CorrectionOptions& correction) {
-    std::vector<double> residuals = distances_to(surface);
-    const double residual = residuals.empty() ? 0.0 : quantile_of(residuals, options_.reach_quantile);
-    out_.reach = std::max(std::min(residual, options_.most_reach_share * extent_),
-                          options_.least_reach_spacings * spacing_);
-    out_.transition = options_.transition_reaches * out_.reach;
-    correction.reach_m = out_.reach;
-    correction.transition_m = out_.transition;
+    set_reach(options_.reach, distances_from(evidence_, surface, work_), spacing_, extent_, correction);
+    out_.reach = correction.reach_m, out_.transition = correction.transition_m;
   }
 
   const VideoModel& model_;
@@ -283,20 +225,14 @@ std::vector<Parameter> parameters_of(CorrectedModelOptions& o) {
        "",
        "Spacing of the predicted samples, in spacings of measured corners"},
       {"most_samples", &o.most_samples, {32, 1024}, "", "Most samples along the model's extent"},
-      {"reach_quantile",
-       &o.reach_quantile,
-       {0.5, 1},
-       "",
-       "Quantile of the points' distances from the superquadrics that is the reach"},
-      {"least_reach_spacings", &o.least_reach_spacings, {0.5, 20}, "", "Least reach, spacings of samples"},
-      {"most_reach_share", &o.most_reach_share, {0.001, 0.5}, "", "Greatest reach, share of the extent"},
-      {"transition_reaches", &o.transition_reaches, {1, 10}, "", "Width of the transition, reaches"},
       {"error_points", &o.error_points, {100, 100000}, "", "Points that a step's error is measured at"},
       {"most_error_share",
        &o.most_error_share,
        {0.001, 1},
        "",
        "Greatest distance of a point that counts, share of the extent"}};
+  const auto reach = parameters_of(o.reach);
+  out.insert(out.end(), reach.begin(), reach.end());
   append_parameters(out, "segments", vision::parameters_of(o.segments));
   append_parameters(out, "measured", parameters_of(o.measured));
   append_parameters(out, "correction", sculpt::parameters_of(o.correction));

@@ -8,6 +8,7 @@
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/models/field/superquadric.hpp"
+#include "palpable/recipes/solid/correction_reach.hpp"
 #include "palpable/recipes/video/measured_surface.hpp"
 #include "palpable/recipes/video/model_shapes.hpp"
 #include "palpable/recipes/video/video_model.hpp"
@@ -45,14 +46,8 @@ struct CorrectedModelOptions {
   /// Shapes are at least so many spacings of samples thick where their surface is sampled, 1 … 10.
   double least_thickness_spacings = 3.0;
   int most_samples = 200;
-  /// The reach of the correction is this quantile of the distances between the model's points and its
-  /// superquadrics, 0.5 … 1; at least so many spacings of samples, 0.5 … 20; at most a share of the extent,
-  /// 0.001 … 0.5.
-  double reach_quantile = 0.95;
-  double least_reach_spacings = 3.0;
-  double most_reach_share = 0.05;
-  /// The width of the transition, in reaches, 1 … 10. The slope of eq. 2 is at most 1.875 reaches over it.
-  double transition_reaches = 2.0;
+  /// The measured points are the model's.
+  CorrectionReachOptions reach;
   /// The error of a step is the mean distance of this many of the model's points from its surface, 100 …
   /// 100 000; each counts at most as this share of the extent, 0.001 … 1.
   int error_points = 3000;
@@ -85,7 +80,7 @@ struct ModelStep {
 /// A model's superquadrics and their correction, in the model's axes.
 struct CorrectedModel {
   ModelShapes shapes;
-  /// Closed; corrected as far as `steps` says. Empty if the superquadrics themselves have a smaller error..
+  /// Closed; corrected as far as `steps` says. Empty if the superquadrics themselves have a smaller error.
   Mesh surface;
   std::vector<ModelStep> steps;
   /// Errors before and after the corrections, in the unit of the axes.

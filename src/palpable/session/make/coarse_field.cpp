@@ -15,6 +15,7 @@ std::optional<recipes::FieldRecipe> coarse_recipe(const CoarseField& coarse, con
                        requested.storage == recipes::FieldStorage::adaptive;
   if (!is_slow) return std::nullopt;
   recipes::FieldRecipe recipe = requested;
+  recipe.surface = recipes::SolidSurface::given;
   recipe.field.resolution = coarse.resolution;
   recipe.field.max_error_m = std::max(requested.field.max_error_m, coarse.max_error_m);
   return recipe;

@@ -50,19 +50,27 @@ struct SeenIn {
     return seen_in(*depth_from_disparity(match->disparity), options.labels);
   }
   Result<SeenPoints> operator()(PointCloud& cloud) const {
-    if (!options.labels.empty())
-      return Error{ErrorCode::usage, "points have no pixels, so a label picture cannot be used",
-                   options.labels.string(), Reason::labels_without_pixels};
+    if (!options.labels.empty()) return no_pixels("points have");
     SeenPoints seen;
     seen.points_m = std::move(cloud.places_m);
     return seen;
   }
+  Result<SeenPoints> operator()(sources::MeshFile& file) const {
+    if (!options.labels.empty()) return no_pixels("a mesh has");
+    return recipes::points_of_mesh(std::move(file.mesh), work);
+  }
   template <class Other>
   Result<SeenPoints> operator()(const Other& /*values*/) const {
     return Error{ErrorCode::usage,
-                 "shapes are fitted to depth maps, pairs of calibrated cameras and points only",
+                 "shapes are fitted to depth maps, pairs of calibrated cameras, points and meshes only",
                  {},
                  Reason::unexpected_input_kind};
+  }
+
+ private:
+  Error no_pixels(const std::string& what) const {
+    return {ErrorCode::usage, what + " no pixels, so a label picture cannot be used", options.labels.string(),
+            Reason::labels_without_pixels};
   }
 };
 

@@ -31,10 +31,10 @@ struct FittedInput {
 };
 
 /// Fits superquadrics to an input: a depth map with its camera (from the calibration, its sidecar or the
-/// file), a pair of calibrated cameras, or points. Results from cameras are in metres with the origin at the
-/// camera, x right, y up, z from the object towards the camera. Points keep their coordinates. Errors: as
-/// read_input(); usage for labels with points, and for other inputs; invalid_input with
-/// Reason::needs_calibration for depth without a camera.
+/// file), a pair of calibrated cameras, points, or a mesh. Results from cameras are in metres with the origin
+/// at the camera, x right, y up, z from the object towards the camera. Points and meshes keep their
+/// coordinates. Errors: as read_input(); usage for labels without pixels, and for other inputs; invalid_input
+/// with Reason::needs_calibration for depth without a camera.
 Result<FittedInput> fit_shapes(const FitShapesOptions& options, const Work& work);
 
 }  // namespace palpable::session

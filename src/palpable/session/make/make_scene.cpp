@@ -99,6 +99,8 @@ recipes::VideoRecipe recipe_of(const VideoInput& video, const MakeOptions& optio
   recipes::VideoRecipe recipe = options.recipes.video;
   recipe.fusion = options.recipes.fusion;
   recipe.field = options.recipes.field;
+  // What is asked for is recipe.surface, of the depth maps.
+  recipe.field.surface = recipes::SolidSurface::given;
   recipe.reduction = video.reduction;
   if (recipe.length)
     for (vision::ImagePoint* at : {&recipe.length->from, &recipe.length->to})
@@ -220,7 +222,8 @@ std::optional<std::string> key_of(const InputValues& values, const MakeOptions& 
   const auto* file = std::get_if<sources::MeshFile>(&values);
   const bool is_cached = file != nullptr && !options.cache.folder.empty() &&
                          !becomes_relief(file->mesh, options) &&
-                         options.recipes.field.storage == recipes::FieldStorage::adaptive;
+                         options.recipes.field.storage == recipes::FieldStorage::adaptive &&
+                         options.recipes.field.surface == recipes::SolidSurface::given;
   if (!is_cached) return std::nullopt;
   recipes::FieldRecipe recipe = options.recipes.field;
   recipe.placement.convention = file->convention;

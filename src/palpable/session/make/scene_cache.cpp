@@ -79,11 +79,12 @@ std::string text_of(const sculpt::OpenSheetOptions& sheets) {
                      most_free_rim);
 }
 std::string text_of(const recipes::FieldRecipe& recipe) {
-  // Point clouds are not meshes.
-  const auto& [placement, field, storage, walls, sheets, cloud] = recipe;
+  // Point clouds are not meshes; predicted surfaces are not cached.
+  const auto& [placement, field, storage, walls, sheets, cloud, surface, prediction] = recipe;
   static_cast<void>(cloud);
-  return fmt::format("{}; {}; {}; {}; {}", text_of(placement), text_of(field), static_cast<int>(storage),
-                     text_of(walls), text_of(sheets));
+  static_cast<void>(prediction);
+  return fmt::format("{}; {}; {}; {}; {}; {}", text_of(placement), text_of(field), static_cast<int>(storage),
+                     text_of(walls), text_of(sheets), static_cast<int>(surface));
 }
 
 /// The size and time of the running program's file.
