@@ -13,20 +13,20 @@
 
 namespace palpable::sculpt {
 
-Result<Mesh> surface_of_shapes(const std::vector<models::Superquadric>& given, double spacing_m,
+Result<Mesh> surface_of_shapes(const std::vector<models::Superquadric>& shapes, double spacing_m,
                                double least_thickness_spacings, const Work& work) {
-  std::vector<models::Superquadric> shapes = given;
+  std::vector<models::Superquadric> thick = shapes;
   const double least_m = 0.5 * least_thickness_spacings * spacing_m;
-  for (models::Superquadric& shape : shapes)
+  for (models::Superquadric& shape : thick)
     for (double* half : {&shape.size_m.x, &shape.size_m.y, &shape.size_m.z}) *half = std::max(*half, least_m);
-  const auto source = distance_of(shapes);
+  const auto source = distance_of(thick);
   if (!source) return source.error();
   constexpr double kMarginSpacings = 3.0, kSeedSpacings = 4.0;
   Box box = (*source)->bounds();
   const Vec3 margin = kMarginSpacings * spacing_m * Vec3{1, 1, 1};
   box = {box.least_m - margin, box.most_m + margin};
   std::vector<Vec3> seeds;
-  for (const models::Superquadric& shape : shapes)
+  for (const models::Superquadric& shape : thick)
     for (const Vec3& v : models::mesh_of(shape, kSeedSpacings * spacing_m).vertices_m) seeds.push_back(v);
   const auto solid = [&](Vec3 p) {
     DistanceSource::Hint hint;
