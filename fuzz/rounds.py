@@ -103,7 +103,8 @@ class Fuzzer:
         runs = re.findall(r"stat::number_of_executed_units: (\d+)", text) or re.findall(r"^#(\d+)", text, re.MULTILINE)
         kept = [file for file in self.artifacts() if file not in before]
         found = [file for file in kept if self.is_fault(file)]
-        if not kept and process.returncode != 0:
+        # An interruption of the whole group reaches the fuzzer, too.
+        if not kept and process.returncode != 0 and not interrupted:
             found = [self.log]
         return int(runs[-1]) if runs else 0, found
 
