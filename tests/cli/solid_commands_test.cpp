@@ -358,5 +358,26 @@ TEST_F(SolidCommands, ShapesAreFittedToADepthMap) {
   EXPECT_TRUE(is_one_sentence(refused.err));
 }
 
+TEST_F(SolidCommands, FitsShapesToAMesh) {
+  std::string box;
+  for (const char* corner : {"-0.03 -0.02 -0.01", "0.03 -0.02 -0.01", "0.03 0.02 -0.01", "-0.03 0.02 -0.01",
+                             "-0.03 -0.02 0.01", "0.03 -0.02 0.01", "0.03 0.02 0.01", "-0.03 0.02 0.01"})
+    box += "v " + std::string(corner) + "\n";
+  box += "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+  write_text(path("box.obj"), box);
+  const Outcome fitted = palpable({"fit-shapes", path("box.obj"), "-o", path("s.json"), "--json"});
+  ASSERT_EQ(fitted.exit_code, 0) << fitted.err;
+  const auto primitives = fitted.json()["primitives"];
+  ASSERT_EQ(primitives.size(), 1U) << fitted.out;
+  auto half_m = primitives[0]["size_m"].get<std::vector<double>>();
+  std::sort(half_m.begin(), half_m.end());
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(half_m[k], 0.01 * static_cast<double>(k + 1), 0.0005);
+  write_text(path("l.png"), "");
+  const Outcome labelled =
+      palpable({"fit-shapes", path("box.obj"), "-o", path("t.json"), "--labels", path("l.png")});
+  EXPECT_EQ(labelled.exit_code, 2);
+  EXPECT_TRUE(is_one_sentence(labelled.err));
+}
+
 }  // namespace
 }  // namespace palpable::test

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -14,44 +16,49 @@ namespace {
 using haptics::Law;
 using haptics::LawParameters;
 
-/// Sets a word that still has its default.
-void set_word(std::string& word, std::string_view preset, std::string_view value) {
-  if (word == preset) word = value;
+bool is_given(const MakeArguments& make, std::string_view option) {
+  const auto given = make.given ? make.given() : std::vector<std::string>{};
+  return std::find(given.begin(), given.end(), option) != given.end();
+}
+
+/// Sets what the user has not set, though it be to the default.
+void preset(const MakeArguments& make, std::string_view option, std::string& target, std::string_view value) {
+  if (!is_given(make, option)) target = value;
 }
 
 // Shi & Pai 1997: the 5 x 5 Sobel operator is convolved with the disparity image; front view; 10 x 15 cm.
 void make_as_shi(MakeArguments& make) {
-  set_word(make.stereo.method, "", "scanline");
-  set_word(make.size, "", "150x100x15");
-  set_word(make.height_of, "depth", "disparity");
-  set_word(make.detail, "relief", "linear");
-  set_word(make.texture, "left", "front");
-  make.steepest_slope = 100.0;
+  preset(make, "--method", make.stereo.method, "scanline");
+  preset(make, "--size", make.size, "150x100x15");
+  preset(make, "--height-of", make.height_of, "disparity");
+  preset(make, "--detail", make.detail, "linear");
+  preset(make, "--texture", make.texture, "front");
+  if (!is_given(make, "--steepest")) make.steepest_slope = 100.0;
 }
 
 // Park & Howard 2012, 4 and 5: graph cuts; ground and background are removed; the surface points are
 // projected by the camera's matrix and the volume behind them is filled.
 void make_as_park(MakeArguments& make) {
-  set_word(make.stereo.method, "", "graph-cut");
-  set_word(make.ground, "", "remove");
-  set_word(make.background, "keep", "remove");
-  set_word(make.grid_filling, "relief", "camera");
+  preset(make, "--method", make.stereo.method, "graph-cut");
+  preset(make, "--ground", make.ground, "remove");
+  preset(make, "--background", make.background, "remove");
+  preset(make, "--grid-filling", make.grid_filling, "camera");
 }
 
 // Gomez 2012: pyramid, the bilateral operator of Durand & Dorsey (the thesis' final choice), bicubic
 // interpolation, 4 x 4 inches.
 void make_as_gomez(MakeArguments& make) {
-  set_word(make.stereo.method, "", "pyramid");
-  set_word(make.size, "", "101.6x101.6x15");
-  set_word(make.detail, "relief", "bilateral");
-  set_word(make.resample, "none", "bicubic");
-  make.steepest_slope = 100.0;
+  preset(make, "--method", make.stereo.method, "pyramid");
+  preset(make, "--size", make.size, "101.6x101.6x15");
+  preset(make, "--detail", make.detail, "bilateral");
+  preset(make, "--resample", make.resample, "bicubic");
+  if (!is_given(make, "--steepest")) make.steepest_slope = 100.0;
 }
 
 // Graphic-haptic display 2006: Sobel, Otsu and Climent; 140 x 100 mm.
 void make_as_ghd(MakeArguments& make) {
-  set_word(make.contour_method, "", "paper");
-  set_word(make.size, "", "140x100x15");
+  preset(make, "--contour-method", make.contour_method, "paper");
+  preset(make, "--size", make.size, "140x100x15");
 }
 
 // Moustakas et al. 2007: superquadrics, corrected by the measured surface; distance and force at every
@@ -59,7 +66,7 @@ void make_as_ghd(MakeArguments& make) {
 void make_as_moustakas(MakeArguments& make) {
   if (!make.dense) make.paper = true;
   if (!make.resolution) make.resolution = 400;
-  set_word(make.surface, "fused", "corrected");
+  preset(make, "--surface", make.surface, "corrected");
 }
 
 LawParameters point(Law law) {

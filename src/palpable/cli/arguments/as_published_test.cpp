@@ -108,12 +108,18 @@ TEST(AsPublished, ASceneThatDoesNotSuitItsLawIsSaidToNeedMake) {
 
 TEST(AsPublished, SettingsOfTheUserTakePrecedence) {
   MakeArguments made;
-  made.detail = "histogram";
+  // Also where they are the defaults.
+  made.given = [] { return std::vector<std::string>{"--detail", "--surface", "--steepest", "--resolution"}; };
+  made.detail = "relief";
+  made.surface = "fused";
+  made.steepest_slope = 3.0;
   made.resolution = 128;
   apply_published(paper("gomez"), made);
-  EXPECT_EQ(made.detail, "histogram");
+  EXPECT_EQ(made.detail, "relief");
+  EXPECT_EQ(made.steepest_slope, 3.0);
   apply_published(paper("moustakas"), made);
   EXPECT_EQ(made.resolution, 128);
+  EXPECT_EQ(made.surface, "fused");
   haptics::LawParameters law;
   law.law = haptics::Law::penalty;
   law.force_shading = 0.25;

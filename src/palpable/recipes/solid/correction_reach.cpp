@@ -19,6 +19,12 @@ std::vector<Parameter> parameters_of(CorrectionReachOptions& o) {
           {"transition_reaches", &o.transition_reaches, {1, 10}, "", "Width of the transition, reaches"}};
 }
 
+std::vector<Parameter> without_reach(std::vector<Parameter> of_correction) {
+  std::erase_if(of_correction,
+                [](const Parameter& p) { return p.name == "reach_m" || p.name == "transition_m"; });
+  return of_correction;
+}
+
 void set_reach(const CorrectionReachOptions& options, std::vector<double> residuals, double spacing,
                double extent, sculpt::CorrectionOptions& correction) {
   const double residual = residuals.empty() ? 0.0 : quantile_of(residuals, options.quantile);

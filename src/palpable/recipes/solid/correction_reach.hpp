@@ -22,6 +22,9 @@ struct CorrectionReachOptions {
 /// Their names: reach_quantile, least_reach_spacings, most_reach_share, transition_reaches.
 std::vector<Parameter> parameters_of(CorrectionReachOptions& options);
 
+/// Parameters of a correction but those that follow from its reach, which set_reach() sets.
+std::vector<Parameter> without_reach(std::vector<Parameter> of_correction);
+
 /// Sets the reach and the transition of `correction` from the distances `residuals` of points, in the unit of
 /// the spacing of the samples and of the extent, all metres or all in the unit of a model.
 void set_reach(const CorrectionReachOptions& options, std::vector<double> residuals, double spacing,

@@ -3,8 +3,7 @@
 #include "palpable/recipes/solid/field_recipe.hpp"
 
 #include "palpable/models/relief/relief_solid.hpp"
-#include "palpable/recipes/solid/solid.hpp"
-#include "palpable/recipes/solid/solid_surface.hpp"
+#include "palpable/recipes/solid/field_scene.hpp"
 #include "palpable/recipes/solid/volume_under_relief.hpp"
 #include "palpable/sculpt/field/level_set_surface.hpp"
 #include "palpable/sculpt/points/cloud_normals.hpp"
@@ -85,8 +84,7 @@ Result<MadeScene> field_from_relief(MadeScene made, const FieldRecipe& given, co
   if (!solid) return solid.error();
   auto field = stored_field(*solid, recipe, work);
   if (!field) return field.error();
-  made.scene.source.method +=
-      ", filled behind into a field" + words_of(recipe.surface) + ", " + field->method;
+  made.scene.source.method += ", filled behind into a field" + solid->surface + ", " + field->method;
   made.scene.model = std::move(field->model);
   made.notes.insert(made.notes.end(), solid->notes.begin(), solid->notes.end());
   made.notes.insert(made.notes.end(), field->notes.begin(), field->notes.end());

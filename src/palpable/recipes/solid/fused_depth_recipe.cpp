@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/recipes/solid/fused_depth_recipe.hpp"
 
-#include "palpable/recipes/solid/solid.hpp"
+#include "palpable/recipes/solid/field_scene.hpp"
 #include "palpable/recipes/solid/world_orientation.hpp"
 #include "palpable/sculpt/field/level_set_surface.hpp"
 #include "palpable/sculpt/triangles/small_parts.hpp"

@@ -5,11 +5,13 @@
 #include "palpable/recipes/solid/surface_distances.hpp"
 #include "palpable/sculpt/correction/shapes_surface.hpp"
 #include "palpable/sculpt/solid/superquadric_source.hpp"
+#include "palpable/sculpt/superquadric/point_parts.hpp"
 #include "palpable/sculpt/triangles/dual_contour.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 namespace palpable::recipes {
@@ -52,11 +54,11 @@ std::vector<Vec3> places_on(const DistanceSource& solid, const sculpt::Box& box)
   return places;
 }
 
-/// Every so-manyth of the places, at most `most`.
+/// Evenly chosen places, at most `most`.
 std::vector<Vec3> some_of(const std::vector<Vec3>& places, int most) {
-  const std::size_t step = 1 + (places.size() - 1) / static_cast<std::size_t>(most);
   std::vector<Vec3> some;
-  for (std::size_t i = 0; i < places.size(); i += step) some.push_back(places[i]);
+  for (const std::uint32_t i : sculpt::thinned(places, static_cast<std::size_t>(most)))
+    some.push_back(places[i]);
   return some;
 }
 
@@ -72,10 +74,10 @@ class Predictor {
 
   /// Shapes of all points, and of those that are far from these.
   Result<void> fit() {
-    const std::vector<Vec3> points = some_of(measured_.vertices_m, options_.points);
-    auto set = sculpt::fit_superquadrics(points, {}, std::nullopt, options_.shapes, work_);
+    auto set = sculpt::fit_superquadrics(measured_.vertices_m, {}, std::nullopt, options_.shapes, work_);
     if (!set) return set.error();
     for (const auto& fit : set->shapes) out_.shapes.push_back(fit.shape);
+    const std::vector<Vec3> points = some_of(measured_.vertices_m, options_.shapes.used_points);
     auto distances = distances_from(points, out_.shapes, work_);
     if (!distances) return distances.error();
     std::vector<Vec3> rest;
@@ -192,7 +194,6 @@ Result<Mesh> sampled_surface(const DistanceSource& solid, int samples, const Wor
 std::vector<Parameter> parameters_of(PredictionOptions& o) {
   std::vector<Parameter> parameters{
       {"samples", &o.samples, {32, 1024}, "", "samples along the longest side"},
-      {"points", &o.points, {100, 1e6}, "", "points that shapes are fitted to, at most"},
       {"error_points", &o.error_points, {100, 1e6}, "", "points that errors are measured at, at most"},
       {"rest_share",
        &o.rest_share,
@@ -215,7 +216,7 @@ std::vector<Parameter> parameters_of(PredictionOptions& o) {
        "least thickness of shapes whose surface is sampled, spacings of samples"}};
   const auto reach = parameters_of(o.reach);
   parameters.insert(parameters.end(), reach.begin(), reach.end());
-  append_parameters(parameters, "correction", sculpt::parameters_of(o.correction));
+  append_parameters(parameters, "correction", without_reach(sculpt::parameters_of(o.correction)));
   append_parameters(parameters, "shapes", sculpt::parameters_of(o.shapes));
   return parameters;
 }

@@ -21,8 +21,7 @@ struct PredictionOptions {
   /// Samples along the solid's longest side, of the surface that is measured and of the one that is
   /// predicted. 32 … 1024.
   int samples = 200;
-  /// Points that shapes are fitted to, and that errors are measured at, at most. 100 … 1 000 000 each.
-  int points = 20000;
+  /// Points that errors are measured at, at most. 100 … 1 000 000.
   int error_points = 3000;
   /// Further shapes are fitted to points farther than this share of the longest side from all shapes, 0.001 …
   /// 0.5, if they are at least this share of all points, 0 … 1.

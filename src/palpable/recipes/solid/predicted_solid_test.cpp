@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -28,7 +30,6 @@ Mesh bumpy_ball() {
 PredictionOptions coarse() {
   PredictionOptions options;
   options.samples = 48;
-  options.points = 1500;
   return options;
 }
 
@@ -57,19 +58,8 @@ TEST(PredictedSolid, FollowsASurfaceThatNoShapeFits) {
   EXPECT_LT(predicted->corrected_error_m, 0.2 * predicted->predicted_error_m);
 }
 
-TEST(PredictedSolid, WithoutPassesHasNoCorrection) {
-  const auto solid = sculpt::solid_from_mesh(bumpy_ball(), 0.0002, {});
-  ASSERT_TRUE(solid);
-  PredictionOptions options = coarse();
-  options.passes = 0;
-  const auto predicted = predicted_solid(*solid->distance, options, {});
-  ASSERT_TRUE(predicted) << predicted.error().message;
-  EXPECT_TRUE(predicted->surface.triangles.empty());
-  EXPECT_EQ(predicted->corrected_error_m, predicted->predicted_error_m);
-}
-
 /// The mean distance of the bumpy ball's corners from the surface of its field.
-double error_of_field(SolidSurface surface, std::size_t& primitives) {
+double error_of_field(SolidSurface surface, std::size_t& primitives, std::string& method) {
   FieldRecipe recipe;
   recipe.placement.default_size = sculpt::DefaultSize::own;
   recipe.placement.convention = {AxisDirection::plus_y, LengthUnit::metre};
@@ -80,6 +70,7 @@ double error_of_field(SolidSurface surface, std::size_t& primitives) {
   EXPECT_TRUE(made) << made.error().message;
   const auto& field = *std::get<std::shared_ptr<const models::Field>>(made->scene.model);
   primitives = field.primitives.size();
+  method = made->scene.source.method;
   double sum_m = 0.0;
   const Mesh ball = bumpy_ball();
   for (const Vec3 v : ball.vertices_m)
@@ -90,12 +81,16 @@ double error_of_field(SolidSurface surface, std::size_t& primitives) {
 
 TEST(PredictedSolid, IsTheFieldThatARecipeAsksFor) {
   std::size_t primitives = 0;
-  const double exact_m = error_of_field(SolidSurface::given, primitives);
+  std::string method;
+  const double exact_m = error_of_field(SolidSurface::given, primitives, method);
   EXPECT_EQ(primitives, 0U);
-  const double predicted_m = error_of_field(SolidSurface::superquadrics, primitives);
+  EXPECT_EQ(method.rfind("field of mesh, 64 cells", 0), 0U) << method;
+  const double predicted_m = error_of_field(SolidSurface::superquadrics, primitives, method);
   EXPECT_GT(primitives, 0U);
-  const double corrected_m = error_of_field(SolidSurface::corrected, primitives);
+  EXPECT_EQ(method.rfind("field of mesh, by superquadrics, 64 cells", 0), 0U) << method;
+  const double corrected_m = error_of_field(SolidSurface::corrected, primitives, method);
   EXPECT_GT(primitives, 0U);
+  EXPECT_EQ(method.rfind("field of mesh, by superquadrics, corrected, 64 cells", 0), 0U) << method;
   EXPECT_LT(exact_m, corrected_m);
   EXPECT_LT(corrected_m, 0.3 * predicted_m);
 }

@@ -4,11 +4,30 @@
 
 #include "palpable/recipes/solid/predicted_solid.hpp"
 #include "palpable/recipes/solid/solid.hpp"
+#include "palpable/sculpt/triangles/box.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace palpable::recipes {
+
+namespace {
+
+/// Of the finite vertices' box.
+double longest_side_of(const Mesh& mesh) {
+  std::optional<sculpt::Box> box;
+  for (const Vec3 v : mesh.vertices_m) {
+    if (!is_finite(v)) continue;
+    if (!box) box = {v, v};
+    box->grow(v);
+  }
+  const Vec3 size = box ? box->size_m() : Vec3{};
+  return std::max({size.x, size.y, size.z});
+}
+
+}  // namespace
 
 Result<SeenPoints> points_of_depth(const DepthMap& depth, const std::optional<Raster<float>>& labels) {
   const auto& metres = depth.depth_m;
@@ -34,12 +53,18 @@ Result<SeenPoints> points_of_depth(const DepthMap& depth, const std::optional<Ra
 
 Result<SeenPoints> points_of_mesh(Mesh mesh, const Work& work) {
   const FieldRecipe recipe;
+  // Of a size that a field has: a mesh may state any unit.
+  constexpr double kLongest_m = 0.1;
+  const double scale = kLongest_m / longest_side_of(mesh);
+  if (!std::isfinite(scale) || scale <= 0.0) return invalid_input("is a mesh without a finite extent");
+  for (Vec3& v : mesh.vertices_m) v *= scale;
   const auto solid = solid_of(std::move(mesh), recipe, work);
   if (!solid) return solid.error();
   auto surface = sampled_surface(*solid->distance, recipe.prediction.samples, work);
   if (!surface) return surface.error();
   SeenPoints seen;
   seen.points_m = std::move(surface->vertices_m);
+  for (Vec3& p : seen.points_m) p *= 1.0 / scale;
   return seen;
 }
 

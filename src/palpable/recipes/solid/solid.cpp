@@ -6,7 +6,6 @@
 #include "palpable/core/text/figure.hpp"
 #include "palpable/recipes/solid/mesh_surface_check.hpp"
 #include "palpable/recipes/solid/placement_notes.hpp"
-#include "palpable/recipes/solid/solid_surface.hpp"
 #include "palpable/sculpt/solid/mesh_solid.hpp"
 #include "palpable/sculpt/solid/superquadric_source.hpp"
 #include "palpable/sculpt/triangles/mesh_orientation.hpp"
@@ -312,24 +311,6 @@ Result<StoredField> stored_field(const Solid& solid, const FieldRecipe& recipe, 
                      fmt::format("{} cells, error bound {:.1f} um{}", field_options.resolution,
                                  1e6 * errors.bound_m, method_on(of_input)),
                      std::move(notes)};
-}
-
-Result<MadeScene> field_scene(Solid given, const std::string& input, const FieldRecipe& recipe,
-                              const Work& work) {
-  const bool replaced = given.primitives.empty();
-  auto solid = with_surface(std::move(given), recipe, work);
-  if (!solid) return solid.error();
-  auto field = stored_field(*solid, recipe, work);
-  if (!field) return field.error();
-  models::Scene scene;
-  scene.scene_from_input = solid->scene_from_input;
-  scene.pose = solid->pose;
-  scene.source.method =
-      fmt::format("field of {}{}, {}", input, replaced ? words_of(recipe.surface) : "", field->method);
-  scene.model = std::move(field->model);
-  std::vector<Note> notes = std::move(solid->notes);
-  notes.insert(notes.end(), field->notes.begin(), field->notes.end());
-  return MadeScene{std::move(scene), std::move(notes)};
 }
 
 }  // namespace palpable::recipes

@@ -28,6 +28,8 @@ struct Solid {
   models::SolidPose pose = models::SolidPose::upright;
   /// Accuracy of the input's own surface, metres; 0 = exact.
   double exact_to_m = 0.0;
+  /// Its surface in words, to follow the name of the input; empty for the input's own.
+  std::string surface;
   /// The superquadrics that the solid consists of, in the scene's frame; may be empty.
   std::vector<models::Superquadric> primitives;
   /// Places of the input mesh that are visible from outside (sculpt::visible_places()), in the scene's frame;
@@ -58,9 +60,5 @@ struct StoredField {
   std::vector<Note> notes;
 };
 Result<StoredField> stored_field(const Solid& solid, const FieldRecipe& recipe, const Work& work);
-
-/// The scene of a solid, with the surface that the recipe asks for (with_surface()): "field of INPUT, …".
-Result<MadeScene> field_scene(Solid solid, const std::string& input, const FieldRecipe& recipe,
-                              const Work& work);
 
 }  // namespace palpable::recipes

@@ -235,7 +235,7 @@ std::vector<Parameter> parameters_of(CorrectedModelOptions& o) {
   out.insert(out.end(), reach.begin(), reach.end());
   append_parameters(out, "segments", vision::parameters_of(o.segments));
   append_parameters(out, "measured", parameters_of(o.measured));
-  append_parameters(out, "correction", sculpt::parameters_of(o.correction));
+  append_parameters(out, "correction", without_reach(sculpt::parameters_of(o.correction)));
   return out;
 }
 

@@ -6,7 +6,6 @@
 #include "palpable/sculpt/correction/surface_correction.hpp"
 #include "palpable/sculpt/solid/superquadric_source.hpp"
 #include "palpable/sculpt/triangles/dual_contour.hpp"
-#include "palpable/sculpt/triangles/hole_closing.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -43,8 +42,7 @@ Result<ShapesSurface> closed_surface_of_shapes(const std::vector<models::Superqu
   for (int i = 0;; ++i) {
     auto mesh = surface_of_shapes(shapes, spacing_m, least_thickness_spacings, work);
     if (!mesh) return mesh.error();
-    auto surface = predicted_surface(*mesh);
-    if (!surface && close_holes(*mesh) > 0) surface = predicted_surface(*std::move(mesh));
+    auto surface = predicted_surface(*std::move(mesh));
     if (surface) return ShapesSurface{std::move(surface->predicted), spacing_m};
     if (i == kTries) return surface.error();
     spacing_m *= kCoarser;

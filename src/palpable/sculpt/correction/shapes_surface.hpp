@@ -25,8 +25,8 @@ struct ShapesSurface {
 Result<Mesh> surface_of_shapes(const std::vector<models::Superquadric>& shapes, double spacing_m,
                                double least_thickness_spacings, const Work& work);
 
-/// The same, closed: where the surface is open, its holes are closed, or it is contoured with coarser cubes.
-/// Errors: also as predicted_surface(), if the last of them is open too.
+/// The same, closed: where the surface is open, it is contoured with coarser cubes. Errors: also as
+/// predicted_surface(), if the last of them is open too.
 Result<ShapesSurface> closed_surface_of_shapes(const std::vector<models::Superquadric>& shapes,
                                                double spacing_m, double least_thickness_spacings,
                                                const Work& work);

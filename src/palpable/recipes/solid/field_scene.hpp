@@ -15,7 +15,8 @@ namespace palpable::recipes {
 /// enclose().
 Result<Solid> with_surface(Solid solid, FieldRecipe recipe, const Work& work);
 
-/// The surface in words, to follow the name of an input; empty for the given one.
-std::string words_of(SolidSurface surface);
+/// The scene of a solid with that surface: "field of INPUT, …". Errors: also as stored_field().
+Result<MadeScene> field_scene(Solid solid, const std::string& input, const FieldRecipe& recipe,
+                              const Work& work);
 
 }  // namespace palpable::recipes

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/recipes/solid/solid_surface.hpp"
+#include "palpable/recipes/solid/field_scene.hpp"
 
 #include "palpable/core/text/figure.hpp"
 #include "palpable/sculpt/field/field_from_source.hpp"
@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -19,26 +20,16 @@ constexpr double kMmPerM = 1000.0;
 
 Note note_on(const PredictedSolid& predicted) {
   return {fmt::format(
-      "{} superquadrics are {} mm from the surface (mean){}.", predicted.shapes.size(),
+      "{} {} mm from the surface (mean){}.",
+      predicted.shapes.size() == 1 ? "One superquadric is"
+                                   : fmt::format("{} superquadrics are", predicted.shapes.size()),
       figure(kMmPerM * predicted.predicted_error_m),
       predicted.surface.triangles.empty()
           ? std::string()
-          : fmt::format("; their surface, corrected, {} mm", figure(kMmPerM * predicted.corrected_error_m)))};
+          : fmt::format("; corrected by it, {} mm", figure(kMmPerM * predicted.corrected_error_m)))};
 }
 
 }  // namespace
-
-std::string words_of(SolidSurface surface) {
-  switch (surface) {
-    case SolidSurface::given:
-      return "";
-    case SolidSurface::superquadrics:
-      return ", by superquadrics";
-    case SolidSurface::corrected:
-      return ", by superquadrics, corrected";
-  }
-  return "";
-}
 
 Result<Solid> with_surface(Solid solid, FieldRecipe recipe, const Work& work) {
   if (recipe.surface == SolidSurface::given || !solid.primitives.empty()) return solid;
@@ -46,6 +37,7 @@ Result<Solid> with_surface(Solid solid, FieldRecipe recipe, const Work& work) {
   auto predicted = predicted_solid(*solid.distance, recipe.prediction, work);
   if (!predicted) return predicted.error();
   solid.notes.push_back(note_on(*predicted));
+  solid.surface = ", by superquadrics";
   if (predicted->surface.triangles.empty()) {
     auto distance = sculpt::distance_of(predicted->shapes);
     if (!distance) return distance.error();
@@ -53,6 +45,7 @@ Result<Solid> with_surface(Solid solid, FieldRecipe recipe, const Work& work) {
   } else {
     const auto cell_m = sculpt::finest_cell_m(sculpt::bounds_of(predicted->surface), recipe.field);
     if (!cell_m) return cell_m.error();
+    solid.surface += ", corrected";
     // It may fold and cross itself, by less than a sample: pieces smaller than that are not cut, of which
     // there would be millions. What is repaired there is nothing of the input's.
     Solid corrected;
@@ -65,6 +58,22 @@ Result<Solid> with_surface(Solid solid, FieldRecipe recipe, const Work& work) {
   }
   solid.primitives = std::move(predicted->shapes);
   return solid;
+}
+
+Result<MadeScene> field_scene(Solid given, const std::string& input, const FieldRecipe& recipe,
+                              const Work& work) {
+  auto solid = with_surface(std::move(given), recipe, work);
+  if (!solid) return solid.error();
+  auto field = stored_field(*solid, recipe, work);
+  if (!field) return field.error();
+  models::Scene scene;
+  scene.scene_from_input = solid->scene_from_input;
+  scene.pose = solid->pose;
+  scene.source.method = fmt::format("field of {}{}, {}", input, solid->surface, field->method);
+  scene.model = std::move(field->model);
+  std::vector<Note> notes = std::move(solid->notes);
+  notes.insert(notes.end(), field->notes.begin(), field->notes.end());
+  return MadeScene{std::move(scene), std::move(notes)};
 }
 
 }  // namespace palpable::recipes
