@@ -117,9 +117,22 @@ Vec3 transition(std::uint32_t y, const CorrectedSurface& s, Geodesic& geodesic, 
   return (1.0 - u * u * u * (10.0 - u * (15.0 - 6.0 * u))) / weights * sum;
 }
 
+/// Translations of samples in the transition, as far as an earlier round has them.
+using KnownTransitions = std::vector<std::optional<Vec3>>;
+
+/// Those that the matches of some samples have a part in.
+void forget_around(const std::vector<std::uint32_t>& samples, const CorrectedSurface& s,
+                   const CorrectionOptions& options, KnownTransitions& known) {
+  // The sum of a path's edges may differ in its last digit from the other direction's.
+  constexpr double kWithRounding = 1.0 + 1e-9;
+  Geodesic geodesic(s, options.longest_path);
+  for (const std::uint32_t i : samples)
+    geodesic.around(i, kWithRounding * options.transition_m, [&](std::uint32_t y) { known[y].reset(); });
+}
+
 /// Moves the matched samples by their distances along their normals, and the transition around them.
 void move_surface(const std::vector<std::optional<double>>& distances, const CorrectionOptions& options,
-                  const Work& work, CorrectedSurface& s) {
+                  const Work& work, KnownTransitions& known_transitions, CorrectedSurface& s) {
   s.moved.clear();
   const SampleNetwork& network = *s.network;
   const auto move_to = [&](std::size_t i, Vec3 translation) {
@@ -153,23 +166,21 @@ void move_surface(const std::vector<std::optional<double>>& distances, const Cor
   std::vector<std::uint32_t> in_transition;
   {
     Geodesic geodesic(s, options.longest_path);
-    std::vector<bool> known = s.measured;
-    for (const std::uint32_t i : border)
-      geodesic.around(i, options.transition_m, [&](std::uint32_t y) {
-        if (known[y] || geodesic.distance_m(i, y) >= options.transition_m) return;
-        known[y] = true;
-        in_transition.push_back(y);
-      });
+    geodesic.around_all(border, options.transition_m, [&](std::uint32_t y) {
+      if (!s.measured[y]) in_transition.push_back(y);
+    });
   }
   std::sort(in_transition.begin(), in_transition.end());
-  std::vector<Vec3> translations(in_transition.size());
   constexpr int kGrain = 256;
   parallel_for(work, static_cast<int>(in_transition.size()), kGrain, [&](int begin, int end) {
     Geodesic geodesic(s, options.longest_path);
-    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
-      translations[k] = transition(in_transition[k], s, geodesic, options.transition_m);
+    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+      auto& known = known_transitions[in_transition[k]];
+      if (!known) known = transition(in_transition[k], s, geodesic, options.transition_m);
+    }
   });
-  for (std::size_t k = 0; k < in_transition.size(); ++k) move_to(in_transition[k], translations[k]);
+  if (work.cancelled()) return;
+  for (const std::uint32_t y : in_transition) move_to(y, *known_transitions[y]);
 }
 
 /// The corners of triangles that the corrections so far have turned too far.
@@ -294,8 +305,9 @@ Result<CorrectedSurface> correct_surface(CorrectedSurface s, const Mesh& measure
   work.report(0.1, "matching the measured surface");
   auto distances = distances_along_normals(measured, s, options, work);
   if (work.cancelled()) return Work::interrupted();
+  KnownTransitions known(s.predicted.vertices_m.size());
   if (options.most_turn_deg >= 180.0) {
-    move_surface(distances, options, work, s);
+    move_surface(distances, options, work, known, s);
     if (work.cancelled()) return Work::interrupted();
     return s;
   }
@@ -303,16 +315,17 @@ Result<CorrectedSurface> correct_surface(CorrectedSurface s, const Mesh& measure
   constexpr int kRounds = 6;
   for (int round = 0;; ++round) {
     CorrectedSurface tried = s;
-    move_surface(distances, options, work, tried);
+    move_surface(distances, options, work, known, tried);
     if (work.cancelled()) return Work::interrupted();
-    bool taken_back = false;
+    std::vector<std::uint32_t> taken_back;
     for (const std::uint32_t i : corners_turned_too_far(tried, options)) {
       if (!distances[i] && !s.measured[i]) continue;
       distances[i].reset();
       s.measured[i] = false;
-      taken_back = true;
+      taken_back.push_back(i);
     }
-    if (!taken_back || round == kRounds) return tried;
+    if (taken_back.empty() || round == kRounds) return tried;
+    forget_around(taken_back, s, options, known);
   }
 }
 

@@ -46,26 +46,18 @@ class Geodesic {
   /// Calls visit(sample) for samples that may be within the radius; distance_m() gives the exact distance.
   template <class Visit>
   void around(std::uint32_t from, double radius_m, Visit&& visit) {
-    const auto reach = [&](std::uint32_t i, double path_m) {
-      if (!(path_m < path_m_[i]) || path_m > longest_path_ * radius_m) return;
-      if (path_m_[i] == kFar) seen_.push_back(i);
-      path_m_[i] = path_m;
-      open_.push_back({i, path_m});
-    };
-    reach(from, 0.0);
-    // Edges have similar lengths, so a queue in order of arrival visits few samples twice.
-    for (std::size_t k = 0; k < open_.size(); ++k) {
-      const SampleNetwork::Edge here = open_[k];
-      if (here.length_m > path_m_[here.to]) continue;
-      for (const SampleNetwork::Edge& edge : network_.from(here.to))
-        reach(edge.to, here.length_m + edge.length_m);
-    }
-    for (const std::uint32_t i : seen_) {
+    spread({&from, 1}, radius_m);
+    for (const std::uint32_t i : seen_)
       if (squared_norm(places_m_[from] - places_m_[i]) < radius_m * radius_m) visit(i);
-      path_m_[i] = kFar;
-    }
-    seen_.clear();
-    open_.clear();
+    clear();
+  }
+
+  /// The same for samples that may be within the radius of one of several, each once, by one search.
+  template <class Visit>
+  void around_all(std::span<const std::uint32_t> from, double radius_m, Visit&& visit) {
+    spread(from, radius_m);
+    for (const std::uint32_t i : seen_) visit(i);
+    clear();
   }
 
   /// Length of the arc between two samples, m.
@@ -73,6 +65,29 @@ class Geodesic {
 
  private:
   static constexpr double kFar = std::numeric_limits<double>::infinity();
+
+  void spread(std::span<const std::uint32_t> from, double radius_m) {
+    const auto reach = [&](std::uint32_t i, double path_m) {
+      if (!(path_m < path_m_[i]) || path_m > longest_path_ * radius_m) return;
+      if (path_m_[i] == kFar) seen_.push_back(i);
+      path_m_[i] = path_m;
+      open_.push_back({i, path_m});
+    };
+    for (const std::uint32_t i : from) reach(i, 0.0);
+    // Edges have similar lengths, so a queue in order of arrival visits few samples twice.
+    for (std::size_t k = 0; k < open_.size(); ++k) {
+      const SampleNetwork::Edge here = open_[k];
+      if (here.length_m > path_m_[here.to]) continue;
+      for (const SampleNetwork::Edge& edge : network_.from(here.to))
+        reach(edge.to, here.length_m + edge.length_m);
+    }
+  }
+  void clear() {
+    for (const std::uint32_t i : seen_) path_m_[i] = kFar;
+    seen_.clear();
+    open_.clear();
+  }
+
   double longest_path_;
   const std::vector<Vec3>& places_m_;
   const SampleNetwork& network_;

@@ -17,6 +17,11 @@ std::vector<Parameter> start_parameters(FitStartOptions& o) {
       {"outliers", &o.outliers, {0.01, 0.8}, "", "share of outliers that a start assumes"},
       {"centre_behind", &o.centre_behind, {0.0, 10.0}, "", "how far a half view's centre lies behind"},
       {"square_section", &o.square_section, {1.0, 10.0}, "", "half axes that differ by less may be turned"},
+      {"similar_scatter",
+       &o.similar_scatter,
+       {1.0, 100.0},
+       "",
+       "factor of scatter along axes below which fourth moments give axes too"},
       {"switched_noise_factor", &o.switched_noise_factor, {1.0, 100.0}, "", "noise of a switched start"},
       {"least_switched_noise", &o.least_switched_noise, {0.001, 10.0}, "", "least noise of such a start"},
       {"taper", &o.taper, {0.0, 1.0}, "", "taper of a deformed start"}};

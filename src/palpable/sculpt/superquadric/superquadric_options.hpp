@@ -34,6 +34,9 @@ struct FitStartOptions {
   double centre_behind = 0.7;
   /// Sections whose half axes differ by at most this factor are also tried turned by 45 degrees. 1 … 10.
   double square_section = 1.5;
+  /// Where the scatter along two axes differs at most by this factor, axes by fourth moments are tried too. 1
+  /// … 100.
+  double similar_scatter = 1.5;
   /// A switched start (another axis as z, a turned section) has this multiple of the noise, at least the
   /// least noise. 1 … 100; 0.001 … 10.
   double switched_noise_factor = 4.0;

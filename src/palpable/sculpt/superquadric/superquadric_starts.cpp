@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/superquadric/superquadric_starts.hpp"
 
+#include "palpable/sculpt/superquadric/independent_axes.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -104,6 +106,15 @@ std::vector<Candidate> starts_for(const Evidence& evidence, const FitStartOption
     starts.push_back(start_at(evidence, centre, cycled, options));
     const Eigen::Matrix3d turned = cycled * Eigen::AngleAxisd(kQuarter, Eigen::Vector3d::UnitZ());
     starts.push_back(start_at(evidence, centre, turned, options));
+  }
+  // Principal axes of similar widths are arbitrary.
+  const Eigen::Vector3d widths = principal.eigenvalues();
+  const bool similar =
+      widths[1] < options.similar_scatter * widths[0] || widths[2] < options.similar_scatter * widths[1];
+  if (!evidence.eye && similar) {
+    const auto [x, y, z] = independent_axes(evidence.points, centre);
+    axes << x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z;
+    starts.push_back(start_at(evidence, centre, axes, options));
   }
   return starts;
 }
