@@ -123,9 +123,8 @@ const std::array<Published, 5> kPublished{
         session::MakeAs::by_input, make_as_ghd},
     Published{"moustakas", shaded_penalty(), std::nullopt,
               "The sign of the force is corrected. Other inputs than videos have no segments or frames: "
-              "superquadrics are fitted to the whole surface, which then corrects them. The lattice has 400 "
-              "places along the longest side (the paper: 512); "
-              "--resolution sets them.",
+              "superquadrics are fitted to the whole surface, which then corrects them. Unless "
+              "--resolution is given, the lattice has 400 places along the longest side (the paper: 512).",
               session::MakeAs::field, make_as_moustakas}};
 
 }  // namespace

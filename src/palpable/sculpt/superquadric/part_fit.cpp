@@ -16,6 +16,19 @@ namespace {
 using models::Superquadric;
 using models::SuperquadricDistance;
 
+/// Whether it stands for a box, whose edges are sharper than the least exponents'.
+bool is_box(const Superquadric& shape) {
+  constexpr double kNearlyLeast = 1.1 * models::kLeastExponent;
+  return !shape.deformed() && shape.e1 < kNearlyLeast && shape.e2 < kNearlyLeast;
+}
+
+/// Distance from the surface of the box with a shape's half axes, along the ray from its centre.
+double distance_to_box_m(Vec3 in_shape_m, Vec3 half_m) {
+  const double factor = std::max({std::abs(in_shape_m.x) / half_m.x, std::abs(in_shape_m.y) / half_m.y,
+                                  std::abs(in_shape_m.z) / half_m.z});
+  return factor > 0.0 ? norm(in_shape_m) * std::abs(1.0 - 1.0 / factor) : norm(half_m);
+}
+
 }  // namespace
 
 std::vector<Vec3> PartFitter::places_of(const Members& members, int most) const {
@@ -56,12 +69,12 @@ PartFitter::Distances PartFitter::distances_of(const Superquadric& shape, const 
   const auto distance = SuperquadricDistance::from(shape);
   const std::vector<Vec3> places = places_of(members, options_.measured_points);
   if (!distance || places.empty()) return {};
+  const double most_m = options_.most_tolerances * scene_.tolerance_m;
   std::vector<double> distances_m;
   for (const Vec3 p : places) {
     const double to_surface_m = distance->distance_m({p});
     // A plane's points may lie anywhere in its slab.
-    distances_m.push_back(std::min(flat ? std::max(to_surface_m, 0.0) : std::abs(to_surface_m),
-                                   options_.most_tolerances * scene_.tolerance_m));
+    distances_m.push_back(std::min(flat ? std::max(to_surface_m, 0.0) : std::abs(to_surface_m), most_m));
   }
   if (flat) {
     // slab_of() leaves out up to 2 % on each side, and its corners are round.
@@ -70,7 +83,16 @@ PartFitter::Distances PartFitter::distances_of(const Superquadric& shape, const 
     distances_m.resize(distances_m.size() - distances_m.size() / kOneOf);
   }
   double sum = 0.0, squares = 0.0;
-  for (const double d : distances_m) sum += d, squares += d * d;
+  for (const double d : distances_m) sum += d;
+  // Edges that are rounder than the points' for want of smaller exponents are no reason for more shapes.
+  if (!flat && is_box(shape)) {
+    const auto shape_from_scene = shape.scene_from_shape.inverse();
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const Vec3 p = (shape_from_scene * Point<SceneFrame>{places[k]}).v;
+      distances_m[k] = std::min(distances_m[k], distance_to_box_m(p, shape.size_m));
+    }
+  }
+  for (const double d : distances_m) squares += d * d;
   const auto count = static_cast<double>(distances_m.size());
   return {sum / count, std::sqrt(squares / count)};
 }

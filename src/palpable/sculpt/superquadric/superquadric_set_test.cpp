@@ -106,6 +106,23 @@ TEST(SuperquadricSet, ABoxWithSharpEdgesIsOneShape) {
   }
 }
 
+// All sides are equal, and every k-th point may be one of the same side.
+TEST(SuperquadricSet, ACubesPointsOnALatticeAreOneShape) {
+  constexpr double kHalf_m = 0.03;
+  constexpr int kSteps = 60;
+  std::vector<Vec3> points;
+  const auto at = [&](int i) { return kHalf_m * (2.0 * i / kSteps - 1.0); };
+  for (int z = 0; z <= kSteps; ++z)
+    for (int y = 0; y <= kSteps; ++y)
+      for (int x = 0; x <= kSteps; ++x)
+        if (x % kSteps == 0 || y % kSteps == 0 || z % kSteps == 0) points.push_back({at(x), at(y), at(z)});
+  const auto set = fit_superquadrics(points, {}, std::nullopt, {}, Work{});
+  ASSERT_TRUE(set) << set.error().sentence();
+  ASSERT_EQ(set->shapes.size(), 1U);
+  for (const double half_m : {set->shapes[0].shape.size_m.x, set->shapes[0].shape.size_m.y})
+    EXPECT_NEAR(half_m, kHalf_m, 0.0002);
+}
+
 TEST(SuperquadricSet, ThreeThatStandApartAreFound) {
   const std::vector<Superquadric> truth{
       ball({-0.1, 0.0, 0.0}, 0.03), box({0.0, 0.0, 0.0}, {0.02, 0.03, 0.04}), ball({0.1, 0.02, 0.0}, 0.02)};
