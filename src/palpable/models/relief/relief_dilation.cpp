@@ -35,16 +35,22 @@ BallAbove ball_above(const RestingBall& ball) {
           f(ball.bend.xx),  f(ball.bend.xy), f(ball.bend.yy)};
 }
 
-/// The spline's heights at its samples.
+/// The spline's heights at its samples: 1, 4 and 1 sixths of the control values around, along both axes.
 Raster<float> heights_at_samples(const Relief& relief) {
   const Raster<float>& values = relief.samples_m();
-  Raster<float> heights(values.width(), values.height());
-  const double left_m = -0.5 * (values.width() - 1) * relief.pixel_m();
-  const double top_m = 0.5 * (values.height() - 1) * relief.pixel_m();
-  for (int y = 0; y < heights.height(); ++y)
-    for (int x = 0; x < heights.width(); ++x)
+  const int w = values.width(), h = values.height();
+  const auto mean = [](float before, float at, float after) { return (before + 4.0F * at + after) / 6.0F; };
+  Raster<float> heights(w, h);
+  std::vector<float> down(static_cast<std::size_t>(w));
+  for (int y = 0; y < h; ++y) {
+    const int above = std::max(y - 1, 0), below = std::min(y + 1, h - 1);
+    for (int x = 0; x < w; ++x)
+      down[static_cast<std::size_t>(x)] = mean(values(x, above), values(x, y), values(x, below));
+    for (int x = 0; x < w; ++x)
       heights(x, y) =
-          static_cast<float>(relief.sample(left_m + x * relief.pixel_m(), top_m - y * relief.pixel_m()).z_m);
+          mean(down[static_cast<std::size_t>(std::max(x - 1, 0))], down[static_cast<std::size_t>(x)],
+               down[static_cast<std::size_t>(std::min(x + 1, w - 1))]);
+  }
   return heights;
 }
 

@@ -85,7 +85,7 @@ UnderBall point_of(BallSlope slope, double radius_m) noexcept { return point_wit
 
 RestingBall rest_ball(const Relief& relief, double radius_m, double x_m, double y_m, UnderBall from,
                       int steps) noexcept {
-  constexpr double kEnough_m = 1e-9;
+  constexpr double kEnough_m = 1e-7;
   const double pixel_m = relief.pixel_m();
   BallPoint best = point_with(slope_at(from, radius_m, relief.steepest_slope()), radius_m);
   CurvedSample s = relief.curved_sample(x_m + best.at.dx, y_m + best.at.dy);

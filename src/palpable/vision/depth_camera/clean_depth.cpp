@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace palpable::vision {
@@ -19,6 +20,11 @@ bool on_one_surface(float a_m, float b_m, const DepthNoise& noise) {
 /// The mean of the readings on the surface of the median; sorts them.
 float surface_mean(std::vector<float>& readings_m, const DepthNoise& noise) {
   if (readings_m.empty()) return kUnknownDepth;
+  const auto [nearest, farthest] = std::minmax_element(readings_m.begin(), readings_m.end());
+  // Where all are on one surface, the median need not be known.
+  if (*farthest - *nearest <= kSameSurface * noise.deviation_m(*nearest))
+    return std::accumulate(readings_m.begin(), readings_m.end(), 0.0F) /
+           static_cast<float>(readings_m.size());
   const auto middle = readings_m.begin() + static_cast<std::ptrdiff_t>((readings_m.size() - 1) / 2);
   std::nth_element(readings_m.begin(), middle, readings_m.end());
   const float median_m = *middle;
