@@ -121,7 +121,8 @@ void LiveFeed::begin_with(Surface surface) {
   scene->source.method = kLiveMethod;
   if (memory_) scene->source.method += ", with memory";
   scene->title = "Live pictures of a " + std::string(source_->kind());
-  refresh_picture(*scene);
+  read_picture();
+  refresh_texture(*scene);
   first_ = std::move(scene);
 }
 
@@ -181,15 +182,21 @@ void LiveFeed::record(const LiveFrame& frame) {
   if (recorder_) recorder_->keep(frame, std::exchange(unrecorded_colour_, std::nullopt));
 }
 
-/// The colour picture is for the eye, and is read less often than the depth.
-void LiveFeed::refresh_picture(models::Scene& scene) {
+/// The colour picture is for the eye: it is read less often than the depth, and while nobody waits for a
+/// surface. The next scene has it.
+void LiveFeed::read_picture() {
   constexpr auto kPeriod = std::chrono::seconds(1);
-  if (!scene.texture.empty() && last_arrival_ - last_picture_ < kPeriod) return;
+  if (has_picture_ && last_arrival_ - last_picture_ < kPeriod) return;
   last_picture_ = last_arrival_;
   auto picture = source_->colour();
   if (!picture) return;
-  scene.texture = rgb8(*picture);
+  has_picture_ = true;
+  new_texture_ = rgb8(*picture);
   if (recorder_) unrecorded_colour_ = std::move(picture);
+}
+
+void LiveFeed::refresh_texture(models::Scene& scene) {
+  if (new_texture_) scene.texture = *std::exchange(new_texture_, std::nullopt);
 }
 
 void LiveFeed::start(TouchSession& session, Say say) {
@@ -262,6 +269,7 @@ void LiveFeed::run(TouchSession& session) {
     }
     number = (*frame)->number;
     feel(session, **frame);
+    read_picture();
     learn();
     record(**frame);
     constexpr double kMuch = 0.3;
@@ -282,7 +290,7 @@ void LiveFeed::feel(TouchSession& session, const LiveFrame& frame) {
   scene->model = risen_surface(*models::relief_of(*scene), std::move(surface->relief),
                                places_of_hands(session), session.radius_in_use_m(), passed_s);
   if (memory_ || source_->marks_sounds()) scene->labels = std::move(surface->labels);
-  refresh_picture(*scene);
+  refresh_texture(*scene);
   scene->guide = source_->guide(*scene);
   if (const auto changed = session.change_surface(std::move(scene)); !changed) return;
   if (!wait_until_felt(session, session.newest_scene_id(), ending_)) return;

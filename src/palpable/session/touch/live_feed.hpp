@@ -108,7 +108,8 @@ class LiveFeed {
   void learn();
   Result<void> begin_recording();
   void record(const LiveFrame& frame);
-  void refresh_picture(models::Scene& scene);
+  void read_picture();
+  void refresh_texture(models::Scene& scene);
   void run(TouchSession& session);
   void feel(TouchSession& session, const LiveFrame& frame);
   /// Why a surface is old: its camera was lost, its pictures come too late, or they are used too slowly.
@@ -135,6 +136,8 @@ class LiveFeed {
   std::shared_ptr<const models::Scene> first_;
   Clock::time_point last_arrival_;
   Clock::time_point last_picture_;
+  bool has_picture_ = false;
+  std::optional<Raster<Rgb8>> new_texture_;
   bool said_unknown_ = false;
   std::atomic<bool> ending_{false};
   /// The source has ended.
