@@ -365,8 +365,10 @@ TEST_F(SolidCommands, FitsShapesToAMesh) {
     box += "v " + std::string(corner) + "\n";
   box += "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
   write_text(path("box.obj"), box);
-  const Outcome fitted = palpable({"fit-shapes", path("box.obj"), "-o", path("s.json"), "--json"});
+  const Outcome fitted =
+      palpable({"fit-shapes", path("box.obj"), "-o", path("s.json"), "--json", "--size", "9x9x9"});
   ASSERT_EQ(fitted.exit_code, 0) << fitted.err;
+  EXPECT_THAT(fitted.err, HasSubstr("--size has no effect on fitted shapes"));
   const auto primitives = fitted.json()["primitives"];
   ASSERT_EQ(primitives.size(), 1U) << fitted.out;
   auto half_m = primitives[0]["size_m"].get<std::vector<double>>();

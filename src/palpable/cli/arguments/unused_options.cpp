@@ -5,6 +5,8 @@
 #include "palpable/describe/numbers.hpp"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -96,7 +98,28 @@ std::string with_article(const std::string& kind) {
   return many ? kind : "a " + kind;
 }
 
+/// "--size and --lay have".
+std::string listed_with_verb(const std::vector<std::string>& unused) {
+  return describe::listed(unused) + (unused.size() == 1 ? " has" : " have");
+}
+
 }  // namespace
+
+std::optional<std::string> unused_by_fit_shapes(std::span<const std::string> given) {
+  // Of an input and of a pair's depth.
+  constexpr std::array<std::string_view, 10> kUsed{
+      "--depth-scale", "--depth-as",      "--near-plane", "--far-plane", "--calibration",
+      "--method",      "--max-disparity", "--rectify",    "--moved",     "--megapixels"};
+  const auto is_unused = [&](const std::string& option) {
+    const auto is_it = [&](const Effect& effect) { return effect.option == option; };
+    return option == "--as" || (std::any_of(effects().begin(), effects().end(), is_it) &&
+                                std::find(kUsed.begin(), kUsed.end(), option) == kUsed.end());
+  };
+  std::vector<std::string> unused;
+  std::copy_if(given.begin(), given.end(), std::back_inserter(unused), is_unused);
+  if (unused.empty()) return std::nullopt;
+  return listed_with_verb(unused) + " no effect on fitted shapes, which are no scene yet.";
+}
 
 std::optional<std::string> unused_options(std::span<const std::string> given,
                                           std::span<const std::string> parameters, InputKind input,
@@ -112,8 +135,8 @@ std::optional<std::string> unused_options(std::span<const std::string> given,
   if (unused.empty()) return std::nullopt;
   const std::string input_words =
       input == InputKind::stereo ? "a pair" : with_article(std::string(name_of(input)));
-  return fmt::format("{} {} no effect on {} made from {}.", describe::listed(unused),
-                     unused.size() == 1 ? "has" : "have", with_article(scene), input_words);
+  return fmt::format("{} no effect on {} made from {}.", listed_with_verb(unused), with_article(scene),
+                     input_words);
 }
 
 }  // namespace palpable::cli

@@ -19,4 +19,7 @@ std::optional<std::string> unused_options(std::span<const std::string> given,
                                           std::span<const std::string> parameters, sources::InputKind input,
                                           const models::Model& made);
 
+/// The same of shapes that are fitted to an input.
+std::optional<std::string> unused_by_fit_shapes(std::span<const std::string> given);
+
 }  // namespace palpable::cli

@@ -3,6 +3,7 @@
 #include "palpable/session/make/fit_shapes.hpp"
 
 #include "palpable/cli/arguments/make_options.hpp"
+#include "palpable/cli/arguments/unused_options.hpp"
 #include "palpable/cli/command.hpp"
 #include "palpable/core/files/atomic_file.hpp"
 #include "palpable/core/files/byte_reader.hpp"
@@ -61,6 +62,7 @@ Result<Answer> run_fit_shapes(const FitShapesArguments& arguments, Console& cons
   const auto found = session::fit_shapes(where, console.work());
   if (!found) return found.error();
   for (const Note& note : found->notes) console.note(note);
+  if (const auto words = unused_by_fit_shapes(arguments.make.given())) console.note(Note(*words));
   const recipes::FittedShapes* const fitted = &found->fitted;
   Json file;
   for (const auto& shape : fitted->set.shapes)

@@ -105,16 +105,21 @@ TEST(TouchHeadless, SaysThatItsDeviceIsSilentAndThatItAnswersAgain) {
     answers_again = answers_again || notice == "The device answers again.";
   };
   // Long enough to be noticed, and too short for a failed device.
+  constexpr std::chrono::milliseconds kSilence{50};
+  std::chrono::steady_clock::duration silent{};
   std::thread trouble([&] {
     board.wait_for(200);
+    const auto begin = std::chrono::steady_clock::now();
     board.inject(device::VirtualTwoDiy::Fault::silent);
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    std::this_thread::sleep_for(kSilence);
     board.inject(device::VirtualTwoDiy::Fault::none);
+    silent = std::chrono::steady_clock::now() - begin;
   });
   Work until_then;
   until_then.cancel = &answers_again;
   const auto statistics = touch_headless(two_scenes, options, until_then);
   trouble.join();
+  if (!statistics && silent > 2 * kSilence) GTEST_SKIP() << "the computer was too busy to be silent briefly";
   ASSERT_TRUE(statistics) << statistics.error().sentence();
   const auto place_of = [&](const std::string& words) {
     const auto found =
