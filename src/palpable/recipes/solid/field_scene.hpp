@@ -16,7 +16,7 @@ namespace palpable::recipes {
 Result<Solid> with_surface(Solid solid, FieldRecipe recipe, const Work& work);
 
 /// The scene of a solid with that surface: "field of INPUT, …". Errors: also as stored_field().
-Result<MadeScene> field_scene(Solid solid, const std::string& input, const FieldRecipe& recipe,
+Result<MadeScene> field_scene(Solid given, const std::string& input, const FieldRecipe& recipe,
                               const Work& work);
 
 }  // namespace palpable::recipes

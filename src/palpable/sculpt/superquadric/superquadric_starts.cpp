@@ -108,7 +108,7 @@ std::vector<Candidate> starts_for(const Evidence& evidence, const FitStartOption
     starts.push_back(start_at(evidence, centre, turned, options));
   }
   // Principal axes of similar widths are arbitrary.
-  const Eigen::Vector3d widths = principal.eigenvalues();
+  const Eigen::Vector3d& widths = principal.eigenvalues();
   const bool similar =
       widths[1] < options.similar_scatter * widths[0] || widths[2] < options.similar_scatter * widths[1];
   if (!evidence.eye && similar) {
@@ -193,7 +193,7 @@ Superquadric start_from_moments(std::span<const Vec3> points) {
   }
   // The axis of the most different moment becomes z.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(moments);
-  const Eigen::Vector3d values = principal.eigenvalues();
+  const Eigen::Vector3d& values = principal.eigenvalues();
   const int z = values[2] - values[1] > values[1] - values[0] ? 2 : 0;
   Eigen::Matrix3d axes;
   axes << principal.eigenvectors().col((z + 1) % 3), principal.eigenvectors().col((z + 2) % 3),
