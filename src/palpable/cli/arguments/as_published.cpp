@@ -21,7 +21,7 @@ bool is_given(const MakeArguments& make, std::string_view option) {
   return std::find(given.begin(), given.end(), option) != given.end();
 }
 
-/// Sets what the user has not set, though it be to the default.
+/// Sets an option that the user has not given.
 void preset(const MakeArguments& make, std::string_view option, std::string& target, std::string_view value) {
   if (!is_given(make, option)) target = value;
 }
